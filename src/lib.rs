@@ -1,2 +1,15 @@
-//! rock-field (crate documentation follows with the modules).
-#![allow(missing_docs, reason = "skeleton")]
+//! rock-field
+pub mod error;
+pub mod params;
+pub mod rocks;
+mod bitmap;
+mod memory;
+mod mesh;
+mod rng;
+#[cfg(feature = "renderer")]
+mod render;
+mod bindings;
+
+pub use error::Error;
+pub use memory::{MemoryEstimate, memory_estimate};
+pub use mesh::Mesh;

@@ -1,0 +1,119 @@
+// `npm test`: sets everything up, then runs every check, all of them even when one fails.
+//
+//   npm test -- --only rust          the steps whose name starts so; several with commas
+//   SKIP_BROWSERS=1 npm test         without the browser tests
+//
+// The last line on stdout is always `N passed, N failed`, counting steps.
+import { existsSync, readdirSync } from 'node:fs';
+import path from 'node:path';
+import { parseArgs } from 'node:util';
+import { cargoEnv, root } from './env.mjs';
+import { Failure, main, run, say, seconds } from './run.mjs';
+import { bindgenProgram, setup } from './setup.mjs';
+
+const WASM = ['--target', 'wasm32-unknown-unknown'];
+
+const cargo = (args, env = {}) => run('cargo', args, { env: { ...cargoEnv, ...env }, cwd: root, stdout: 'inherit' });
+const node = (args, env = {}) => run(process.execPath, args, { env, cwd: root, stdout: 'inherit' });
+const clippy = (...flags) => cargo(['clippy', '--all-targets', ...flags, '--', '-D', 'warnings']);
+const docs = (...flags) => cargo(['doc', '--no-deps', ...flags], { RUSTDOCFLAGS: '-D warnings' });
+
+/** In order; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards. */
+const STEPS = [
+  { name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
+  { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
+  { name: 'clippy-generator', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'generator') },
+  { name: 'clippy-webgpu', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgpu') },
+  { name: 'clippy-webgl', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgl') },
+  { name: 'rust', expected: '5 min / 3 min', work: () => cargo(['test']) },
+  { name: 'rust-wasm', expected: '5 min / 3 min', work: rustInNode },
+  { name: 'docs', expected: '60 s / 10 s', work: rustDocs },
+  { name: 'build', expected: '8 min / 5 s', work: async () => (await import('./build.mjs')).build() },
+  { name: 'size', expected: '5 s', needs: ['build'], work: async () => (await import('./size.mjs')).check() },
+  { name: 'types', expected: '5 s', needs: ['build'], work: () => node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit']) },
+  { name: 'dependencies', expected: '2 s', needs: ['build'], work: async () => (await import('./check-deps.mjs')).check() },
+  { name: 'web', expected: '30 s', needs: ['build'], work: webTests },
+  { name: 'browsers', expected: '5 min', needs: ['build'], work: browserTests },
+];
+
+await main(async () => {
+  const steps = chosen();
+  const results = [];
+  results.push(await attempt({ name: 'setup', expected: '5 min / 1 s', work: setUp }));
+  for (const step of steps) results.push(await attempt(step, results));
+  summarise(results);
+});
+
+async function attempt({ name, expected, needs = [], work }, before = []) {
+  say(`\n── ${name} (${expected})`);
+  const start = performance.now();
+  const broken = before.find((result) => needs.includes(result.name) && result.outcome === 'FAIL');
+  let outcome = 'ok';
+  let note = '';
+  try {
+    if (broken) throw new Failure(`not run, since ${broken.name} failed`);
+    note = (await work()) ?? '';
+    if (note) outcome = 'skipped';
+  } catch (error) {
+    outcome = 'FAIL';
+    note = error instanceof Failure ? error.message : String(error?.stack ?? error);
+    say(`✗ ${note}`);
+  }
+  return { name, outcome, note, ms: performance.now() - start };
+}
+
+function summarise(results) {
+  const lines = results.map(({ name, outcome, ms }) => `${name.padEnd(20)}${seconds(ms).padStart(8)} s   ${outcome}`);
+  const notes = results.filter(({ note }) => note).map(({ name, outcome, note }) => `${outcome === 'FAIL' ? '✗' : '!'} ${name}: ${note}`);
+  const count = (wanted) => results.filter(({ outcome }) => outcome === wanted).length;
+  const total = results.reduce((sum, { ms }) => sum + ms, 0);
+  console.log(['', ...lines, `${'total'.padEnd(20)}${seconds(total).padStart(8)} s`, '', ...notes].join('\n'));
+  console.log(`${count('ok')} passed, ${count('FAIL')} failed`);
+  if (count('FAIL') > 0) process.exitCode = 1;
+}
+
+function chosen() {
+  let only;
+  try {
+    ({ only } = parseArgs({ options: { only: { type: 'string' } } }).values);
+  } catch (error) {
+    throw new Failure(error.message);
+  }
+  if (only === undefined) return STEPS;
+  const steps = STEPS.filter(({ name }) => only.split(',').some((wanted) => wanted && name.startsWith(wanted)));
+  if (steps.length === 0) throw new Failure(`no step is called ${only}; there are: ${STEPS.map(({ name }) => name).join(', ')}`);
+  return steps;
+}
+
+async function setUp() {
+  await setup({ components: ['rustfmt', 'clippy'] });
+}
+
+/** The same core tests as `rust`, as wasm in Node. Doc tests run natively alone. */
+function rustInNode() {
+  const runner = bindgenProgram('wasm-bindgen-test-runner');
+  if (!runner) throw new Failure('there is no wasm-bindgen-test-runner; see setup');
+  return cargo(['test', '--tests', '--features', 'generator', ...WASM], { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: runner });
+}
+
+async function rustDocs() {
+  await docs();
+  await docs(...WASM, '--features', 'generator');
+  await docs(...WASM, '--features', 'renderer-webgpu');
+}
+
+async function webTests() {
+  const { bundleWebTests } = await import('./web-tests.mjs');
+  await node(['--enable-source-maps', '--test', ...(await bundleWebTests())]);
+}
+
+async function browserTests() {
+  if (process.env.SKIP_BROWSERS) return 'left out, as SKIP_BROWSERS asks';
+  const { ensureBrowser } = await import('./browser.mjs');
+  const browser = await ensureBrowser();
+  const folder = path.join(root, 'tests', 'e2e');
+  const tests = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.test.mjs')) : [];
+  if (tests.length === 0) throw new Failure('there are no tests in tests/e2e');
+  // One file at a time: the software GPU takes every core.
+  await node(['--test', '--test-concurrency=1', ...tests.map((name) => path.join(folder, name))], { CHROME_PATH: browser });
+}

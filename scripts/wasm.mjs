@@ -1,0 +1,91 @@
+// The three wasm artefacts: cargo → wasm-bindgen → wasm-opt, into pkg/. An artefact whose sources have not changed is kept.
+import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from './env.mjs';
+import { Failure, capture, run, say, step } from './run.mjs';
+import { bindgenProgram } from './setup.mjs';
+
+const WASM = 'wasm32-unknown-unknown';
+
+/** `feature` is the cargo feature and the name of the files in pkg/; the generator is made for speed, the renderers for size. */
+export const artefacts = [
+  { feature: 'generator', profile: 'release', optimise: '-O3', expected: '10–60 s' },
+  { feature: 'renderer-webgpu', profile: 'renderer', optimise: '-Oz', expected: '1–4 min the first time' },
+  { feature: 'renderer-webgl', profile: 'renderer', optimise: '-Oz', expected: '2–6 min the first time' },
+];
+
+// What rustc's default wasm target uses, which is what every browser of the last years has.
+const WASM_FEATURES = ['bulk-memory', 'bulk-memory-opt', 'multivalue', 'mutable-globals', 'nontrapping-float-to-int', 'reference-types', 'sign-ext'];
+
+export async function buildWasm() {
+  mkdirSync(pkg, { recursive: true });
+  const tools = toolVersions();
+  for (const artefact of artefacts) {
+    if (isCurrent(artefact, tools)) say(`• ${artefact.feature}.wasm is up to date`);
+    else await step(`Building ${artefact.feature}.wasm`, artefact.expected, () => build(artefact, tools));
+  }
+}
+
+async function build({ feature, profile, optimise }, tools) {
+  const stamp = stampFile(feature);
+  rmSync(stamp, { force: true });
+  const flags = ['--lib', '--no-default-features', '--features', feature, '--target', WASM, '--profile', profile];
+  await run('cargo', ['build', ...flags], { env: cargoEnv, cwd: root });
+  const folder = path.join(target, WASM, profile);
+
+  // wasm-bindgen writes into a folder of its own first: pkg/ never holds half an artefact.
+  const staging = path.join(pkg, `.${feature}`);
+  rmSync(staging, { recursive: true, force: true });
+  const options = ['--target', 'web', '--out-dir', staging, '--out-name', feature];
+  await run(bindgenProgram('wasm-bindgen'), [path.join(folder, 'rock_field.wasm'), ...options]);
+  const wasm = path.join(staging, `${feature}_bg.wasm`);
+  const enable = WASM_FEATURES.map((name) => `--enable-${name}`);
+  await run(process.execPath, [wasmOpt(), wasm, '-o', wasm, optimise, ...enable]);
+  for (const name of readdirSync(staging)) {
+    rmSync(path.join(pkg, name), { recursive: true, force: true });
+    renameSync(path.join(staging, name), path.join(pkg, name));
+  }
+  rmSync(staging, { recursive: true });
+
+  const inputs = sourcesOf(path.join(folder, 'rock_field.d'));
+  writeFileSync(stamp, JSON.stringify({ tools, inputs, hash: hashFiles(inputs) }, null, 1));
+}
+
+function isCurrent({ feature }, tools) {
+  if (!existsSync(path.join(pkg, `${feature}_bg.wasm`)) || !existsSync(path.join(pkg, `${feature}.js`))) return false;
+  try {
+    const stamp = JSON.parse(readFileSync(stampFile(feature), 'utf8'));
+    return stamp.tools === tools && stamp.hash === hashFiles(stamp.inputs);
+  } catch {
+    return false;
+  }
+}
+
+function stampFile(feature) {
+  return path.join(pkg, `${feature}.stamp.json`);
+}
+
+/** Everything but the sources that decides the bytes. */
+function toolVersions() {
+  const files = ['Cargo.toml', 'Cargo.lock', 'scripts/wasm.mjs', 'rust-toolchain.toml', '.cargo/config.toml'];
+  const texts = files.map((file) => path.join(root, file)).map((file) => (existsSync(file) ? readFileSync(file) : ''));
+  const binaryen = readFileSync(path.join(root, 'node_modules', 'binaryen', 'package.json'));
+  return hashOf(capture('rustc', ['-vV'], { cwd: root }) ?? '', lockedVersion('wasm-bindgen'), binaryen, process.env.RUSTFLAGS ?? '', ...texts);
+}
+
+/** The source files cargo says the artefact was made from, relative to the root: an edit of a generator leaves the renderers alone. */
+function sourcesOf(depFile) {
+  const [line] = readFileSync(depFile, 'utf8').split(/\r?\n/);
+  const names = line.slice(line.indexOf(': ') + 2).split(/(?<!\\) /).filter(Boolean);
+  const files = names.map((file) => path.relative(root, path.resolve(root, file.replaceAll('\\ ', ' '))));
+  if (files.length === 0) throw new Failure(`${depFile} names no source file`);
+  return files.sort();
+}
+
+function hashFiles(files) {
+  return hashOf(...files.flatMap((file) => [file, readFileSync(path.join(root, file))]));
+}
+
+function wasmOpt() {
+  return path.join(root, 'node_modules', 'binaryen', 'bin', 'wasm-opt');
+}

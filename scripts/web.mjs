@@ -1,0 +1,115 @@
+// The page and the package files: www/ and pkg/ → dist/, by esbuild. Takes a second, so it is always done anew.
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
+import { createHash } from 'node:crypto';
+import path from 'node:path';
+import * as esbuild from 'esbuild';
+import { dist, hashOf, pkg, root } from './env.mjs';
+import { Failure, step } from './run.mjs';
+import { artefacts } from './wasm.mjs';
+
+/** What the browser build put where, for the size check and the dependency check. */
+export const metafile = path.join(pkg, 'web.meta.json');
+
+// dist/ is flat: `new URL('./worker.js', import.meta.url)` then means the same file from whichever chunk the code landed in.
+const BROWSER_ENTRIES = ['www/main.ts', 'www/generator/worker.ts', 'www/rock-field.ts', 'www/core.ts', 'www/styles/page.css'];
+const NODE_ENTRIES = ['www/core.node.ts'];
+const SERVICE_WORKER = 'www/service-worker.ts';
+const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg'];
+const PAGE = 'index.html';
+
+// What a visit needs beside its scripts. Of the two renderers it needs one: that is kept when the page has used it.
+const ALWAYS_NEEDED = ['page.css', 'generator_bg.wasm', ...COPIED.map((file) => path.basename(file))];
+
+const common = { absWorkingDir: root, bundle: true, minify: true, format: 'esm', target: 'es2022', sourcemap: true, legalComments: 'none', logLevel: 'warning' };
+
+export async function buildWeb() {
+  requireFiles();
+  await step('Bundling the page into dist/', 'a second', async () => {
+    // Built beside and swapped in, so that a failed build leaves the last good one being served.
+    const staging = path.join(pkg, '.dist');
+    rmSync(staging, { recursive: true, force: true });
+    mkdirSync(staging, { recursive: true });
+    const browser = await bundle({
+      entryPoints: BROWSER_ENTRIES,
+      outdir: staging,
+      entryNames: '[name]',
+      chunkNames: 'chunk-[hash]',
+      assetNames: '[name]',
+      splitting: true,
+      metafile: true,
+      platform: 'browser',
+    });
+    await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node' });
+    for (const { feature } of artefacts) copyFileSync(path.join(pkg, `${feature}_bg.wasm`), path.join(staging, `${feature}_bg.wasm`));
+    for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
+    const meta = relativeTo(staging, browser.metafile);
+    writeFileSync(metafile, JSON.stringify(meta));
+    await finish(staging, meta);
+    swapIn(staging);
+  });
+}
+
+async function bundle(options) {
+  try {
+    return await esbuild.build({ ...common, ...options });
+  } catch (error) {
+    throw new Failure(`the bundle has ${error.errors?.length ?? 1} error(s), printed above`);
+  }
+}
+
+function requireFiles() {
+  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, SERVICE_WORKER, ...COPIED, PAGE];
+  const missing = files.filter((file) => !existsSync(path.join(root, file)));
+  if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
+}
+
+/** Writes index.html with the build's id in it, and the service worker that knows the id and the files. */
+async function finish(staging, meta) {
+  const names = readdirSync(staging).filter((name) => !name.endsWith('.map')).sort();
+  const files = Object.fromEntries(names.map((name) => [name, integrity(path.join(staging, name))]));
+  const page = readFileSync(path.join(root, PAGE), 'utf8');
+  if (!/<head>/i.test(page)) throw new Failure(`${PAGE} has no <head> to put the build's id in`);
+  const build = hashOf(page, JSON.stringify(files)).slice(0, 16);
+  writeFileSync(path.join(staging, PAGE), page.replace(/<head>/i, `<head>\n    <meta name="rock-field-build" content="${build}">`));
+  const scripts = ['main.js', 'worker.js'].flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
+  const precache = [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...ALWAYS_NEEDED])];
+  await bundle({
+    entryPoints: { sw: SERVICE_WORKER },
+    outdir: staging,
+    sourcemap: false,
+    define: { __BUILD__: JSON.stringify(build), __FILES__: JSON.stringify(files), __PRECACHE__: JSON.stringify(precache) },
+  });
+}
+
+/** An entry and every script it imports, by name; with `dynamic` also those it may import later. */
+export function scriptsOf(meta, entry, { dynamic = false } = {}) {
+  const found = new Set([`dist/${entry}`]);
+  for (const name of found) {
+    for (const { path: imported, kind, external } of meta.outputs[name].imports) {
+      if (!external && (kind === 'import-statement' || (dynamic && kind === 'dynamic-import'))) found.add(imported);
+    }
+  }
+  return [...found].map((name) => name.slice('dist/'.length));
+}
+
+function isRendererGlue(meta, name) {
+  return Object.keys(meta.outputs[`dist/${name}`].inputs).some((input) => input.startsWith('pkg/renderer-'));
+}
+
+function integrity(file) {
+  return `sha256-${createHash('sha256').update(readFileSync(file)).digest('base64')}`;
+}
+
+function swapIn(staging) {
+  const old = path.join(pkg, '.dist-old');
+  rmSync(old, { recursive: true, force: true });
+  if (existsSync(dist)) renameSync(dist, old);
+  renameSync(staging, dist);
+  rmSync(old, { recursive: true, force: true });
+}
+
+/** Output names in the metafile as they are in dist/. */
+function relativeTo(staging, meta) {
+  const prefix = `${path.relative(root, staging).replaceAll(path.sep, '/')}/`;
+  return JSON.parse(JSON.stringify(meta).replaceAll(prefix, 'dist/'));
+}

@@ -1,0 +1,6 @@
+//! The wasm boundary: convert – call – convert, nothing else.
+
+#[cfg(feature = "generator")]
+mod generator;
+#[cfg(feature = "renderer")]
+mod renderer;

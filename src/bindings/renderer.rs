@@ -1,0 +1,200 @@
+//! What the renderer artefacts export: convert – call – convert.
+
+use std::cell::RefCell;
+
+use wasm_bindgen::prelude::*;
+
+use crate::render::{
+    Camera, ColorMode, Gpu, Layer, Mesh, Mode, Plan, RenderError, Rocks, Scene, View,
+};
+
+thread_local! {
+    // wgpu wants its callbacks `Send`, a JavaScript function is not: they carry an index into this list.
+    static LISTENERS: RefCell<Vec<Option<js_sys::Function>>> = const { RefCell::new(Vec::new()) };
+}
+
+fn listen(function: js_sys::Function) -> u32 {
+    LISTENERS.with_borrow_mut(|list| {
+        list.push(Some(function));
+        list.len() as u32 - 1
+    })
+}
+
+/// Tells listener `id` why, once.
+fn tell(id: u32, reason: &str) {
+    let function = LISTENERS.with_borrow_mut(|list| list.get_mut(id as usize).and_then(Option::take));
+    if let Some(function) = function {
+        // A listener that throws has nobody to tell.
+        let _ = function.call1(&JsValue::NULL, &reason.into());
+    }
+}
+
+fn to_js(error: &RenderError) -> js_sys::Error {
+    let js = js_sys::Error::new(&error.to_string());
+    js.set_name(error.code());
+    js
+}
+
+/// One canvas with its device and its field.
+#[wasm_bindgen]
+pub struct Renderer {
+    listener: u32,
+    gpu: Gpu,
+    view: View,
+    scene: Option<Scene>,
+    plan: Option<Plan>,
+    layers: Vec<Layer>,
+}
+
+#[wasm_bindgen]
+impl Renderer {
+    /// Gets a device and takes `canvas`; `onLost(reason)` is called at most once.
+    pub async fn create(
+        canvas: web_sys::HtmlCanvasElement,
+        on_lost: js_sys::Function,
+    ) -> Result<Renderer, js_sys::Error> {
+        let listener = listen(on_lost);
+        let (gpu, surface) = Gpu::with_canvas(canvas, listener, tell)
+            .await
+            .map_err(|error| to_js(&error))?;
+        let view = View::new(&gpu, surface).map_err(|error| to_js(&error))?;
+        Ok(Self {
+            listener,
+            gpu,
+            view,
+            scene: None,
+            plan: None,
+            layers: Vec::new(),
+        })
+    }
+
+    /// Uploads a field's mesh and replaces what is drawn. Per rock: its layer's id and its site's index.
+    #[wasm_bindgen(js_name = setField)]
+    #[allow(clippy::too_many_arguments, reason = "one flat buffer each")]
+    pub fn set_field(
+        &mut self,
+        image_width: f32,
+        image_height: f32,
+        positions: &js_sys::Float32Array,
+        indices: &js_sys::Uint32Array,
+        vertex_starts: Vec<u32>,
+        rock_layers: Vec<u32>,
+        rock_sites: Vec<u32>,
+    ) -> Result<(), js_sys::Error> {
+        let mesh = Mesh {
+            positions,
+            indices,
+            rocks: Rocks {
+                vertex_starts,
+                layers: rock_layers,
+                sites: rock_sites,
+            },
+        };
+        let scene = Scene::new(&self.gpu, [image_width, image_height], mesh);
+        self.scene = Some(scene.map_err(|error| to_js(&error))?);
+        self.plan = None;
+        Ok(())
+    }
+
+    /// True if the wireframe is shown and waits for [`Renderer::set_edges`].
+    #[wasm_bindgen(js_name = needsEdges)]
+    pub fn needs_edges(&self) -> bool {
+        let scene = self.scene.as_ref();
+        self.view.mode == Mode::Wireframe && scene.is_some_and(|scene| !scene.has_edges())
+    }
+
+    /// Makes the wireframe's lines from the same indices again.
+    #[wasm_bindgen(js_name = setEdges)]
+    pub fn set_edges(&mut self, indices: &js_sys::Uint32Array) -> Result<(), js_sys::Error> {
+        match &mut self.scene {
+            Some(scene) => scene.set_edges(&self.gpu, indices),
+            None => Ok(()),
+        }
+        .map_err(|error| to_js(&error))
+    }
+
+    /// True if a plan is shown and waits for [`Renderer::add_layer`] and [`Renderer::make_plan`].
+    #[wasm_bindgen(js_name = needsPlan)]
+    pub fn needs_plan(&self) -> bool {
+        let plan_shown = matches!(self.view.mode, Mode::Diagrams | Mode::Selection);
+        plan_shown && self.scene.is_some() && self.plan.is_none()
+    }
+
+    /// One layer of the plan to come.
+    #[wasm_bindgen(js_name = addLayer)]
+    pub fn add_layer(
+        &mut self,
+        id: u32,
+        radius: f32,
+        sites: Vec<f32>,
+        cell_starts: Vec<u32>,
+        cell_vertices: Vec<f32>,
+        selected: Vec<u32>,
+    ) {
+        self.layers.push(Layer {
+            id,
+            radius,
+            sites,
+            cell_starts,
+            cell_vertices,
+            selected,
+        });
+    }
+
+    /// Makes the plan that the view asks for, and lets go of the layers.
+    #[wasm_bindgen(js_name = makePlan)]
+    pub fn make_plan(&mut self) -> Result<(), js_sys::Error> {
+        let layers = std::mem::take(&mut self.layers);
+        let plan = self.view.plan(&self.gpu, self.scene.as_ref(), &layers);
+        self.plan = plan.map_err(|error| to_js(&error))?;
+        Ok(())
+    }
+
+    /// View 0 rocks, 1 wireframe, 2 diagrams, 3 selection; colour 0 by layer, 1 by rock, 2 plain.
+    #[wasm_bindgen(js_name = setStyle)]
+    pub fn set_style(&mut self, view: u8, color: u8, dark: bool) {
+        let mode = [Mode::Rocks, Mode::Wireframe, Mode::Diagrams, Mode::Selection];
+        let colors = [ColorMode::Layer, ColorMode::Rock, ColorMode::Plain];
+        let mode = mode.get(view as usize).copied().unwrap_or(Mode::Rocks);
+        let color = colors.get(color as usize).copied().unwrap_or(ColorMode::Layer);
+        if self.view.set_style(mode, color, dark) {
+            self.plan = None;
+        }
+    }
+
+    /// Angles in radians, lengths in px.
+    #[wasm_bindgen(js_name = setCamera)]
+    pub fn set_camera(
+        &mut self,
+        azimuth: f32,
+        elevation: f32,
+        distance: f32,
+        target_x: f32,
+        target_y: f32,
+        target_z: f32,
+    ) {
+        self.view.set_camera(Camera {
+            azimuth,
+            elevation,
+            distance,
+            target: [target_x, target_y, target_z],
+        });
+    }
+
+    /// Device pixels, and how many of them make a CSS pixel.
+    pub fn resize(&mut self, width: u32, height: u32, ratio: f32) {
+        self.view.resize(&self.gpu, width, height, ratio);
+    }
+
+    /// Draws one frame.
+    pub fn render(&mut self) {
+        self.view
+            .render(&self.gpu, self.scene.as_mut(), self.plan.as_ref());
+    }
+
+    /// Stops telling of losses and lets the device go; call before `free`.
+    pub fn close(&self) {
+        self.gpu.destroy();
+        LISTENERS.with_borrow_mut(|list| list.get_mut(self.listener as usize).map(Option::take));
+    }
+}

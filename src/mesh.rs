@@ -1,0 +1,113 @@
+//! The flat buffers of a field, and the only place where f64 becomes f32.
+
+use glam::{DVec2, DVec3};
+
+/// The rocks of a field as one indexed mesh.
+///
+/// Rock k owns `indices[rock_starts[k] .. rock_starts[k + 1]]` and the vertices
+/// `vertex_starts[k] .. vertex_starts[k + 1]`: n rim vertices at z = 0, then n top vertices. Vertex v stands at
+/// `positions[3·v .. 3·v + 3]`, px, z up. Triangles are counter-clockwise seen from above before displacement.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Mesh {
+    /// 3 per vertex, px.
+    pub positions: Vec<f32>,
+    /// 3 per vertex, unit: area-weighted over the adjacent faces, (0, 0, 1) where they cancel.
+    pub normals: Vec<f32>,
+    /// 3 per triangle.
+    pub indices: Vec<u32>,
+    /// rocks + 1 offsets into `indices`.
+    pub rock_starts: Vec<u32>,
+    /// rocks + 1 offsets into the vertices.
+    pub vertex_starts: Vec<u32>,
+    /// Per rock the layer it belongs to.
+    pub rock_layer: Vec<u8>,
+}
+
+/// Where a rock, a layer or a field begins in the buffers, or how much room it takes.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(crate) struct Extent {
+    pub(crate) rocks: usize,
+    pub(crate) vertices: usize,
+    pub(crate) triangles: usize,
+}
+
+impl Mesh {
+    /// Number of rocks.
+    pub fn rocks(&self) -> usize {
+        self.rock_layer.len()
+    }
+
+    /// Number of triangles.
+    pub fn triangles(&self) -> usize {
+        self.indices.len() / 3
+    }
+
+    /// Makes room for exactly `total`; what is written stays where it is.
+    pub(crate) fn resize(&mut self, total: Extent) {
+        // Grown to the exact size: doubling would put the peak of a large field far above what it needs.
+        fn fit<T: Copy>(buffer: &mut Vec<T>, len: usize, value: T) {
+            buffer.reserve_exact(len.saturating_sub(buffer.len()));
+            buffer.resize(len, value);
+        }
+        fit(&mut self.positions, 3 * total.vertices, 0.0);
+        fit(&mut self.normals, 3 * total.vertices, 0.0);
+        fit(&mut self.indices, 3 * total.triangles, 0);
+        fit(&mut self.rock_starts, total.rocks + 1, 0);
+        fit(&mut self.vertex_starts, total.rocks + 1, 0);
+        fit(&mut self.rock_layer, total.rocks, 0);
+        self.rock_starts[total.rocks] = 3 * total.triangles as u32;
+        self.vertex_starts[total.rocks] = total.vertices as u32;
+    }
+
+    /// Writes one rock at `at` and moves `at` behind it.
+    pub(crate) fn write_rock(&mut self, at: &mut Extent, layer: u8, rock: &RockBuilder, triangles: &[[u16; 3]]) {
+        let count = rock.points.len();
+        self.rock_layer[at.rocks] = layer;
+        self.rock_starts[at.rocks] = 3 * at.triangles as u32;
+        self.vertex_starts[at.rocks] = at.vertices as u32;
+        let range = 3 * at.vertices..3 * (at.vertices + count);
+        for (slot, point) in self.positions[range.clone()].chunks_exact_mut(3).zip(&rock.points) {
+            slot.copy_from_slice(&point.as_vec3().to_array());
+        }
+        for (slot, normal) in self.normals[range].chunks_exact_mut(3).zip(&rock.normals) {
+            slot.copy_from_slice(&normal.normalize_or(DVec3::Z).as_vec3().to_array());
+        }
+        let base = at.vertices as u32;
+        let range = 3 * at.triangles..3 * (at.triangles + triangles.len());
+        for (slot, triangle) in self.indices[range].chunks_exact_mut(3).zip(triangles) {
+            slot.copy_from_slice(&triangle.map(|v| base + u32::from(v)));
+        }
+        at.rocks += 1;
+        at.vertices += count;
+        at.triangles += triangles.len();
+    }
+}
+
+/// One rock's vertices and summed face normals, re-used from rock to rock.
+#[derive(Debug, Default)]
+pub(crate) struct RockBuilder {
+    pub(crate) points: Vec<DVec3>,
+    normals: Vec<DVec3>,
+}
+
+impl RockBuilder {
+    /// Starts a rock with its rim on the ground.
+    pub(crate) fn start(&mut self, rim: &[DVec2]) {
+        self.points.clear();
+        self.points.extend(rim.iter().map(|v| v.extend(0.0)));
+    }
+
+    /// Sums the face normals at the vertices, weighted by area: that is, unnormalised cross products.
+    pub(crate) fn finish(&mut self, triangles: &[[u16; 3]]) {
+        self.normals.clear();
+        self.normals.resize(self.points.len(), DVec3::ZERO);
+        for triangle in triangles {
+            let [a, b, c] = triangle.map(usize::from);
+            let origin = self.points[a];
+            let normal = (self.points[b] - origin).cross(self.points[c] - origin);
+            for v in [a, b, c] {
+                self.normals[v] += normal;
+            }
+        }
+    }
+}

@@ -1,0 +1,310 @@
+//! The parameter table. Adding a parameter is a row here and its use in a stage.
+//!
+//! The rows give rise to two constants, so that a wasm build which only checks bounds does not carry
+//! the texts: [`PARAMS`] (keys and bounds) and [`TEXTS`] (labels and documentation, same order).
+
+use super::{Border, Darts, Layer, Notation, Params, Swing};
+
+/// The step of the generator that an edit re-runs first.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Stage {
+    /// Dart throwing (Fig. 4).
+    Sites,
+    /// Voronoi diagrams.
+    Cells,
+    /// Exclusive selection (Fig. 7).
+    Selection,
+    /// p_add and their Delaunay triangulation (Fig. 10).
+    Shape,
+    /// Displacement (Eqs 2, 3) and the buffers.
+    Mesh,
+}
+
+/// Whether a parameter belongs to the field or to each of its layers.
+#[derive(Debug, Clone, Copy)]
+pub enum Scope {
+    /// Once per field.
+    Field(fn(&Params) -> f64, fn(&mut Params, f64)),
+    /// Once per layer.
+    Layer(fn(&Layer) -> f64, fn(&mut Layer, f64)),
+}
+
+/// What kind of value a parameter holds. Every value travels as one number.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Kind {
+    /// Any number within the range.
+    Real,
+    /// A whole number.
+    Integer,
+    /// A whole number, or NaN for "none".
+    OptionalInteger,
+    /// An index into these words.
+    Choice(&'static [&'static str]),
+}
+
+/// Bounds, step of the control, and default.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Range {
+    /// Smallest legal value.
+    pub min: f64,
+    /// Largest legal value.
+    pub max: f64,
+    /// Step of sliders and number fields.
+    pub step: f64,
+    /// Value where none is given; NaN for "none".
+    pub default: f64,
+}
+
+/// The part of the range that a slider covers; the number field beside it takes the whole range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Slider {
+    /// Left end.
+    pub min: f64,
+    /// Right end.
+    pub max: f64,
+    /// Equal steps are equal factors.
+    pub logarithmic: bool,
+}
+
+/// One row: the bounds and the place of a parameter.
+#[derive(Debug, Clone, Copy)]
+pub struct ParamSpec {
+    /// Property name in code; the three parts of a triple share it.
+    pub key: &'static str,
+    /// Which part of a triple: base, per rock, per vertex.
+    pub component: Option<u8>,
+    /// Key in links.
+    pub url: &'static str,
+    /// Field or layer, with its accessors.
+    pub scope: Scope,
+    /// Kind of value.
+    pub kind: Kind,
+    /// Bounds in the journal's notation.
+    pub range: Range,
+    /// Span of the slider in the journal's notation.
+    pub slider: Slider,
+    /// Bounds and slider in the conference's notation, where they differ.
+    pub relative: Option<(Range, Slider)>,
+    /// First stage an edit re-runs.
+    pub stage: Stage,
+}
+
+/// The words that belong to a row of [`PARAMS`].
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Text {
+    /// Unit in the journal's and in the conference's notation.
+    pub unit: [&'static str; 2],
+    /// Label in English and Japanese.
+    pub label: [&'static str; 2],
+    /// One sentence of documentation in English and Japanese.
+    pub doc: [&'static str; 2],
+    /// Labels of the words of a [`Kind::Choice`], in English and Japanese.
+    pub choices: &'static [[&'static str; 2]],
+}
+
+macro_rules! table {
+    ($({
+        $key:literal $(.$component:literal)?, url $url:literal, $scope:expr, $kind:expr, $stage:ident,
+        range [$min:expr, $max:expr] step $step:literal default $default:expr, slider [$lo:expr, $hi:expr] $scale:ident,
+        $(relative [$rmin:expr, $rmax:expr] step $rstep:literal default $rdefault:expr, slider [$rlo:expr, $rhi:expr] $rscale:ident,)?
+        unit $unit:expr, label $label:expr,
+        en $en:literal,
+        ja $ja:literal
+        $(, choices $choices:expr)?
+    })*) => {
+        /// Keys, bounds and accessors of every parameter.
+        pub const PARAMS: &[ParamSpec] = &[$(ParamSpec {
+            key: $key,
+            component: table!(@option $($component)?),
+            url: $url,
+            scope: $scope,
+            kind: $kind,
+            range: Range { min: $min, max: $max, step: $step, default: $default },
+            slider: Slider { min: $lo, max: $hi, logarithmic: table!(@$scale) },
+            relative: table!(@option $((
+                Range { min: $rmin, max: $rmax, step: $rstep, default: $rdefault },
+                Slider { min: $rlo, max: $rhi, logarithmic: table!(@$rscale) },
+            ))?),
+            stage: Stage::$stage,
+        }),*];
+        /// Labels and documentation of every parameter, in the order of [`PARAMS`].
+        pub const TEXTS: &[Text] = &[$(Text {
+            unit: $unit,
+            label: $label,
+            doc: [$en, $ja],
+            choices: table!(@slice $($choices)?),
+        }),*];
+    };
+    (@linear) => { false };
+    (@log) => { true };
+    (@option) => { None };
+    (@option $value:expr) => { Some($value) };
+    (@slice) => { &[] };
+    (@slice $value:expr) => { $value };
+}
+
+const PX: [&str; 2] = ["px", "px"];
+const LENGTH: [&str; 2] = ["px", "width/100"];
+const HEIGHT: [&str; 2] = ["px", "r"];
+const NONE: [&str; 2] = ["", ""];
+
+table! {
+    {
+        "seed", url "seed", Scope::Field(|p| f64::from(p.seed), |p, v| p.seed = v as u32), Kind::Integer, Sites,
+        range [0.0, 4_294_967_295.0] step 1.0 default 0.0, slider [0.0, 4_294_967_295.0] linear,
+        unit NONE, label ["Seed", "シード"],
+        en "The same seed and parameters give the same rocks, byte for byte, everywhere.",
+        ja "同じシードと設定なら、どの環境でも同じ岩が1バイトも違わず生成されます。"
+    }
+    {
+        "imageWidth", url "w", Scope::Field(|p| f64::from(p.image_width), |p, v| p.image_width = v as u32), Kind::Integer, Sites,
+        range [1.0, 8192.0] step 1.0 default 1024.0, slider [16.0, 8192.0] log,
+        unit PX, label ["Width", "幅"],
+        en "Width of the ground seen from above.",
+        ja "真上から見た地面の幅。"
+    }
+    {
+        "imageHeight", url "h", Scope::Field(|p| f64::from(p.image_height), |p, v| p.image_height = v as u32), Kind::Integer, Sites,
+        range [1.0, 8192.0] step 1.0 default 1024.0, slider [16.0, 8192.0] log,
+        unit PX, label ["Depth", "奥行き"],
+        en "Depth of the ground seen from above.",
+        ja "真上から見た地面の奥行き。"
+    }
+    {
+        "packing", url "cd", Scope::Field(|p| p.packing, |p, v| p.packing = v), Kind::Real, Sites,
+        range [0.0, 1.0] step 0.01 default 0.7, slider [0.0, 1.0] linear,
+        unit NONE, label ["Packing c_d", "充填率 c_d"],
+        en "How many sites are asked for (Eq. 1); from about 0.55 on, no pixel is left free.",
+        ja "要求する母点の数（式1）。約0.55以上では空き画素がなくなるまで配置します。"
+    }
+    {
+        "notation", url "u", Scope::Field(|p| p.notation as u8 as f64, |p, v| p.notation = if v == 0.0 { Notation::Px } else { Notation::Relative }),
+        Kind::Choice(&["px", "relative"]), Sites,
+        range [0.0, 1.0] step 1.0 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Notation", "単位系"],
+        en "Lengths in pixels (journal), or in hundredths of the width with heights in radii (conference).",
+        ja "長さの単位：画素（論文誌）、または幅の1/100で高さは半径の倍数（会議版）。",
+        choices &[["Pixels", "画素"], ["Relative", "相対"]]
+    }
+    {
+        "darts", url "darts", Scope::Field(|p| p.darts as u8 as f64, |p, v| p.darts = if v == 0.0 { Darts::Saturate } else { Darts::Attempts }),
+        Kind::Choice(&["saturate", "attempts"]), Sites,
+        range [0.0, 1.0] step 1.0 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Darts", "ダーツ"],
+        en "Throw until nothing is free, or exactly N_p times as Fig. 4 is written.",
+        ja "空きがなくなるまで投げるか、図4の記述どおり N_p 回だけ投げるか。",
+        choices &[["Until saturated", "飽和まで"], ["N_p attempts", "N_p 回"]]
+    }
+    {
+        "border", url "border", Scope::Field(|p| p.border as u8 as f64, |p, v| p.border = if v == 0.0 { Border::Clip } else { Border::Drop }),
+        Kind::Choice(&["clip", "drop"]), Selection,
+        range [0.0, 1.0] step 1.0 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Border cells", "境界セル"],
+        en "Cells at the border are clipped to the image and kept, or dropped.",
+        ja "画像の縁にかかるセルを切り取って残すか、除外するか。",
+        choices &[["Clip", "切り取る"], ["Drop", "除外する"]]
+    }
+    {
+        "swing", url "swing", Scope::Field(|p| p.swing as u8 as f64, |p, v| p.swing = if v == 0.0 { Swing::Shared } else { Swing::Separate }),
+        Kind::Choice(&["shared", "separate"]), Mesh,
+        range [0.0, 1.0] step 1.0 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Swing", "乱数"],
+        en "Taper and height share their random numbers (wide rocks are the tall ones), or draw their own.",
+        ja "幅と高さで同じ乱数を使う（幅広の岩ほど高い）か、別々の乱数を使うか。",
+        choices &[["Shared", "共有"], ["Separate", "別々"]]
+    }
+    {
+        "radius", url "r", Scope::Layer(|l| l.radius, |l, v| l.radius = v), Kind::Real, Sites,
+        range [1.0, 8192.0] step 0.1 default 30.0, slider [2.0, 512.0] log,
+        relative [0.01, 8192.0] step 0.01 default 3.0, slider [0.2, 50.0] log,
+        unit LENGTH, label ["Radius r", "半径 r"],
+        en "No two sites of the layer are closer than this, so it sets the size of the rocks.",
+        ja "この層の母点どうしの最小距離。岩の大きさを決めます。"
+    }
+    {
+        "areaFraction", url "a", Scope::Layer(|l| l.area_fraction, |l, v| l.area_fraction = v), Kind::Real, Selection,
+        range [0.0, 1.0] step 0.01 default 0.25, slider [0.0, 1.0] linear,
+        unit NONE, label ["Area A_s", "面積率 A_s"],
+        en "Share of the whole ground that this layer's rocks may fill.",
+        ja "この層の岩が占めてよい、地面全体に対する面積の割合。"
+    }
+    {
+        "cellCount", url "n", Scope::Layer(|l| l.cell_count.map_or(f64::NAN, f64::from), |l, v| l.cell_count = if v.is_nan() { None } else { Some(v as u32) }),
+        Kind::OptionalInteger, Selection,
+        range [0.0, 4_294_967_295.0] step 1.0 default f64::NAN, slider [0.0, 1000.0] linear,
+        unit NONE, label ["Count", "個数"],
+        en "Number of rocks in this layer; when given, it replaces the area.",
+        ja "この層の岩の個数。指定すると面積率の代わりに使われます。"
+    }
+    {
+        "taper".0, url "w1", Scope::Layer(|l| l.taper[0], |l, v| l.taper[0] = v), Kind::Real, Mesh,
+        range [-500.0, 500.0] step 0.1 default 0.0, slider [-40.0, 40.0] linear,
+        relative [-500.0, 500.0] step 0.01 default 0.0, slider [-4.0, 4.0] linear,
+        unit LENGTH, label ["Taper base c_w1", "幅・基本 c_w1"],
+        en "Moves the tops outward (overhangs) or, if negative, inward (pointed rocks).",
+        ja "上面の頂点を外へ（張り出し）、負なら内へ（尖った岩）動かします。"
+    }
+    {
+        "taper".1, url "w2", Scope::Layer(|l| l.taper[1], |l, v| l.taper[1] = v), Kind::Real, Mesh,
+        range [-500.0, 500.0] step 0.1 default 6.0, slider [-40.0, 40.0] linear,
+        relative [-500.0, 500.0] step 0.01 default 0.3, slider [-4.0, 4.0] linear,
+        unit LENGTH, label ["Taper per rock c_w2", "幅・岩ごと c_w2"],
+        en "Adds a random part of the move, one number per rock.",
+        ja "岩ごとに1つの乱数で変化する移動量を加えます。"
+    }
+    {
+        "taper".2, url "w3", Scope::Layer(|l| l.taper[2], |l, v| l.taper[2] = v), Kind::Real, Mesh,
+        range [-500.0, 500.0] step 0.1 default 2.0, slider [-40.0, 40.0] linear,
+        relative [-500.0, 500.0] step 0.01 default 0.1, slider [-4.0, 4.0] linear,
+        unit LENGTH, label ["Taper per vertex c_w3", "幅・頂点ごと c_w3"],
+        en "Adds a random part of the move, one number per vertex: the outline grows ragged.",
+        ja "頂点ごとの乱数で移動量を加え、輪郭を不規則にします。"
+    }
+    {
+        "height".0, url "h1", Scope::Layer(|l| l.height[0], |l, v| l.height[0] = v), Kind::Real, Mesh,
+        range [0.0, 500.0] step 0.1 default 5.0, slider [0.0, 80.0] linear,
+        relative [0.0, 500.0] step 0.01 default 0.3, slider [0.0, 2.0] linear,
+        unit HEIGHT, label ["Height base c_h1", "高さ・基本 c_h1"],
+        en "Height that every top vertex has at least.",
+        ja "上面のすべての頂点が持つ最低の高さ。"
+    }
+    {
+        "height".1, url "h2", Scope::Layer(|l| l.height[1], |l, v| l.height[1] = v), Kind::Real, Mesh,
+        range [0.0, 500.0] step 0.1 default 5.0, slider [0.0, 80.0] linear,
+        relative [0.0, 500.0] step 0.01 default 0.3, slider [0.0, 2.0] linear,
+        unit HEIGHT, label ["Height per rock c_h2", "高さ・岩ごと c_h2"],
+        en "Adds up to this much height, one random number per rock.",
+        ja "岩ごとの乱数で、最大この値まで高さを加えます。"
+    }
+    {
+        "height".2, url "h3", Scope::Layer(|l| l.height[2], |l, v| l.height[2] = v), Kind::Real, Mesh,
+        range [0.0, 500.0] step 0.1 default 3.0, slider [0.0, 80.0] linear,
+        relative [0.0, 500.0] step 0.01 default 0.1, slider [0.0, 2.0] linear,
+        unit HEIGHT, label ["Height per vertex c_h3", "高さ・頂点ごと c_h3"],
+        en "Adds up to this much height, one random number per vertex: the top grows rugged.",
+        ja "頂点ごとの乱数で、最大この値まで高さを加え、上面を起伏させます。"
+    }
+}
+
+impl Layer {
+    /// A layer with the table's defaults for `notation`.
+    pub fn with_defaults(id: u32, notation: Notation) -> Self {
+        let mut layer = Layer { id, radius: 0.0, area_fraction: 0.0, cell_count: None, taper: [0.0; 3], height: [0.0; 3] };
+        for spec in PARAMS {
+            if let Scope::Layer(_, set) = spec.scope {
+                set(&mut layer, spec.range(notation).default);
+            }
+        }
+        layer
+    }
+}
+
+impl ParamSpec {
+    /// Bounds in a notation.
+    pub fn range(&self, notation: Notation) -> Range {
+        match (notation, self.relative) {
+            (Notation::Relative, Some((range, _))) => range,
+            _ => self.range,
+        }
+    }
+}

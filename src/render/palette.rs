@@ -1,0 +1,175 @@
+//! Colours: by layer, by rock, or the papers' grey; packed as four sRGB bytes, red first.
+
+/// Which colours the rocks wear.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum ColorMode {
+    Layer,
+    Rock,
+    Plain,
+}
+
+/// What the rocks are made of, by layer id modulo 8; the first three as in the papers' figures
+/// (terracotta r = 90, ochre r = 30, slate r = 10). Chosen by eye.
+const STONE: [[u8; 3]; 8] = [
+    [176, 108, 90],
+    [198, 165, 106],
+    [112, 138, 155],
+    [143, 157, 112],
+    [150, 118, 143],
+    [208, 198, 180],
+    [104, 109, 116],
+    [100, 152, 146],
+];
+
+/// The same order for plans, more saturated: no light models them. Chosen by eye.
+const INK: [[u8; 3]; 8] = [
+    [205, 94, 60],
+    [232, 178, 74],
+    [74, 143, 188],
+    [124, 164, 80],
+    [152, 108, 158],
+    [214, 200, 172],
+    [112, 120, 128],
+    [64, 158, 142],
+];
+
+/// sRGB grey of the papers' renderings.
+const GREY: [u8; 3] = [158, 156, 152];
+
+/// Mixes a layer id and a site index to 32 even bits (Murmur3's finaliser).
+pub(crate) fn hash(layer: u32, site: u32) -> u32 {
+    let mut h = layer.wrapping_mul(0x9e37_79b9) ^ site.wrapping_mul(0x85eb_ca6b).wrapping_add(1);
+    h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
+    h = (h ^ (h >> 13)).wrapping_mul(0xc2b2_ae35);
+    h ^ (h >> 16)
+}
+
+/// A share 0…1 from eight bits of `hash`.
+fn share(hash: u32, shift: u32) -> f32 {
+    ((hash >> shift) & 0xff) as f32 / 255.0
+}
+
+fn pack(rgb: [f32; 3]) -> u32 {
+    let byte = |c: f32| c.round().clamp(0.0, 255.0) as u32;
+    byte(rgb[0]) | byte(rgb[1]) << 8 | byte(rgb[2]) << 16 | 0xff00_0000
+}
+
+fn entry(table: &[[u8; 3]; 8], layer: u32) -> [f32; 3] {
+    table
+        .get(layer as usize % table.len())
+        .unwrap_or(&GREY)
+        .map(f32::from)
+}
+
+/// The colour of one rock; `hash` from [`hash`] of its layer id and site index, so that it keeps its
+/// colour when others come and go.
+pub(crate) fn rock(mode: ColorMode, layer: u32, hash: u32) -> u32 {
+    // Value by ±9 %, and a touch of warm against cool: neighbours differ, the layer stays one stone.
+    let value = 0.91 + 0.18 * share(hash, 0);
+    let warm = 0.05 * (share(hash, 8) - 0.5);
+    match mode {
+        ColorMode::Layer => {
+            let [r, g, b] = entry(&STONE, layer);
+            pack([r * value * (1.0 + warm), g * value, b * value * (1.0 - warm)])
+        }
+        ColorMode::Plain => {
+            let value = 0.96 + 0.08 * share(hash, 0);
+            pack(GREY.map(|c| f32::from(c) * value))
+        }
+        ColorMode::Rock => {
+            let hue = std::f32::consts::TAU * (hash >> 12 & 0xffff) as f32 / 65536.0;
+            pack(oklch(0.62 + 0.14 * share(hash, 0), 0.062, hue))
+        }
+    }
+}
+
+/// The fill of a selected cell: the layer's ink, its value varied from cell to cell as in Fig. 8 (d).
+pub(crate) fn cell(layer: u32, hash: u32) -> u32 {
+    let value = 0.78 + 0.3 * share(hash, 0);
+    pack(entry(&INK, layer).map(|c| c * value))
+}
+
+/// The lines and sites of a diagram on paper (`dark` false) or on a dark ground.
+pub(crate) fn line(layer: u32, dark: bool) -> u32 {
+    let factor = if dark { 1.0 } else { 0.72 };
+    pack(entry(&INK, layer).map(|c| c * factor))
+}
+
+/// Oklch (Björn Ottosson, *A perceptual color space for image processing*, 2020) to sRGB, 0…255,
+/// clipped: with chroma 0.062 nothing reaches the gamut's edge.
+fn oklch(lightness: f32, chroma: f32, hue: f32) -> [f32; 3] {
+    let (sin, cos) = hue.sin_cos();
+    let (a, b) = (chroma * cos, chroma * sin);
+    let cube = |x: f32| x * x * x;
+    let l = cube(lightness + 0.396_337_78 * a + 0.215_803_76 * b);
+    let m = cube(lightness - 0.105_561_346 * a - 0.063_854_17 * b);
+    let s = cube(lightness - 0.089_484_18 * a - 1.291_485_5 * b);
+    [
+        4.076_741_7 * l - 3.307_711_6 * m + 0.230_969_94 * s,
+        -1.268_438 * l + 2.609_757_4 * m - 0.341_319_38 * s,
+        -0.004_196_086_3 * l - 0.703_418_6 * m + 1.707_614_7 * s,
+    ]
+    .map(|linear| 255.0 * encode(linear.clamp(0.0, 1.0)))
+}
+
+fn encode(linear: f32) -> f32 {
+    if linear <= 0.003_130_8 {
+        12.92 * linear
+    } else {
+        1.055 * linear.powf(1.0 / 2.4) - 0.055
+    }
+}
+
+/// An sRGB colour as a linear uniform.
+pub(crate) fn linear([r, g, b]: [u8; 3]) -> [f32; 4] {
+    let decode = |c: u8| {
+        let c = f32::from(c) / 255.0;
+        if c <= 0.04045 {
+            c / 12.92
+        } else {
+            ((c + 0.055) / 1.055).powf(2.4)
+        }
+    };
+    [decode(r), decode(g), decode(b), 0.0]
+}
+
+/// What surrounds the rocks in the page's light or dark theme, sRGB.
+pub(crate) struct Theme {
+    pub(crate) backdrop_low: [u8; 3],
+    pub(crate) backdrop_high: [u8; 3],
+    pub(crate) soil: [u8; 3],
+    /// Under the diagrams.
+    pub(crate) paper: [u8; 3],
+    /// Round the plan.
+    pub(crate) table: [u8; 3],
+    /// Frame of the plan.
+    pub(crate) rule: [u8; 3],
+}
+
+/// Light: the pale sky of the papers' figures. Chosen by eye.
+pub(crate) const LIGHT: Theme = Theme {
+    backdrop_low: [226, 228, 227],
+    backdrop_high: [201, 211, 219],
+    soil: [92, 74, 61],
+    paper: [250, 248, 243],
+    table: [224, 228, 230],
+    rule: [110, 104, 96],
+};
+
+pub(crate) const DARK: Theme = Theme {
+    backdrop_low: [38, 37, 36],
+    backdrop_high: [24, 27, 31],
+    soil: [92, 74, 61],
+    paper: [27, 29, 32],
+    table: [17, 18, 20],
+    rule: [120, 118, 112],
+};
+
+/// Ground and outlines of the selected graph, Fig. 8 (d), in both themes.
+pub(crate) const GROUND: [u8; 3] = [46, 41, 37];
+pub(crate) const OUTLINE: [u8; 3] = [30, 26, 24];
+
+/// Three sRGB bytes as a packed colour.
+pub(crate) fn packed(rgb: [u8; 3]) -> u32 {
+    pack(rgb.map(f32::from))
+}

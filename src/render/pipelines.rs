@@ -1,0 +1,333 @@
+//! What is bound where, and every pipeline: the one file that answers both.
+//!
+//! | group | how often | bindings |
+//! |---|---|---|
+//! | 0 `frame` | frame and view | 0 `Globals` |
+//! | 1 `field` | field | 0 `FieldUniforms` |
+//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler |
+
+use std::cell::OnceCell;
+
+use super::surface::DEPTH_FORMAT;
+use super::uniforms::{FieldUniforms, Globals};
+
+const COMMON: &str = include_str!("shaders/common.wgsl");
+const LIGHTING: &str = include_str!("shaders/lighting.wgsl");
+
+/// f32 has what a sun low over a wide field needs; filtered through a comparison sampler on both backends.
+pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// 1/255 of the highest rock: enough, the taps are averaged. Filterable and renderable everywhere.
+pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
+
+/// f32x3 position.
+const POSITION: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 12,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x3],
+};
+
+/// Four sRGB bytes.
+const COLOR: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 4,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![1 => Unorm8x4],
+};
+
+/// Bytes of a vertex of a plan's fills: x, y, colour.
+pub(crate) const FILL_STRIDE: u64 = 12;
+
+const FILL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: FILL_STRIDE,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x2, 1 => Unorm8x4],
+};
+
+/// Bytes of a stroke: both ends, colour, width and cell size.
+pub(crate) const STROKE_STRIDE: u64 = 28;
+
+const STROKE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: STROKE_STRIDE,
+    step_mode: wgpu::VertexStepMode::Instance,
+    attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Unorm8x4, 2 => Float32x2],
+};
+
+/// Pipelines that not every visit needs are made when first used: linking a program takes WebGL2 tens
+/// of milliseconds.
+pub(crate) struct Pipelines {
+    pub(crate) frame_layout: wgpu::BindGroupLayout,
+    pub(crate) field_layout: wgpu::BindGroupLayout,
+    pub(crate) maps_layout: wgpu::BindGroupLayout,
+    format: wgpu::TextureFormat,
+    samples: u32,
+    pub(crate) shadow: wgpu::RenderPipeline,
+    pub(crate) height: wgpu::RenderPipeline,
+    pub(crate) ground: wgpu::RenderPipeline,
+    pub(crate) rock: wgpu::RenderPipeline,
+    wire: OnceCell<[wgpu::RenderPipeline; 2]>,
+    plan: OnceCell<[wgpu::RenderPipeline; 2]>,
+}
+
+/// What differs between the passes.
+struct Pass<'a> {
+    label: &'static str,
+    source: &'static str,
+    lit: bool,
+    buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+    topology: wgpu::PrimitiveTopology,
+    depth: Depth,
+    target: Target,
+}
+
+enum Depth {
+    /// Neither read nor written.
+    Ignore,
+    Test,
+    /// Pushed back, so that lines on the same faces stand in front.
+    TestBehind,
+}
+
+enum Target {
+    View { blend: bool },
+    Shadow,
+    Height,
+}
+
+impl Pipelines {
+    pub(crate) fn new(device: &wgpu::Device, format: wgpu::TextureFormat, samples: u32) -> Self {
+        let frame_layout = uniform_layout::<Globals>(device, "rock-field/layout/frame");
+        let field_layout = uniform_layout::<FieldUniforms>(device, "rock-field/layout/field");
+        let maps_layout = maps_layout(device);
+        let layouts = [&frame_layout, &field_layout, &maps_layout];
+        let make = |pass| pipeline(device, layouts, format, samples, pass);
+        let shadow = make(Pass {
+            label: "rock-field/shadow/pipeline",
+            source: include_str!("shaders/shadow.wgsl"),
+            lit: false,
+            buffers: &[Some(POSITION)],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            depth: Depth::Test,
+            target: Target::Shadow,
+        });
+        let height = make(Pass {
+            label: "rock-field/height/pipeline",
+            source: include_str!("shaders/height.wgsl"),
+            lit: false,
+            buffers: &[Some(POSITION)],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            depth: Depth::Test,
+            target: Target::Height,
+        });
+        let ground = make(Pass {
+            label: "rock-field/ground/pipeline",
+            source: include_str!("shaders/ground.wgsl"),
+            lit: true,
+            buffers: &[],
+            topology: wgpu::PrimitiveTopology::TriangleList,
+            depth: Depth::Ignore,
+            target: Target::View { blend: false },
+        });
+        let rock = make(rock_pass(Depth::Test));
+        Self {
+            frame_layout,
+            field_layout,
+            maps_layout,
+            format,
+            samples,
+            shadow,
+            height,
+            ground,
+            rock,
+            wire: OnceCell::new(),
+            plan: OnceCell::new(),
+        }
+    }
+
+    fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
+        let layouts = [&self.frame_layout, &self.field_layout, &self.maps_layout];
+        pipeline(device, layouts, self.format, self.samples, pass)
+    }
+
+    /// The fill pushed back, and the edges.
+    pub(crate) fn wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
+        self.wire.get_or_init(|| {
+            let edges = Pass {
+                label: "rock-field/wire/pipeline",
+                source: include_str!("shaders/wire.wgsl"),
+                lit: false,
+                buffers: &[Some(POSITION), Some(COLOR)],
+                topology: wgpu::PrimitiveTopology::LineList,
+                depth: Depth::Test,
+                target: Target::View { blend: false },
+            };
+            [
+                self.make(device, rock_pass(Depth::TestBehind)),
+                self.make(device, edges),
+            ]
+        })
+    }
+
+    /// Fills and strokes.
+    pub(crate) fn plan(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
+        self.plan.get_or_init(|| {
+            let fills = Pass {
+                label: "rock-field/plan/pipeline",
+                source: include_str!("shaders/plan.wgsl"),
+                lit: false,
+                buffers: &[Some(FILL)],
+                topology: wgpu::PrimitiveTopology::TriangleList,
+                depth: Depth::Ignore,
+                target: Target::View { blend: false },
+            };
+            let strokes = Pass {
+                label: "rock-field/stroke/pipeline",
+                source: include_str!("shaders/stroke.wgsl"),
+                lit: false,
+                buffers: &[Some(STROKE)],
+                topology: wgpu::PrimitiveTopology::TriangleStrip,
+                depth: Depth::Ignore,
+                target: Target::View { blend: true },
+            };
+            [self.make(device, fills), self.make(device, strokes)]
+        })
+    }
+}
+
+fn rock_pass(depth: Depth) -> Pass<'static> {
+    Pass {
+        label: "rock-field/rock/pipeline",
+        source: include_str!("shaders/rock.wgsl"),
+        lit: true,
+        buffers: &[Some(POSITION), Some(COLOR)],
+        topology: wgpu::PrimitiveTopology::TriangleList,
+        depth,
+        target: Target::View { blend: false },
+    }
+}
+
+fn pipeline(
+    device: &wgpu::Device,
+    [frame, field, maps]: [&wgpu::BindGroupLayout; 3],
+    format: wgpu::TextureFormat,
+    samples: u32,
+    pass: Pass<'_>,
+) -> wgpu::RenderPipeline {
+    let lighting = if pass.lit { LIGHTING } else { "" };
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(pass.label),
+        source: wgpu::ShaderSource::Wgsl(format!("{COMMON}{lighting}{}", pass.source).into()),
+    });
+    let groups = [Some(frame), Some(field), Some(maps)];
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(pass.label),
+        bind_group_layouts: if pass.lit { &groups } else { &groups[..2] },
+        immediate_size: 0,
+    });
+    let srgb = [("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 })];
+    let color = |format, blend| {
+        Some(wgpu::ColorTargetState {
+            format,
+            blend,
+            write_mask: wgpu::ColorWrites::ALL,
+        })
+    };
+    let (targets, depth_format, count, constants) = match pass.target {
+        Target::View { blend } => {
+            let blend = blend.then_some(wgpu::BlendState::ALPHA_BLENDING);
+            (Some(color(format, blend)), DEPTH_FORMAT, samples, &srgb[..])
+        }
+        Target::Shadow => (None, SHADOW_FORMAT, 1, &[][..]),
+        Target::Height => (Some(color(HEIGHT_FORMAT, None)), SHADOW_FORMAT, 1, &[][..]),
+    };
+    let (depth_compare, depth_write, bias) = match pass.depth {
+        Depth::Ignore => (wgpu::CompareFunction::Always, false, 0),
+        Depth::Test => (wgpu::CompareFunction::LessEqual, true, 0),
+        Depth::TestBehind => (wgpu::CompareFunction::LessEqual, true, 2),
+    };
+    let compilation = wgpu::PipelineCompilationOptions {
+        constants,
+        ..Default::default()
+    };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(pass.label),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("vs_main"),
+            compilation_options: Default::default(),
+            buffers: pass.buffers,
+        },
+        primitive: wgpu::PrimitiveState {
+            topology: pass.topology,
+            // Two-sided: rocks overhang, and c_w may turn one inside out.
+            cull_mode: None,
+            ..Default::default()
+        },
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: depth_format,
+            depth_write_enabled: Some(depth_write),
+            depth_compare: Some(depth_compare),
+            stencil: Default::default(),
+            bias: wgpu::DepthBiasState {
+                constant: bias,
+                slope_scale: bias as f32 * 0.75,
+                clamp: 0.0,
+            },
+        }),
+        multisample: wgpu::MultisampleState {
+            count,
+            ..Default::default()
+        },
+        fragment: targets.as_ref().map(|target| wgpu::FragmentState {
+            module: &module,
+            entry_point: Some("fs_main"),
+            compilation_options: compilation,
+            targets: std::slice::from_ref(target),
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
+
+fn uniform_layout<T>(device: &wgpu::Device, label: &'static str) -> wgpu::BindGroupLayout {
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some(label),
+        entries: &[wgpu::BindGroupLayoutEntry {
+            binding: 0,
+            visibility: wgpu::ShaderStages::VERTEX_FRAGMENT,
+            ty: wgpu::BindingType::Buffer {
+                ty: wgpu::BufferBindingType::Uniform,
+                has_dynamic_offset: false,
+                min_binding_size: wgpu::BufferSize::new(size_of::<T>() as u64),
+            },
+            count: None,
+        }],
+    })
+}
+
+fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty,
+        count: None,
+    };
+    let texture = |sample_type| wgpu::BindingType::Texture {
+        sample_type,
+        view_dimension: wgpu::TextureViewDimension::D2,
+        multisampled: false,
+    };
+    let sampler = |kind| wgpu::BindingType::Sampler(kind);
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
+        label: Some("rock-field/layout/maps"),
+        entries: &[
+            entry(0, texture(wgpu::TextureSampleType::Depth)),
+            entry(1, sampler(wgpu::SamplerBindingType::Comparison)),
+            entry(
+                2,
+                texture(wgpu::TextureSampleType::Float { filterable: true }),
+            ),
+            entry(3, sampler(wgpu::SamplerBindingType::Filtering)),
+        ],
+    })
+}

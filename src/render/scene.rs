@@ -1,0 +1,403 @@
+//! One field on the device: its buffers, and the two maps its light is read from.
+
+use glam::{Mat4, Vec3};
+
+use super::palette::{self, ColorMode};
+use super::pipelines::{HEIGHT_FORMAT, SHADOW_FORMAT};
+use super::surface::{depth_attachment, texture};
+use super::uniforms::FieldUniforms;
+use super::{Gpu, RenderError, upload};
+
+/// Towards the sun: 35° high, from the left of the default view (azimuth 30°) and a little behind the
+/// field, so that shadows fall to the right and towards the viewer. Chosen by eye.
+const SUN: Vec3 = Vec3::new(-0.80, 0.16, 0.58);
+
+/// Side of the shadow map and of the height map, texels; 0.7 px each for the 1024 px fields of the papers.
+const MAP_SIDE: u32 = 2048;
+
+/// The mesh as it lies in JavaScript; read a slice at a time.
+pub(crate) struct Mesh<'a> {
+    /// 3v coordinates.
+    pub(crate) positions: &'a js_sys::Float32Array,
+    /// 3t vertex numbers.
+    pub(crate) indices: &'a js_sys::Uint32Array,
+    pub(crate) rocks: Rocks,
+}
+
+/// What tells the rocks apart: small, and kept for recolouring.
+pub(crate) struct Rocks {
+    /// rocks + 1 offsets into the vertices.
+    pub(crate) vertex_starts: Vec<u32>,
+    /// rocks layer ids.
+    pub(crate) layers: Vec<u32>,
+    /// rocks site indices.
+    pub(crate) sites: Vec<u32>,
+}
+
+/// Buffers, maps and bind groups of one field.
+pub(crate) struct Scene {
+    positions: wgpu::Buffer,
+    colors: wgpu::Buffer,
+    indices: wgpu::Buffer,
+    index_count: u32,
+    vertex_count: u32,
+    /// Two vertex numbers per edge; made when the wireframe is first shown.
+    edges: Option<wgpu::Buffer>,
+    rocks: Rocks,
+    painted: Option<ColorMode>,
+    /// Middle and radius of a sphere round everything.
+    pub(crate) center: Vec3,
+    pub(crate) radius: f32,
+    pub(crate) image: [f32; 2],
+    pub(crate) field_group: wgpu::BindGroup,
+    pub(crate) maps_group: wgpu::BindGroup,
+    shadow: wgpu::TextureView,
+    height: wgpu::TextureView,
+    height_depth: wgpu::TextureView,
+    maps_drawn: bool,
+}
+
+impl Scene {
+    /// Uploads `mesh`, grown on an image of `image` px. Its colours follow with [`Scene::paint`].
+    pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: Mesh<'_>) -> Result<Self, RenderError> {
+        let vertex_count = mesh.positions.length() / 3;
+        let index_count = mesh.indices.length() / 3 * 3;
+        let rocks = mesh.rocks;
+        if rocks.layers.len() != rocks.sites.len()
+            || rocks.layers.len() + 1 != rocks.vertex_starts.len()
+            || rocks.vertex_starts.last() != Some(&vertex_count)
+        {
+            return Err(RenderError::Malformed(
+                "rockStarts, vertexStarts, rockLayer and selected disagree",
+            ));
+        }
+        let make = |label, what, elements: u32, usage| {
+            upload::buffer(&gpu.device, label, what, 4 * u64::from(elements), usage)
+        };
+        let vertex = wgpu::BufferUsages::VERTEX;
+        let positions = make("rock-field/rock/positions", "vertices", 3 * vertex_count, vertex)?;
+        let colors = make("rock-field/rock/colors", "colours", vertex_count, vertex)?;
+        let indices = make(
+            "rock-field/rock/indices",
+            "triangles",
+            index_count,
+            wgpu::BufferUsages::INDEX,
+        )?;
+
+        let mut low = Vec3::ZERO;
+        let mut high = Vec3::new(image[0], image[1], 1.0);
+        let mut axis = 0;
+        upload::write::<f32>(&gpu.queue, &positions, 3 * vertex_count, |start, slice| {
+            let end = start + slice.len() as u32;
+            mesh.positions.subarray(start, end).copy_to(slice);
+            for &value in slice.iter() {
+                // A slice need not end with a vertex: the axis is carried along. NaN changes nothing.
+                low[axis] = low[axis].min(value);
+                high[axis] = high[axis].max(value);
+                axis = (axis + 1) % 3;
+            }
+        });
+        let mut highest = 0;
+        upload::write::<u32>(&gpu.queue, &indices, index_count, |start, slice| {
+            let end = start + slice.len() as u32;
+            mesh.indices.subarray(start, end).copy_to(slice);
+            highest = slice.iter().fold(highest, |most, &index| most.max(index));
+        });
+        // WebGL2 would refuse the draw without saying why.
+        if index_count > 0 && highest >= vertex_count {
+            return Err(RenderError::Malformed("an index points past the vertices"));
+        }
+        if !(high - low).is_finite() {
+            return Err(RenderError::Malformed("a coordinate is infinite"));
+        }
+
+        let side = MAP_SIDE.min(gpu.max_side());
+        let uniforms = field_uniforms(image, low, high, side as f32);
+        let buffer = upload::buffer(
+            &gpu.device,
+            "rock-field/field/uniforms",
+            "uniforms",
+            size_of::<FieldUniforms>() as u64,
+            wgpu::BufferUsages::UNIFORM,
+        )?;
+        gpu.queue
+            .write_buffer(&buffer, 0, bytemuck::bytes_of(&uniforms));
+        let field_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("rock-field/field/group"),
+            layout: &gpu.pipelines.field_layout,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: buffer.as_entire_binding(),
+            }],
+        });
+        let map = |label, format| {
+            let usage =
+                wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+            texture(&gpu.device, label, (side, side), 1, format, usage)
+        };
+        let shadow = map("rock-field/shadow/map", SHADOW_FORMAT);
+        let height = map("rock-field/height/map", HEIGHT_FORMAT);
+        let height_depth = map("rock-field/height/depth", SHADOW_FORMAT);
+        let maps_group = maps_group(gpu, &shadow, &height);
+        Ok(Self {
+            positions,
+            colors,
+            indices,
+            index_count,
+            vertex_count,
+            edges: None,
+            rocks,
+            painted: None,
+            center: (low + high) * 0.5,
+            radius: (high - low).length() * 0.5,
+            image,
+            field_group,
+            maps_group,
+            shadow,
+            height,
+            height_depth,
+            maps_drawn: false,
+        })
+    }
+
+    /// Gives every rock its colour in `mode`; nothing to do if it has it.
+    pub(crate) fn paint(&mut self, gpu: &Gpu, mode: ColorMode) {
+        if self.painted == Some(mode) {
+            return;
+        }
+        self.painted = Some(mode);
+        let rocks = &self.rocks;
+        let mut rock = 0;
+        let mut color = 0;
+        let mut end = 0;
+        upload::write::<u32>(&gpu.queue, &self.colors, self.vertex_count, |start, slice| {
+            for (vertex, out) in (start..).zip(slice) {
+                while vertex >= end && rock < rocks.layers.len() {
+                    let id = |list: &[u32]| list.get(rock).copied().unwrap_or(0);
+                    let (layer, site) = (id(&rocks.layers), id(&rocks.sites));
+                    color = palette::rock(mode, layer, palette::hash(layer, site));
+                    rock += 1;
+                    end = id_at(&rocks.vertex_starts, rock);
+                }
+                *out = color;
+            }
+        });
+    }
+
+    pub(crate) fn has_edges(&self) -> bool {
+        self.edges.is_some() || self.index_count == 0
+    }
+
+    /// Makes the line list of every triangle's edges; `indices` as given to [`Scene::new`].
+    pub(crate) fn set_edges(
+        &mut self,
+        gpu: &Gpu,
+        indices: &js_sys::Uint32Array,
+    ) -> Result<(), RenderError> {
+        if indices.length() / 3 * 3 != self.index_count {
+            return Err(RenderError::Malformed("edges of another field"));
+        }
+        let buffer = upload::buffer(
+            &gpu.device,
+            "rock-field/wire/edges",
+            "edges",
+            8 * u64::from(self.index_count),
+            wgpu::BufferUsages::INDEX,
+        )?;
+        // Two line ends per corner; inner edges come twice, from either side, which costs less than
+        // finding out.
+        let mut triangle = [0; 3];
+        upload::write::<u32>(&gpu.queue, &buffer, 2 * self.index_count, |start, slice| {
+            for (end, out) in (start..).zip(slice) {
+                let corner = end % 6;
+                if corner == 0 || end == start {
+                    let first = end / 6 * 3;
+                    indices.subarray(first, first + 3).copy_to(&mut triangle);
+                }
+                // 0 1, 1 2, 2 0
+                let [a, b, c] = triangle;
+                *out = match corner {
+                    0 | 5 => a,
+                    1 | 2 => b,
+                    _ => c,
+                };
+            }
+        });
+        self.edges = Some(buffer);
+        Ok(())
+    }
+
+    /// Draws the shadow and height maps if they are not yet there. Nothing moves but by a new field, so
+    /// once is enough.
+    pub(crate) fn draw_maps(
+        &mut self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame_group: &wgpu::BindGroup,
+    ) {
+        if self.maps_drawn {
+            return;
+        }
+        self.maps_drawn = true;
+        let height_color = wgpu::RenderPassColorAttachment {
+            view: &self.height,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations {
+                load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
+                store: wgpu::StoreOp::Store,
+            },
+        };
+        let passes = [
+            (
+                "rock-field/shadow/pass",
+                &gpu.pipelines.shadow,
+                None,
+                depth_attachment(&self.shadow, wgpu::StoreOp::Store),
+            ),
+            (
+                "rock-field/height/pass",
+                &gpu.pipelines.height,
+                Some(height_color),
+                depth_attachment(&self.height_depth, wgpu::StoreOp::Discard),
+            ),
+        ];
+        for (label, pipeline, color, depth) in passes {
+            let colors = [color];
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some(label),
+                color_attachments: if colors[0].is_some() { &colors } else { &[] },
+                depth_stencil_attachment: Some(depth),
+                ..Default::default()
+            });
+            pass.set_bind_group(0, frame_group, &[]);
+            pass.set_bind_group(1, &self.field_group, &[]);
+            self.draw_rocks(&mut pass, pipeline, false);
+        }
+    }
+
+    /// All rocks, one draw.
+    pub(crate) fn draw_rocks(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        colored: bool,
+    ) {
+        self.draw(pass, pipeline, colored, &self.indices, self.index_count);
+    }
+
+    /// All edges, one draw; nothing before [`Scene::set_edges`].
+    pub(crate) fn draw_edges(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+    ) {
+        if let Some(edges) = &self.edges {
+            self.draw(pass, pipeline, true, edges, 2 * self.index_count);
+        }
+    }
+
+    fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        colored: bool,
+        indices: &wgpu::Buffer,
+        count: u32,
+    ) {
+        if count == 0 {
+            return;
+        }
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, self.positions.slice(..));
+        if colored {
+            pass.set_vertex_buffer(1, self.colors.slice(..));
+        }
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..count, 0, 0..1);
+    }
+}
+
+fn id_at(list: &[u32], at: usize) -> u32 {
+    list.get(at).copied().unwrap_or(u32::MAX)
+}
+
+/// Fits the sun's orthographic camera and the height map to the box `low`…`high`.
+fn field_uniforms(image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUniforms {
+    let sun = SUN.normalize();
+    let right = Vec3::Z.cross(sun).normalize();
+    let up = sun.cross(right);
+    // Room on the ground for the longest shadow, so that none is cut off at the map's edge.
+    let reach = high.z * (SUN.truncate().length() / SUN.z);
+    let (from, to) = (low - Vec3::new(reach, reach, 0.0), high + Vec3::new(reach, reach, 0.0));
+    let mut least = Vec3::INFINITY;
+    let mut most = Vec3::NEG_INFINITY;
+    for corner in 0..8 {
+        let pick = |bit: u32, a: f32, b: f32| if corner >> bit & 1 == 0 { a } else { b };
+        let at = Vec3::new(
+            pick(0, from.x, to.x),
+            pick(1, from.y, to.y),
+            pick(2, from.z, to.z),
+        );
+        let seen = Vec3::new(at.dot(right), at.dot(up), -at.dot(sun));
+        least = least.min(seen);
+        most = most.max(seen);
+    }
+    let view = Mat4::from_cols(
+        Vec3::new(right.x, up.x, -sun.x).extend(0.0),
+        Vec3::new(right.y, up.y, -sun.y).extend(0.0),
+        Vec3::new(right.z, up.z, -sun.z).extend(0.0),
+        glam::Vec4::W,
+    );
+    let span = most - least;
+    let to_clip = Mat4::from_scale(Vec3::new(2.0 / span.x, 2.0 / span.y, 1.0 / span.z))
+        * Mat4::from_translation(Vec3::new(
+            -(least.x + most.x) * 0.5,
+            -(least.y + most.y) * 0.5,
+            -least.z,
+        ));
+    // A margin of four texels keeps the taps at the border on empty ground.
+    let extent = (high - low).truncate();
+    let texel = extent.max_element() / (side - 8.0);
+    let corner = low.truncate() - glam::Vec2::splat(4.0 * texel);
+    let scale = (extent + glam::Vec2::splat(8.0 * texel)).recip();
+    FieldUniforms {
+        sun_from_world: (to_clip * view).to_cols_array_2d(),
+        sun: sun.extend(span.x.max(span.y) / side).to_array(),
+        map: [corner.x, corner.y, scale.x, scale.y],
+        size: [image[0], image[1], high.z.max(1.0), 0.0],
+        ground: [0.26 * image[0].max(image[1]), texel, 0.0, 0.0],
+    }
+}
+
+fn maps_group(
+    gpu: &Gpu,
+    shadow: &wgpu::TextureView,
+    height: &wgpu::TextureView,
+) -> wgpu::BindGroup {
+    let sampler = |label, compare| {
+        gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some(label),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            compare,
+            ..Default::default()
+        })
+    };
+    let compare = sampler(
+        "rock-field/shadow/sampler",
+        Some(wgpu::CompareFunction::LessEqual),
+    );
+    let linear = sampler("rock-field/height/sampler", None);
+    let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("rock-field/maps/group"),
+        layout: &gpu.pipelines.maps_layout,
+        entries: &[
+            entry(0, wgpu::BindingResource::TextureView(shadow)),
+            entry(1, wgpu::BindingResource::Sampler(&compare)),
+            entry(2, wgpu::BindingResource::TextureView(height)),
+            entry(3, wgpu::BindingResource::Sampler(&linear)),
+        ],
+    })
+}

@@ -1,0 +1,67 @@
+// Prepended to every pass. World: x right, y up, z up, pixels of the image. Colour maths is linear.
+
+// Group 0, once per frame and view.
+// size 192 B, align 16; mirrored by Globals in uniforms.rs
+struct Globals {
+  // Takes positions relative to the eye: far from the origin an f32 keeps its digits that way.
+  clip_from_eye: mat4x4f,
+  // xyz the eye; w device pixels per CSS pixel
+  eye: vec4f,
+  // Ray through the picture at (x, y) in -1…1: forward + x·right + y·up. w: width, height, px.
+  ray_right: vec4f,
+  ray_up: vec4f,
+  // w: 1 in the wireframe view, where fills are dimmed
+  ray_forward: vec4f,
+  // Plans: xy the middle in px of the image, zw from px to clip space
+  plan: vec4f,
+  // Linear; w unused
+  backdrop_low: vec4f,
+  backdrop_high: vec4f,
+  // rgb linear soil; w unused
+  soil: vec4f,
+}
+
+// Group 1, once per field.
+// size 128 B, align 16; mirrored by FieldUniforms in uniforms.rs
+struct FieldUniforms {
+  // World to the sun's clip space, depth 0…1
+  sun_from_world: mat4x4f,
+  // xyz towards the sun; w one texel of the shadow map in px of the world
+  sun: vec4f,
+  // xy the height map's corner, zw 1 / its sides, px
+  map: vec4f,
+  // xy image width and height, z the top of the highest rock, w unused
+  size: vec4f,
+  // x width over which the soil fades outside the image, y one texel of the height map in px, zw unused
+  ground: vec4f,
+}
+
+@group(0) @binding(0) var<uniform> globals: Globals;
+@group(1) @binding(0) var<uniform> field: FieldUniforms;
+
+// Set where the surface has no linear-storage format: the hardware encodes then, and we must not.
+override target_is_srgb: bool = false;
+
+const SUN_COLOR = vec3f(1.20, 1.12, 0.99);
+const SKY_COLOR = vec3f(0.235, 0.275, 0.33);
+const BOUNCE_COLOR = vec3f(0.12, 0.10, 0.082);
+
+fn srgb_to_linear(c: vec3f) -> vec3f {
+  return select(pow((c + 0.055) / 1.055, vec3f(2.4)), c / 12.92, c <= vec3f(0.04045));
+}
+
+fn linear_to_srgb(c: vec3f) -> vec3f {
+  return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, c * 12.92, c <= vec3f(0.0031308));
+}
+
+// Jimenez' interleaved gradient noise, 0…1: a dither without visible structure.
+fn dither(pixel: vec2f) -> f32 {
+  return fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715))));
+}
+
+// The only place where a colour is encoded; half a step of dither keeps the backdrop from banding.
+fn finish(linear: vec3f, pixel: vec2f) -> vec4f {
+  let c = clamp(linear, vec3f(0.0), vec3f(1.0));
+  let encoded = linear_to_srgb(c) + (dither(pixel) - 0.5) / 255.0;
+  return vec4f(select(encoded, c, target_is_srgb), 1.0);
+}

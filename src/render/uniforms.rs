@@ -1,0 +1,40 @@
+//! The uniform blocks, field for field as in `shaders/common.wgsl`; `tests/shaders.rs` compares the sizes.
+
+use bytemuck::{Pod, Zeroable};
+
+/// Once per frame and view. Size 192 B.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(crate) struct Globals {
+    /// Column-major; takes positions relative to the eye.
+    pub(crate) clip_from_eye: [[f32; 4]; 4],
+    /// w: device pixels per CSS pixel.
+    pub(crate) eye: [f32; 4],
+    /// w: width of the picture, device pixels.
+    pub(crate) ray_right: [f32; 4],
+    /// w: height of the picture, device pixels.
+    pub(crate) ray_up: [f32; 4],
+    /// w: 1 in the wireframe view.
+    pub(crate) ray_forward: [f32; 4],
+    /// Plans: xy the middle in px of the image, zw from px to clip space.
+    pub(crate) plan: [f32; 4],
+    /// Linear; w unused.
+    pub(crate) backdrop_low: [f32; 4],
+    pub(crate) backdrop_high: [f32; 4],
+    pub(crate) soil: [f32; 4],
+}
+
+/// Once per field. Size 128 B.
+#[repr(C)]
+#[derive(Clone, Copy, Pod, Zeroable)]
+pub(crate) struct FieldUniforms {
+    pub(crate) sun_from_world: [[f32; 4]; 4],
+    /// xyz towards the sun; w one texel of the shadow map in px of the world.
+    pub(crate) sun: [f32; 4],
+    /// xy the height map's corner, zw 1 / its sides, px.
+    pub(crate) map: [f32; 4],
+    /// xy image width and height, z the top of the highest rock, px.
+    pub(crate) size: [f32; 4],
+    /// x width of the soil's fade, y one texel of the height map, px.
+    pub(crate) ground: [f32; 4],
+}

@@ -1,0 +1,49 @@
+//! Typed arrays to GPU buffers a slice at a time: wasm memory never holds a whole field.
+
+use super::RenderError;
+
+/// 4-byte elements per slice: 512 KiB of scratch.
+const SLICE: u32 = 1 << 17;
+
+/// Makes a buffer of `bytes` (at least 4: empty buffers are not portable), or says why it cannot.
+pub(crate) fn buffer(
+    device: &wgpu::Device,
+    label: &'static str,
+    what: &'static str,
+    bytes: u64,
+    usage: wgpu::BufferUsages,
+) -> Result<wgpu::Buffer, RenderError> {
+    let limit = device.limits().max_buffer_size;
+    if bytes > limit {
+        return Err(RenderError::TooLarge { what, bytes, limit });
+    }
+    Ok(device.create_buffer(&wgpu::BufferDescriptor {
+        label: Some(label),
+        size: bytes.max(4),
+        usage: usage | wgpu::BufferUsages::COPY_DST,
+        mapped_at_creation: false,
+    }))
+}
+
+/// Writes `length` 4-byte elements. `fill(start, slice)` puts elements `start..` into `slice`.
+pub(crate) fn write<T: bytemuck::Pod>(
+    queue: &wgpu::Queue,
+    buffer: &wgpu::Buffer,
+    length: u32,
+    mut fill: impl FnMut(u32, &mut [T]),
+) {
+    let mut scratch = vec![T::zeroed(); length.min(SLICE) as usize];
+    let mut start = 0;
+    while start < length {
+        let count = (length - start).min(SLICE);
+        if let Some(slice) = scratch.get_mut(..count as usize) {
+            fill(start, slice);
+            let bytes: &[u8] = bytemuck::cast_slice(slice);
+            let offset = u64::from(start) * size_of::<T>() as u64;
+            queue.write_buffer(buffer, offset, bytes);
+            // Hands the staging memory on: a large field would otherwise be staged as a whole.
+            queue.submit(None);
+        }
+        start += count;
+    }
+}

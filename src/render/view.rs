@@ -1,0 +1,198 @@
+//! One canvas: camera, style, and the frame.
+
+use super::camera::FOV_Y;
+use super::palette::{self, ColorMode, DARK, LIGHT};
+use super::surface::Target;
+use super::uniforms::Globals;
+use super::{Camera, Gpu, Layer, Plan, RenderError, Scene, upload};
+
+/// What is shown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Mode {
+    Rocks,
+    Wireframe,
+    Diagrams,
+    Selection,
+}
+
+/// Per-canvas state.
+pub(crate) struct View {
+    target: Target,
+    globals: wgpu::Buffer,
+    frame_group: wgpu::BindGroup,
+    camera: Camera,
+    pub(crate) mode: Mode,
+    color: ColorMode,
+    dark: bool,
+    /// Device pixels per CSS pixel.
+    ratio: f32,
+}
+
+impl View {
+    pub(crate) fn new(gpu: &Gpu, surface: wgpu::Surface<'static>) -> Result<Self, RenderError> {
+        let globals = upload::buffer(
+            &gpu.device,
+            "rock-field/view/globals",
+            "uniforms",
+            size_of::<Globals>() as u64,
+            wgpu::BufferUsages::UNIFORM,
+        )?;
+        let frame_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+            label: Some("rock-field/view/group"),
+            layout: &gpu.pipelines.frame_layout,
+            entries: &[wgpu::BindGroupEntry {
+                binding: 0,
+                resource: globals.as_entire_binding(),
+            }],
+        });
+        Ok(Self {
+            target: Target::new(gpu, surface),
+            globals,
+            frame_group,
+            camera: Camera {
+                azimuth: 0.0,
+                elevation: 1.0,
+                distance: 1000.0,
+                target: [0.0; 3],
+            },
+            mode: Mode::Rocks,
+            color: ColorMode::Layer,
+            dark: false,
+            ratio: 1.0,
+        })
+    }
+
+    pub(crate) fn set_camera(&mut self, camera: Camera) {
+        self.camera = camera.sanitised();
+    }
+
+    pub(crate) fn resize(&mut self, gpu: &Gpu, width: u32, height: u32, ratio: f32) {
+        self.ratio = if ratio.is_finite() { ratio.max(0.25) } else { 1.0 };
+        self.target.resize(gpu, width, height);
+    }
+
+    /// True if a plan made before no longer fits.
+    pub(crate) fn set_style(&mut self, mode: Mode, color: ColorMode, dark: bool) -> bool {
+        let changed = (mode, dark) != (self.mode, self.dark);
+        (self.mode, self.color, self.dark) = (mode, color, dark);
+        changed
+    }
+
+    /// The plan this view shows, if it shows one.
+    pub(crate) fn plan(
+        &self,
+        gpu: &Gpu,
+        scene: Option<&Scene>,
+        layers: &[Layer],
+    ) -> Result<Option<Plan>, RenderError> {
+        let theme = if self.dark { &DARK } else { &LIGHT };
+        match (self.mode, scene) {
+            (Mode::Diagrams, Some(scene)) => {
+                Plan::diagrams(gpu, scene.image, layers, self.dark, theme).map(Some)
+            }
+            (Mode::Selection, Some(scene)) => {
+                Plan::selection(gpu, scene.image, layers, theme).map(Some)
+            }
+            _ => Ok(None),
+        }
+    }
+
+    /// Draws one frame; without a field (`scene` none) the backdrop alone.
+    pub(crate) fn render(&self, gpu: &Gpu, scene: Option<&mut Scene>, plan: Option<&Plan>) {
+        let Some(texture) = self.target.acquire(gpu) else {
+            return;
+        };
+        let globals = self.globals(scene.as_deref());
+        gpu.queue
+            .write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let scene = scene.map(|scene| {
+            if self.is_solid() {
+                scene.paint(gpu, self.color);
+                scene.draw_maps(gpu, &mut encoder, &self.frame_group);
+            }
+            &*scene
+        });
+        let frame = texture.texture.create_view(&Default::default());
+        let (color, depth) = self.target.attachments(&frame, self.clear_color(gpu));
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("rock-field/view/pass"),
+            color_attachments: &[Some(color)],
+            depth_stencil_attachment: Some(depth),
+            ..Default::default()
+        });
+        if let Some(scene) = scene {
+            pass.set_bind_group(0, &self.frame_group, &[]);
+            pass.set_bind_group(1, &scene.field_group, &[]);
+            match (self.mode, plan) {
+                (Mode::Rocks, _) => {
+                    self.draw_ground(gpu, scene, &mut pass);
+                    scene.draw_rocks(&mut pass, &gpu.pipelines.rock, true);
+                }
+                (Mode::Wireframe, _) => {
+                    let [fill, edges] = gpu.pipelines.wire(&gpu.device);
+                    self.draw_ground(gpu, scene, &mut pass);
+                    scene.draw_rocks(&mut pass, fill, true);
+                    scene.draw_edges(&mut pass, edges);
+                }
+                (_, Some(plan)) => plan.draw(&mut pass, gpu.pipelines.plan(&gpu.device)),
+                (_, None) => {}
+            }
+        }
+        drop(pass);
+        gpu.queue.submit([encoder.finish()]);
+        gpu.queue.present(texture);
+    }
+
+    fn draw_ground(&self, gpu: &Gpu, scene: &Scene, pass: &mut wgpu::RenderPass<'_>) {
+        pass.set_bind_group(2, &scene.maps_group, &[]);
+        pass.set_pipeline(&gpu.pipelines.ground);
+        pass.draw(0..3, 0..1);
+    }
+
+    fn is_solid(&self) -> bool {
+        matches!(self.mode, Mode::Rocks | Mode::Wireframe)
+    }
+
+    /// Of plans: the table they lie on. The other views cover every pixel themselves.
+    fn clear_color(&self, gpu: &Gpu) -> wgpu::Color {
+        let theme = if self.dark { &DARK } else { &LIGHT };
+        let [r, g, b] = if gpu.format.is_srgb() {
+            let [r, g, b, _] = palette::linear(theme.table);
+            [r, g, b].map(f64::from)
+        } else {
+            theme.table.map(|c| f64::from(c) / 255.0)
+        };
+        wgpu::Color { r, g, b, a: 1.0 }
+    }
+
+    fn globals(&self, scene: Option<&Scene>) -> Globals {
+        let theme = if self.dark { &DARK } else { &LIGHT };
+        let (width, height) = (self.target.width as f32, self.target.height as f32);
+        let aspect = width / height;
+        let frame = self.camera.frame();
+        let (center, radius) = scene.map_or((frame.eye, 1.0), |scene| (scene.center, scene.radius));
+        let tangent = (0.5 * FOV_Y).tan();
+        // A plan shows at the target's distance what the 3D view would: half the height is distance · tan.
+        let zoom = 1.0 / (self.camera.distance * tangent);
+        let wireframe = if self.mode == Mode::Wireframe { 1.0 } else { 0.0 };
+        Globals {
+            clip_from_eye: frame
+                .clip_from_eye(aspect, center, radius)
+                .to_cols_array_2d(),
+            eye: frame.eye.extend(self.ratio).to_array(),
+            ray_right: (frame.right * tangent * aspect).extend(width).to_array(),
+            ray_up: (frame.up * tangent).extend(height).to_array(),
+            ray_forward: frame.forward.extend(wireframe).to_array(),
+            plan: [
+                self.camera.target[0],
+                self.camera.target[1],
+                zoom / aspect,
+                zoom,
+            ],
+            backdrop_low: palette::linear(theme.backdrop_low),
+            backdrop_high: palette::linear(theme.backdrop_high),
+            soil: palette::linear(theme.soil),
+        }
+    }
+}

@@ -1,0 +1,476 @@
+//! The stages, run in pieces and cached.
+//!
+//! Every stage of every layer is keyed by what it is a function of. A run is nothing but: find the first stage
+//! whose key differs from the wanted one, and work on it. So an edit re-runs from the first stage it touches, a
+//! superseded run leaves its finished stages behind, and a cached result is the full result by construction.
+
+use super::field::{Field, FieldLayer, area_reached};
+use super::select::{Selection, Selector, Threshold, flag};
+use super::shape::{Shaper, Shapes, Swings};
+use super::sites::{DartThrower, Sites};
+use super::voronoi::{Cells, VoronoiBuilder};
+use crate::bitmap::Bitmap;
+use crate::error::Error;
+use crate::memory::memory_estimate;
+use crate::mesh::{Extent, Mesh, RockBuilder};
+use crate::params::{Border, Darts, Layer, Params, Stage, Swing};
+
+/// Picks, cells or rocks that one step works on: one to three milliseconds in wasm.
+const PICKS_PER_STEP: u32 = 1 << 15;
+const CELLS_PER_STEP: usize = 1 << 11;
+const ROCKS_PER_STEP: usize = 1 << 10;
+
+/// Grows fields, keeping the stages of the last one.
+#[derive(Debug, Default)]
+pub struct Generator {
+    params: Option<Params>,
+    /// In input order.
+    layers: Vec<LayerCache>,
+    mesh: Mesh,
+    task: Option<Task>,
+    /// Pixels taken by the coarser layers while a selection runs.
+    taken: Option<Taken>,
+    versions: u64,
+}
+
+/// The result of a stage and what it is a function of.
+#[derive(Debug)]
+struct Cached<K, V> {
+    key: Option<K>,
+    /// Changes exactly when the value does: the key of what is built on it.
+    version: u64,
+    value: V,
+}
+
+impl<K, V: Default> Default for Cached<K, V> {
+    fn default() -> Self {
+        Cached { key: None, version: 0, value: V::default() }
+    }
+}
+
+impl<K: PartialEq, V: Default> Cached<K, V> {
+    fn is_current(&self, key: &K) -> bool {
+        self.key.as_ref() == Some(key)
+    }
+
+    fn clear(&mut self) {
+        *self = Cached::default();
+    }
+}
+
+/// What the sites of a layer are a function of, besides its id. Floats compare as numbers: none of them is NaN.
+#[derive(Debug, Clone, PartialEq)]
+struct SitesKey {
+    seed: u32,
+    image: [u32; 2],
+    packing: f64,
+    darts: Darts,
+    radius: f64,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct SelectionKey {
+    cells: u64,
+    threshold: Threshold,
+    border: Border,
+    /// Versions of the selections that went before.
+    coarser: Vec<u64>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct MeshKey {
+    shapes: u64,
+    taper: [f64; 3],
+    height: [f64; 3],
+    swing: Swing,
+    index: usize,
+    at: Extent,
+}
+
+#[derive(Debug, Default)]
+struct LayerCache {
+    /// Lengths in px.
+    layer: Option<Layer>,
+    sites: Cached<SitesKey, Sites>,
+    cells: Cached<u64, Cells>,
+    selection: Cached<SelectionKey, Selection>,
+    shapes: Cached<u64, Shapes>,
+    mesh: Option<MeshKey>,
+}
+
+#[derive(Debug)]
+struct Taken {
+    bitmap: Bitmap,
+    /// Versions of the selections already flagged, coarsest first.
+    flagged: Vec<u64>,
+}
+
+/// The piece of work in progress, on one layer.
+#[derive(Debug)]
+struct Task {
+    layer: usize,
+    work: Work,
+}
+
+#[derive(Debug)]
+enum Work {
+    Sites(SitesKey, Box<DartThrower>),
+    Cells(Box<VoronoiBuilder>),
+    /// Flags the cells of a coarser layer, from this one on.
+    Flag(usize),
+    Selection(SelectionKey, Box<Selector>),
+    Shapes(Box<Shaper>),
+    /// Writes the rocks of the layer, from this one on.
+    Mesh(MeshKey, usize, Extent, Box<RockBuilder>),
+}
+
+/// One layer's results, borrowed.
+#[derive(Debug, Clone, Copy)]
+pub struct LayerView<'a> {
+    /// What was asked for, lengths in px.
+    pub layer: &'a Layer,
+    /// Stage 1.
+    pub sites: &'a Sites,
+    /// Stage 2.
+    pub cells: &'a Cells,
+    /// Stage 3.
+    pub selection: &'a Selection,
+}
+
+impl LayerView<'_> {
+    /// Share of the image's pixels that the selected cells own.
+    pub fn area_reached(&self) -> f64 {
+        area_reached(self.sites, self.selection)
+    }
+
+    /// Id, radius (px), N_p, sites saturated, A_s asked and reached, selection saturated.
+    pub fn summary(&self) -> [f64; 7] {
+        [
+            f64::from(self.layer.id),
+            self.layer.radius,
+            self.sites.target as f64,
+            f64::from(self.sites.saturated),
+            self.layer.area_fraction,
+            self.area_reached(),
+            f64::from(self.selection.saturated),
+        ]
+    }
+}
+
+impl Generator {
+    /// An empty cache.
+    pub fn new() -> Self {
+        Generator::default()
+    }
+
+    /// Begins a run, dropping the one in progress but not the stages it has finished.
+    ///
+    /// # Errors
+    /// A parameter out of range, or an estimate over `max_bytes`; then nothing has changed.
+    pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
+        params.validate()?;
+        memory_estimate(&params).check(max_bytes)?;
+        self.task = None;
+        self.taken = None;
+        let mut old = core::mem::take(&mut self.layers);
+        self.layers = params
+            .layers
+            .iter()
+            .map(|layer| {
+                let layer = params.layer_in_px(layer);
+                let known = old.iter().position(|cache| cache.layer.as_ref().is_some_and(|l| l.id == layer.id));
+                let mut cache = known.map(|k| core::mem::take(&mut old[k])).unwrap_or_default();
+                if !cache.sites.is_current(&SitesKey::new(&params, &layer)) {
+                    // Stale stages go before new ones come: the peak is one field, not two.
+                    cache.sites.clear();
+                    cache.cells.clear();
+                    cache.selection.clear();
+                    cache.shapes.clear();
+                }
+                cache.layer = Some(layer);
+                cache
+            })
+            .collect();
+        self.params = Some(params);
+        Ok(())
+    }
+
+    /// Does a bounded piece of work. True when the run is finished.
+    pub fn step(&mut self) -> bool {
+        if self.task.is_none() {
+            self.task = self.next_task();
+        }
+        let Some(mut task) = self.task.take() else { return true };
+        if self.advance(&mut task) {
+            self.complete(task);
+            self.task = self.next_task();
+        } else {
+            self.task = Some(task);
+        }
+        self.task.is_none()
+    }
+
+    /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
+    pub fn stage(&self) -> Stage {
+        match self.task.as_ref().map(|task| &task.work) {
+            Some(Work::Sites(..)) => Stage::Sites,
+            Some(Work::Cells(..)) => Stage::Cells,
+            Some(Work::Flag(..) | Work::Selection(..)) => Stage::Selection,
+            Some(Work::Shapes(..)) => Stage::Shape,
+            Some(Work::Mesh(..)) => Stage::Mesh,
+            None if self.mesh.rock_starts.is_empty() => Stage::Sites,
+            None => Stage::Mesh,
+        }
+    }
+
+    /// 0 … 1: finished stages and the fraction of the one at work, layers weighted by their number of sites.
+    pub fn progress(&self) -> f64 {
+        let Some(task) = &self.task else { return 1.0 };
+        let weight = |cache: &LayerCache| cache.layer.as_ref().map_or(0.0, |l| 1.0 / (l.radius * l.radius).max(1.0));
+        let total: f64 = self.layers.iter().map(weight).sum();
+        let before: f64 = self.layers[..task.layer].iter().map(weight).sum();
+        let cache = &self.layers[task.layer];
+        let fraction = match &task.work {
+            Work::Sites(_, thrower) => thrower.progress(),
+            Work::Cells(builder) => builder.progress(&cache.sites.value),
+            Work::Flag(_) => 0.0,
+            Work::Selection(_, selector) => selector.progress(),
+            Work::Shapes(shaper) => shaper.progress(&cache.selection.value.selected),
+            Work::Mesh(_, rock, ..) => *rock as f64 / cache.shapes.value.len().max(1) as f64,
+        };
+        /// Where each stage begins and ends on the bar: its share of the time for Fig. 1.
+        const SHARE: [f64; 6] = [0.0, 0.15, 0.5, 0.65, 0.9, 1.0];
+        let stage = self.stage() as usize;
+        let done = (before + weight(cache) * fraction) / total.max(f64::MIN_POSITIVE);
+        SHARE[stage] + (SHARE[stage + 1] - SHARE[stage]) * done.min(1.0)
+    }
+
+    /// The layers' results in input order. Complete once [`Generator::step`] has returned true.
+    pub fn layers(&self) -> impl ExactSizeIterator<Item = LayerView<'_>> {
+        self.layers.iter().map(|cache| LayerView {
+            layer: cache.layer.as_ref().unwrap_or(&NO_LAYER),
+            sites: &cache.sites.value,
+            cells: &cache.cells.value,
+            selection: &cache.selection.value,
+        })
+    }
+
+    /// The buffers. Complete once [`Generator::step`] has returned true.
+    pub fn mesh(&self) -> &Mesh {
+        &self.mesh
+    }
+
+    /// Rocks, triangles, covered fraction, layers.
+    pub fn summary(&self) -> [f64; 4] {
+        let covered = self.layers().map(|layer| layer.area_reached()).sum();
+        [self.mesh.rocks() as f64, self.mesh.triangles() as f64, covered, self.layers.len() as f64]
+    }
+
+    /// The field as a value of its own.
+    pub fn into_field(self) -> Field {
+        let layers = self.layers.into_iter().filter_map(|cache| {
+            Some(FieldLayer {
+                layer: cache.layer?,
+                sites: cache.sites.value,
+                cells: cache.cells.value,
+                selection: cache.selection.value,
+                shapes: cache.shapes.value,
+            })
+        });
+        Field { layers: layers.collect(), mesh: self.mesh }
+    }
+
+    /// The first piece of work whose result is not in the cache.
+    fn next_task(&mut self) -> Option<Task> {
+        let params = self.params.as_ref()?;
+        for (k, cache) in self.layers.iter().enumerate() {
+            let layer = cache.layer.as_ref()?;
+            let key = SitesKey::new(params, layer);
+            if !cache.sites.is_current(&key) {
+                let attempts = params.darts == Darts::Attempts;
+                let [width, height] = key.image;
+                let thrower =
+                    DartThrower::new(width, height, layer.radius, params.packing, attempts, params.seed, layer.id);
+                return Some(Task { layer: k, work: Work::Sites(key, Box::new(thrower)) });
+            }
+        }
+        for (k, cache) in self.layers.iter().enumerate() {
+            if !cache.cells.is_current(&cache.sites.version) {
+                let sites = &cache.sites.value;
+                let builder = VoronoiBuilder::new(sites, sites.saturated);
+                return Some(Task { layer: k, work: Work::Cells(Box::new(builder)) });
+            }
+        }
+        if let Some(task) = self.next_selection() {
+            return Some(task);
+        }
+        self.taken = None;
+        let params = self.params.as_ref()?;
+        for (k, cache) in self.layers.iter().enumerate() {
+            if !cache.shapes.is_current(&cache.selection.version) {
+                let id = cache.layer.as_ref()?.id;
+                let shaper = Shaper::new(&cache.cells.value, &cache.selection.value.selected, params.seed, id);
+                return Some(Task { layer: k, work: Work::Shapes(Box::new(shaper)) });
+            }
+        }
+        self.next_mesh()
+    }
+
+    /// Layers by descending mean cell area W·H / n, equal ones in input order (decision A7).
+    fn selection_order(&self) -> Vec<usize> {
+        let mut order: Vec<usize> = (0..self.layers.len()).collect();
+        order.sort_by_key(|&k| self.layers[k].sites.value.pixels.len());
+        order
+    }
+
+    fn next_selection(&mut self) -> Option<Task> {
+        let params = self.params.as_ref()?;
+        let mut coarser: Vec<(usize, u64)> = Vec::new();
+        for k in self.selection_order() {
+            let cache = &self.layers[k];
+            let layer = cache.layer.as_ref()?;
+            let key = SelectionKey {
+                cells: cache.cells.version,
+                threshold: layer.cell_count.map_or(Threshold::Area(layer.area_fraction), Threshold::Count),
+                border: params.border,
+                coarser: coarser.iter().map(|&(_, version)| version).collect(),
+            };
+            if !cache.selection.is_current(&key) {
+                let taken = self.taken.get_or_insert_with(|| Taken {
+                    bitmap: Bitmap::new(params.image_width, params.image_height),
+                    flagged: Vec::new(),
+                });
+                if let Some(&(unflagged, _)) = coarser.get(taken.flagged.len()) {
+                    return Some(Task { layer: unflagged, work: Work::Flag(0) });
+                }
+                let drop_border = params.border == Border::Drop;
+                let selector = Selector::new(&cache.cells.value, key.threshold, drop_border, params.seed, layer.id);
+                return Some(Task { layer: k, work: Work::Selection(key, Box::new(selector)) });
+            }
+            coarser.push((k, cache.selection.version));
+        }
+        None
+    }
+
+    fn next_mesh(&mut self) -> Option<Task> {
+        let swing = self.params.as_ref()?.swing;
+        let mut at = Extent::default();
+        let mut keys = Vec::with_capacity(self.layers.len());
+        for (index, cache) in self.layers.iter_mut().enumerate() {
+            let layer = cache.layer.as_ref()?;
+            let shapes = &cache.shapes.value;
+            let key = MeshKey {
+                shapes: cache.shapes.version,
+                taper: layer.taper,
+                height: layer.height,
+                swing,
+                index,
+                at,
+            };
+            // What stood elsewhere in the buffers may be overwritten by another layer from here on.
+            if cache.mesh.as_ref() != Some(&key) {
+                cache.mesh = None;
+            }
+            keys.push(key);
+            at.rocks += shapes.len();
+            at.vertices += 2 * shapes.top.len();
+            at.triangles += shapes.triangles.len();
+        }
+        if self.mesh.rock_starts.len() != at.rocks + 1
+            || self.mesh.positions.len() != 3 * at.vertices
+            || self.mesh.indices.len() != 3 * at.triangles
+        {
+            self.mesh.resize(at);
+        }
+        let stale = self.layers.iter().position(|cache| cache.mesh.is_none())?;
+        let key = keys.swap_remove(stale);
+        let at = key.at;
+        Some(Task { layer: stale, work: Work::Mesh(key, 0, at, Box::default()) })
+    }
+
+    /// Works on a task for a while. True when it is done.
+    fn advance(&mut self, task: &mut Task) -> bool {
+        let (Some(cache), Some(params)) = (self.layers.get(task.layer), &self.params) else { return true };
+        let (sites, cells) = (&cache.sites.value, &cache.cells.value);
+        let selected = &cache.selection.value.selected;
+        match (&mut task.work, &mut self.taken) {
+            (Work::Sites(_, thrower), _) => thrower.advance(PICKS_PER_STEP),
+            (Work::Cells(builder), _) => builder.advance(sites, CELLS_PER_STEP),
+            (Work::Flag(from), Some(taken)) => {
+                let to = (*from + CELLS_PER_STEP).min(selected.len());
+                flag(sites, cells, &selected[*from..to], &mut taken.bitmap);
+                *from = to;
+                to == selected.len()
+            }
+            (Work::Selection(_, selector), Some(taken)) => {
+                selector.advance(sites, cells, &taken.bitmap, CELLS_PER_STEP)
+            }
+            (Work::Flag(_) | Work::Selection(..), None) => true,
+            (Work::Shapes(shaper), _) => shaper.advance(cells, selected, ROCKS_PER_STEP),
+            (Work::Mesh(key, rock, at, builder), _) => {
+                let shapes = &cache.shapes.value;
+                let Some(layer) = &cache.layer else { return true };
+                let to = (*rock + ROCKS_PER_STEP).min(shapes.len());
+                for k in *rock..to {
+                    let site = selected[k];
+                    builder.start(cells.polygon(site as usize));
+                    let mut swings = Swings::new(params.seed, layer.id, site, key.swing);
+                    swings.displace(shapes.top_of(k), key.taper, key.height, |p| builder.points.push(p));
+                    let triangles = shapes.triangles_of(k);
+                    builder.finish(triangles);
+                    self.mesh.write_rock(at, key.index as u8, builder, triangles);
+                }
+                *rock = to;
+                to == shapes.len()
+            }
+        }
+    }
+
+    /// Puts a finished task's result into the cache.
+    fn complete(&mut self, task: Task) {
+        self.versions += 1;
+        let version = self.versions;
+        let cache = &mut self.layers[task.layer];
+        match task.work {
+            Work::Sites(key, thrower) => {
+                cache.sites = Cached { key: Some(key), version, value: thrower.finish() };
+            }
+            Work::Cells(builder) => {
+                cache.cells = Cached { key: Some(cache.sites.version), version, value: builder.finish() };
+            }
+            Work::Flag(_) => {
+                if let Some(taken) = &mut self.taken {
+                    taken.flagged.push(cache.selection.version);
+                }
+            }
+            Work::Selection(key, selector) => {
+                let value = selector.finish(&cache.sites.value);
+                // A selection that came out the same keeps its version, and with it all that is built on it.
+                let same = cache.selection.key.as_ref().is_some_and(|old| old.cells == key.cells)
+                    && cache.selection.value == value;
+                let version = if same { cache.selection.version } else { version };
+                cache.selection = Cached { key: Some(key), version, value };
+            }
+            Work::Shapes(shaper) => {
+                cache.shapes = Cached { key: Some(cache.selection.version), version, value: shaper.finish() };
+            }
+            Work::Mesh(key, ..) => cache.mesh = Some(key),
+        }
+    }
+}
+
+impl SitesKey {
+    fn new(params: &Params, layer: &Layer) -> Self {
+        SitesKey {
+            seed: params.seed,
+            image: [params.image_width, params.image_height],
+            packing: params.packing,
+            darts: params.darts,
+            radius: layer.radius,
+        }
+    }
+}
+
+/// Stands in for a layer before the first run.
+const NO_LAYER: Layer =
+    Layer { id: 0, radius: 0.0, area_fraction: 0.0, cell_count: None, taper: [0.0; 3], height: [0.0; 3] };

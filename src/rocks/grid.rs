@@ -1,0 +1,124 @@
+//! Buckets of sites: the neighbourhood queries of the Voronoi stage and of pixel ownership.
+
+use super::sites::Pixel;
+
+/// Square buckets over the image; bucket k holds `order[starts[k]] .. order[starts[k + 1]]`.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Grid {
+    pub(crate) side: u32,
+    pub(crate) columns: u32,
+    pub(crate) rows: u32,
+    starts: Vec<u32>,
+    order: Vec<u32>,
+}
+
+impl Grid {
+    /// Buckets of `side` px (raised where that would mean more buckets than sites).
+    pub(crate) fn new(width: u32, height: u32, side: u32, pixels: &[Pixel]) -> Self {
+        // More than about one bucket per site only costs memory and empty visits.
+        let roomy = (f64::from(width) * f64::from(height) / pixels.len().max(1) as f64).sqrt() as u32;
+        let side = side.max(roomy).max(1);
+        let (columns, rows) = (width.div_ceil(side), height.div_ceil(side));
+        let mut starts = vec![0_u32; (columns * rows) as usize + 1];
+        let bucket = |&[x, y]: &Pixel| (u32::from(y) / side * columns + u32::from(x) / side) as usize;
+        for pixel in pixels {
+            starts[bucket(pixel) + 1] += 1;
+        }
+        for k in 1..starts.len() {
+            starts[k] += starts[k - 1];
+        }
+        let mut order = vec![0_u32; pixels.len()];
+        let mut next = starts.clone();
+        for (index, pixel) in pixels.iter().enumerate() {
+            let slot = &mut next[bucket(pixel)];
+            order[*slot as usize] = index as u32;
+            *slot += 1;
+        }
+        Grid { side, columns, rows, starts, order }
+    }
+
+    /// All sites, bucket by bucket.
+    pub(crate) fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// Sites of the buckets `column0 ..= column1` (clamped by the caller) of a row: one contiguous run.
+    #[inline]
+    pub(crate) fn run(&self, row: u32, column0: u32, column1: u32) -> &[u32] {
+        let base = row * self.columns;
+        let from = self.starts[(base + column0) as usize] as usize;
+        let to = self.starts[(base + column1) as usize + 1] as usize;
+        &self.order[from..to]
+    }
+
+    /// Calls `visit` with every site whose bucket lies exactly `ring` buckets from bucket (column, row).
+    /// False when no bucket of the image is that far away.
+    pub(crate) fn ring(&self, column: u32, row: u32, ring: u32, mut visit: impl FnMut(u32)) -> bool {
+        let (left, right) = (column.checked_sub(ring), Some(column + ring).filter(|&c| c < self.columns));
+        let (low, high) = (row.checked_sub(ring), Some(row + ring).filter(|&r| r < self.rows));
+        if left.is_none() && right.is_none() && low.is_none() && high.is_none() {
+            return false;
+        }
+        let columns = (left.unwrap_or(0), right.unwrap_or(self.columns - 1));
+        for edge in [low, high].into_iter().flatten().take(if ring == 0 { 1 } else { 2 }) {
+            self.run(edge, columns.0, columns.1).iter().for_each(|&site| visit(site));
+        }
+        if ring > 0 {
+            let inner = low.map_or(0, |r| r + 1)..high.unwrap_or(self.rows);
+            for r in inner {
+                for edge in [left, right].into_iter().flatten() {
+                    self.run(r, edge, edge).iter().for_each(|&site| visit(site));
+                }
+            }
+        }
+        true
+    }
+
+    /// The site that owns a pixel: the nearest one, ties to the lowest index (decision A9).
+    pub(crate) fn owner(&self, pixels: &[Pixel], x: u32, y: u32) -> Option<u32> {
+        let (column, row) = (x / self.side, y / self.side);
+        let mut best: Option<(u64, u32)> = None;
+        for ring in 0.. {
+            // A site `ring` buckets away is farther than (ring − 1) bucket sides.
+            let reach = u64::from(ring).saturating_sub(1) * u64::from(self.side);
+            if best.is_some_and(|(d2, _)| reach * reach > d2) {
+                break;
+            }
+            let more = self.ring(column, row, ring, |site| {
+                let [sx, sy] = pixels[site as usize].map(u32::from);
+                let d2 = u64::from(sx.abs_diff(x)).pow(2) + u64::from(sy.abs_diff(y)).pow(2);
+                if best.is_none_or(|(nearest, index)| (d2, site) < (nearest, index)) {
+                    best = Some((d2, site));
+                }
+            });
+            if !more {
+                break;
+            }
+        }
+        best.map(|(_, site)| site)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::{Purpose, Stream};
+
+    #[test]
+    fn owner_is_the_nearest_site_and_the_lowest_index_among_equals() {
+        for (width, height, count) in [(40, 30, 12), (64, 64, 200), (5, 90, 3), (33, 7, 1)] {
+            let mut stream = Stream::new(3, Purpose::Darts, 0, count);
+            let mut pixels: Vec<Pixel> = (0..count).map(|_| stream.pixel(width, height)).collect();
+            pixels.sort_unstable();
+            pixels.dedup();
+            for side in [1, 4, 50] {
+                let grid = Grid::new(width, height, side, &pixels);
+                for (x, y) in (0..width).flat_map(|x| (0..height).map(move |y| (x, y))) {
+                    let distance = |p: &Pixel| u32::from(p[0]).abs_diff(x).pow(2) + u32::from(p[1]).abs_diff(y).pow(2);
+                    let expected = (0..pixels.len()).min_by_key(|&i| (distance(&pixels[i]), i));
+                    assert_eq!(grid.owner(&pixels, x, y).map(|i| i as usize), expected);
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,19 @@
+//! The rock method: sites → cells → selection → shape → mesh.
+
+mod cell;
+mod field;
+mod generator;
+mod grid;
+mod select;
+mod shape;
+mod sites;
+mod triangulate;
+mod voronoi;
+
+pub use field::{Field, FieldLayer, generate};
+pub use generator::{Generator, LayerView};
+pub use select::{Selection, Threshold, cell_pixels, select};
+pub use shape::{Shapes, displace};
+pub use sites::{Pixel, Sites, accept_picks, target_sites};
+pub use triangulate::triangulate;
+pub use voronoi::{Cells, voronoi};

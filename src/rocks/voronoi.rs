@@ -1,0 +1,182 @@
+//! Stage 2: one Voronoi diagram per layer, clipped to the image (journal §3.1).
+//!
+//! Every cell is cut out of the image by its neighbours' bisectors ([`CellCutter`]); the two ways below only
+//! differ in how a site's neighbours are found, so they give the same bytes:
+//!
+//! * A *saturated* layer has no pixel farther than r from a site, hence no Voronoi vertex farther than
+//!   r + √½ px, and all neighbours lie within twice that: the surrounding buckets of a grid suffice.
+//! * Otherwise the Delaunay triangulation of all sites ([`spade`]) names them.
+
+use glam::DVec2;
+use spade::handles::FixedVertexHandle;
+use spade::{DelaunayTriangulation, Point2, Triangulation};
+
+use super::cell::{CellCutter, LATTICE, SIDES};
+use super::grid::Grid;
+use super::sites::{Pixel, Sites};
+
+/// The Voronoi diagram of one layer, clipped to the image.
+///
+/// Cell i owns the vertices `starts[i] .. starts[i + 1]`, counter-clockwise from the lexicographically least one.
+#[derive(Debug, Clone, Default)]
+pub struct Cells {
+    /// n + 1 offsets into the two lists below.
+    pub starts: Vec<u32>,
+    /// Cell vertices in px.
+    pub vertices: Vec<DVec2>,
+    /// For every vertex the neighbour across the edge that starts there: a site index, or one of the image's sides.
+    pub(crate) neighbors: Vec<u32>,
+    pub(crate) grid: Grid,
+}
+
+impl Cells {
+    /// Number of cells.
+    pub fn len(&self) -> usize {
+        self.starts.len().saturating_sub(1)
+    }
+
+    /// Whether there is no cell.
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Vertices of cell `i`.
+    pub fn polygon(&self, i: usize) -> &[DVec2] {
+        &self.vertices[self.starts[i] as usize..self.starts[i + 1] as usize]
+    }
+
+    /// Vertices as x, y, x, y …, px, rounded to f32.
+    pub fn flat_vertices(&self) -> Vec<f32> {
+        self.vertices.iter().flat_map(|v| v.as_vec2().to_array()).collect()
+    }
+
+    /// Whether cell `i` has an edge on the image's border.
+    pub fn touches_border(&self, i: usize) -> bool {
+        self.neighbors_of(i).iter().any(|&neighbor| neighbor >= SIDES)
+    }
+
+    pub(crate) fn neighbors_of(&self, i: usize) -> &[u32] {
+        &self.neighbors[self.starts[i] as usize..self.starts[i + 1] as usize]
+    }
+}
+
+/// How the neighbours of a site are found.
+#[derive(Debug)]
+enum Neighborhood {
+    /// By the grid, ring by ring.
+    Local,
+    /// By a Delaunay triangulation of all sites, under construction until it holds all of them.
+    Global(Box<DelaunayTriangulation<Point2<f64>>>),
+}
+
+/// Builds a layer's diagram in pieces.
+#[derive(Debug)]
+pub(crate) struct VoronoiBuilder {
+    cells: Cells,
+    cutter: CellCutter,
+    neighborhood: Neighborhood,
+}
+
+impl VoronoiBuilder {
+    /// `local`: look neighbours up in the grid. Right for every input, fast only where sites are evenly spread.
+    pub(crate) fn new(sites: &Sites, local: bool) -> Self {
+        let count = sites.pixels.len();
+        let side = sites.radius.min(f64::from(sites.width.max(sites.height))) as u32;
+        let mut cells = Cells {
+            starts: Vec::with_capacity(count + 1),
+            // Fewer than six vertices per cell on average (Euler), and four corners.
+            vertices: Vec::with_capacity(6 * count + 4),
+            neighbors: Vec::with_capacity(6 * count + 4),
+            grid: Grid::new(sites.width, sites.height, side, &sites.pixels),
+        };
+        cells.starts.push(0);
+        let neighborhood =
+            if local { Neighborhood::Local } else { Neighborhood::Global(Box::new(DelaunayTriangulation::new())) };
+        VoronoiBuilder { cells, cutter: CellCutter::default(), neighborhood }
+    }
+
+    /// Works on about `count` sites. True when the diagram is finished.
+    pub(crate) fn advance(&mut self, sites: &Sites, count: usize) -> bool {
+        if let Neighborhood::Global(triangulation) = &mut self.neighborhood {
+            let done = triangulation.num_vertices();
+            if done < sites.pixels.len() {
+                for &[x, y] in sites.pixels.iter().skip(done).take(count) {
+                    // Sites are distinct pixels with coordinates far from spade's limits: insertion cannot fail.
+                    let _ = triangulation.insert(Point2::new(f64::from(x), f64::from(y)));
+                }
+                return false;
+            }
+        }
+        let from = self.cells.len();
+        let to = (from + count).min(sites.pixels.len());
+        for site in from..to {
+            self.cut_cell(sites, site);
+        }
+        to == sites.pixels.len()
+    }
+
+    fn cut_cell(&mut self, sites: &Sites, site: usize) {
+        let here = sites.pixels[site];
+        let [x, y] = here.map(u32::from);
+        let (cutter, grid) = (&mut self.cutter, &self.cells.grid);
+        cutter.start(sites.width, sites.height, x, y);
+        let offset = |[ox, oy]: Pixel| [i64::from(ox) - i64::from(x), i64::from(oy) - i64::from(y)];
+        match &self.neighborhood {
+            Neighborhood::Local => {
+                let (column, row) = (x / grid.side, y / grid.side);
+                for ring in 0_i32.. {
+                    // Sites `ring` buckets away are farther than (ring − 1) bucket sides.
+                    let clear = f64::from(grid.side) * f64::from(ring - 1);
+                    if ring > 1 && !cutter.is_reached_from(clear * clear) {
+                        break;
+                    }
+                    let more = grid.ring(column, row, ring as u32, |other| {
+                        if other as usize != site {
+                            cutter.cut(offset(sites.pixels[other as usize]), other);
+                        }
+                    });
+                    if !more {
+                        break;
+                    }
+                }
+            }
+            Neighborhood::Global(triangulation) => {
+                let vertex = triangulation.vertex(FixedVertexHandle::from_index(site));
+                for edge in vertex.out_edges() {
+                    let other = edge.to().fix().index();
+                    cutter.cut(offset(sites.pixels[other]), other as u32);
+                }
+            }
+        }
+        let (vertices, neighbors) = (&mut self.cells.vertices, &mut self.cells.neighbors);
+        let centre = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        cutter.emit(|[dx, dy], neighbor| {
+            // Exact: a multiple of 2⁻²⁰ below 2¹⁴.
+            vertices.push(centre + DVec2::new(dx, dy) / LATTICE);
+            neighbors.push(neighbor);
+        });
+        self.cells.starts.push(vertices.len() as u32);
+    }
+
+    /// 0 … 1.
+    pub(crate) fn progress(&self, sites: &Sites) -> f64 {
+        let total = sites.pixels.len().max(1) as f64;
+        match &self.neighborhood {
+            Neighborhood::Local => self.cells.len() as f64 / total,
+            Neighborhood::Global(t) => (t.num_vertices() + self.cells.len()) as f64 / (2.0 * total),
+        }
+    }
+
+    pub(crate) fn finish(mut self) -> Cells {
+        self.cells.vertices.shrink_to_fit();
+        self.cells.neighbors.shrink_to_fit();
+        self.cells
+    }
+}
+
+/// The diagram of given sites; `local` as in [`VoronoiBuilder::new`].
+pub fn voronoi(sites: &Sites, local: bool) -> Cells {
+    let mut builder = VoronoiBuilder::new(sites, local);
+    while !builder.advance(sites, usize::MAX / 2) {}
+    builder.finish()
+}

@@ -1,0 +1,81 @@
+// Launches the browser of the browser tests, with dist/ served beside it.
+//
+//   const session = await launch({ webgpu: true });
+//   const { page, errors } = await session.open('?seed=7');
+//   …
+//   assert.deepEqual(errors, []);
+//   await session.close();
+import { mkdirSync } from 'node:fs';
+import path from 'node:path';
+import { chromium } from 'playwright-core';
+import { findBrowser } from '../../scripts/browser.mjs';
+import { dist, root } from '../../scripts/env.mjs';
+import { serve } from '../../scripts/serve.mjs';
+
+const QUIET = ['--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'];
+// SwiftShader, a software GPU, so that the tests see the same device on every machine. With the first set alone
+// `navigator.gpu` exists and its adapter is null: the case the WebGL2 fallback is for.
+const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
+const WEBGPU = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan,WebGPU', '--use-vulkan=swiftshader'];
+const NO_GPU = ['--disable-gpu', '--disable-3d-apis', '--disable-software-rasterizer'];
+
+/**
+ * A browser with a server for `folder`.
+ *
+ * @param {object} options
+ * @param {boolean} [options.webgpu] true: WebGPU and WebGL2; false (default): WebGL2 alone
+ * @param {boolean} [options.gpu] false: neither
+ * @param {string} [options.folder] what is served, default dist/
+ * @param {number} [options.port] default: any free one
+ * @param {(request, response) => boolean | Promise<boolean>} [options.intercept] may answer a request in the server's stead
+ * @param {string[]} [options.args] more flags for the browser
+ * @returns {Promise<{ browser, server, url: string, open: Function, close: () => Promise<void> }>}
+ */
+export async function launch({ webgpu = false, gpu = true, folder = dist, port = 0, intercept, args = [] } = {}) {
+  const executablePath = await findBrowser();
+  if (!executablePath) throw new Error('no Chrome or Chromium found; npm test installs one');
+  const asRoot = process.platform === 'linux' && process.getuid() === 0;
+  const server = await serve(folder, { port, intercept });
+  const flags = [...QUIET, ...(gpu ? [...WEBGL, ...(webgpu ? WEBGPU : [])] : NO_GPU), ...args];
+  try {
+    const browser = await chromium.launch({ executablePath, headless: true, chromiumSandbox: !asRoot, args: flags });
+    const close = async () => {
+      await browser.close();
+      await server.close();
+    };
+    return { browser, server, url: server.url, open: (address, options) => open(browser, server.url, address, options), close };
+  } catch (error) {
+    await server.close();
+    throw error;
+  }
+}
+
+/**
+ * Opens an address, relative to the server's root, in a context of its own.
+ *
+ * `errors` fills with every console error and uncaught exception of the page and its workers, `warnings` with the console
+ * warnings. Service workers are blocked unless asked for, so that a test never sees another's files.
+ * The other options are Playwright's context options (viewport, colorScheme, locale …).
+ */
+async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, ...context } = {}) {
+  const owner = await browser.newContext({ serviceWorkers, ...context });
+  const page = await owner.newPage();
+  const errors = [];
+  const warnings = [];
+  owner.on('console', (message) => {
+    const from = `${message.text()} (${message.location().url})`;
+    if (message.type() === 'error') errors.push(from);
+    if (message.type() === 'warning') warnings.push(from);
+  });
+  owner.on('weberror', (event) => errors.push(String(event.error()?.stack ?? event.error())));
+  await prepare?.(page);
+  await page.goto(new URL(address, base).href);
+  return { page, context: owner, errors, warnings, close: () => owner.close() };
+}
+
+/** Where a test's screenshot goes (not under version control): `.cache/screenshots/<name>.png`. */
+export function screenshotPath(name) {
+  const folder = path.join(root, '.cache', 'screenshots');
+  mkdirSync(folder, { recursive: true });
+  return path.join(folder, `${name}.png`);
+}

@@ -1,0 +1,104 @@
+// Offline use, and that it never shows an old build: the service worker against the built page.
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { cpSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { dist, root } from '../../scripts/env.mjs';
+import { launch } from './browser.mjs';
+
+const folder = path.join(root, '.cache', 'offline-test');
+let session;
+let down = false;
+const served = [];
+
+before(async () => {
+  rmSync(folder, { recursive: true, force: true });
+  mkdirSync(folder, { recursive: true });
+  cpSync(dist, folder, { recursive: true });
+  session = await launch({
+    folder,
+    intercept(request) {
+      if (down) request.socket.destroy();
+      else served.push(request.url);
+      return down;
+    },
+  });
+});
+
+after(async () => {
+  await session?.close();
+  rmSync(folder, { recursive: true, force: true });
+});
+
+test('after one visit the page works without a network, and a new deploy is seen at once', async () => {
+  const { page, close } = await session.open('', { serviceWorkers: 'allow' });
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await keptRenderer(page);
+
+  const failed = [];
+  page.on('requestfailed', (request) => failed.push(request.url()));
+  const workers = page.waitForEvent('worker');
+  down = true;
+  await page.reload({ waitUntil: 'load' });
+  await workers;
+  await until(page, () => performance.getEntriesByType('resource').some(({ name }) => /renderer-web\w+_bg\.wasm/.test(name)));
+  assert.deepEqual(failed, [], 'everything the page asked for offline was there');
+  down = false;
+
+  await page.reload({ waitUntil: 'load' });
+  served.length = 0;
+  await page.reload({ waitUntil: 'load' });
+  assert.ok(!served.some((url) => url.includes('main.js')), 'scripts of the same build come from the cache');
+
+  deployAnother();
+  await page.reload({ waitUntil: 'load' });
+  assert.equal(await page.evaluate(() => globalThis.secondBuild), true, 'the first load after a deploy runs the new code');
+
+  await until(page, async () => Boolean((await navigator.serviceWorker.getRegistration())?.waiting));
+  const caches = await page.evaluate(() => globalThis.caches.keys());
+  assert.equal(caches.length, 2, 'the old build stays whole until its last page is closed');
+  await close();
+});
+
+test('old caches go when the new worker takes over', async () => {
+  const { page, close } = await session.open('', { serviceWorkers: 'allow' });
+  await page.evaluate(() => caches.open('rock-field-of-yore'));
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await until(page, async () => !(await caches.has('rock-field-of-yore')));
+  await close();
+});
+
+/** Waits until the page has had its renderer kept, which it does once its first picture stands. */
+function keptRenderer(page) {
+  return until(page, async () => {
+    for (const name of await caches.keys()) {
+      const kept = await (await caches.open(name)).keys();
+      if (kept.some(({ url }) => /renderer-web\w+_bg\.wasm/.test(url))) return true;
+    }
+    return false;
+  });
+}
+
+/** Polls a condition in the page; unlike Playwright's waitForFunction it waits for what a promise becomes. */
+async function until(page, condition, seconds = 60) {
+  const end = performance.now() + 1000 * seconds;
+  while (!(await page.evaluate(condition))) {
+    assert.ok(performance.now() < end, `still not so after ${seconds} s: ${condition}`);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+}
+
+/** Changes the served folder as a build with another main.js would. */
+function deployAnother() {
+  const file = (name) => path.join(folder, name);
+  const integrity = () => `sha256-${createHash('sha256').update(readFileSync(file('main.js'))).digest('base64')}`;
+  const before = integrity();
+  writeFileSync(file('main.js'), `globalThis.secondBuild = true;\n${readFileSync(file('main.js'), 'utf8')}`);
+  const page = readFileSync(file('index.html'), 'utf8');
+  const build = /rock-field-build" content="(\w+)"/.exec(page)[1];
+  writeFileSync(file('index.html'), page.replaceAll(build, '0123456789abcdef'));
+  const worker = readFileSync(file('sw.js'), 'utf8');
+  assert.ok(worker.includes(build) && worker.includes(before));
+  writeFileSync(file('sw.js'), worker.replaceAll(build, '0123456789abcdef').replaceAll(before, integrity()));
+}

@@ -1,0 +1,173 @@
+//! Everything that lists parameters is generated from the one table; this test regenerates it.
+//! `UPDATE=1 cargo test --test params` writes the files instead of comparing them.
+#![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+use std::fmt::Write;
+
+use rock_field::params::{Kind, MAX_LAYERS, Notation, PARAMS, PRESETS, Params, Range, Scope, Slider, TEXTS, preset};
+
+fn json(text: &str) -> String {
+    serde_json::to_string(text).unwrap()
+}
+
+fn number(value: f64) -> String {
+    if value.is_nan() { "null".into() } else { format!("{value}") }
+}
+
+fn pair([en, ja]: [&str; 2]) -> String {
+    format!("{{ en: {}, ja: {} }}", json(en), json(ja))
+}
+
+fn bounds(range: Range, slider: Slider) -> String {
+    format!(
+        "min: {}, max: {}, step: {}, default: {}, slider: {{ min: {}, max: {}, logarithmic: {} }}",
+        number(range.min),
+        number(range.max),
+        number(range.step),
+        number(range.default),
+        number(slider.min),
+        number(slider.max),
+        slider.logarithmic
+    )
+}
+
+fn typescript_table() -> String {
+    let mut out = String::from(
+        "// Generated from src/params/table.rs by `UPDATE=1 cargo test --test params`; never edited.\n\n\
+         import type { ParamSpec, Preset } from './params.ts';\n\n",
+    );
+    writeln!(out, "export const MAX_LAYERS = {MAX_LAYERS};\n").unwrap();
+    out.push_str("/** Every parameter, in the order of the flat form. */\nexport const PARAMS = [\n");
+    for (spec, text) in PARAMS.iter().zip(TEXTS) {
+        let scope = if matches!(spec.scope, Scope::Field(..)) { "field" } else { "layer" };
+        let (kind, choices) = match spec.kind {
+            Kind::Real => ("real", None),
+            Kind::Integer => ("integer", None),
+            Kind::OptionalInteger => ("optional-integer", None),
+            Kind::Choice(words) => ("choice", Some(words)),
+        };
+        writeln!(out, "  {{").unwrap();
+        let component = spec.component.map_or("null".into(), |c| c.to_string());
+        writeln!(
+            out,
+            "    key: {}, component: {component}, url: {}, scope: '{scope}', kind: '{kind}', stage: '{}',",
+            json(spec.key),
+            json(spec.url),
+            format!("{:?}", spec.stage).to_lowercase()
+        )
+        .unwrap();
+        writeln!(out, "    {},", bounds(spec.range, spec.slider)).unwrap();
+        match spec.relative {
+            Some((range, slider)) => writeln!(out, "    relative: {{ {} }},", bounds(range, slider)).unwrap(),
+            None => writeln!(out, "    relative: null,").unwrap(),
+        }
+        writeln!(out, "    unit: {{ px: {}, relative: {} }},", json(text.unit[0]), json(text.unit[1])).unwrap();
+        writeln!(out, "    label: {},", pair(text.label)).unwrap();
+        writeln!(out, "    doc: {},", pair(text.doc)).unwrap();
+        let words: Vec<String> = choices
+            .unwrap_or_default()
+            .iter()
+            .zip(text.choices)
+            .map(|(word, label)| format!("{{ value: {}, label: {} }}", json(word), pair(*label)))
+            .collect();
+        writeln!(out, "    choices: [{}],", words.join(", ")).unwrap();
+        writeln!(out, "  }},").unwrap();
+    }
+    out.push_str("] as const satisfies readonly ParamSpec[];\n\n");
+    out.push_str("/** Table 1 of both papers: rows of r, A_s, c_w1, c_w2, c_w3, c_h1, c_h2, c_h3. The first is the default. */\n");
+    out.push_str("export const PRESETS = [\n");
+    for preset in PRESETS {
+        let notation = if preset.notation == Notation::Px { "px" } else { "relative" };
+        let rows: Vec<String> = preset
+            .layers
+            .iter()
+            .map(|row| format!("[{}]", row.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", ")))
+            .collect();
+        writeln!(out, "  {{ name: '{}', notation: '{notation}', layers: [{}] }},", preset.name, rows.join(", "))
+            .unwrap();
+    }
+    out.push_str("] as const satisfies readonly Preset[];\n");
+    out
+}
+
+fn assert_generated(path: &str, content: &str) {
+    let path = format!("{}/{path}", env!("CARGO_MANIFEST_DIR"));
+    if std::env::var_os("UPDATE").is_some() {
+        std::fs::write(&path, content).unwrap();
+    }
+    let found = std::fs::read_to_string(&path).unwrap_or_default().replace("\r\n", "\n");
+    assert!(found == content, "{path} differs from the table; run `UPDATE=1 cargo test --test params`");
+}
+
+#[test]
+fn typescript_is_generated_from_the_table() {
+    assert_generated("www/params.gen.ts", &typescript_table());
+}
+
+#[test]
+fn every_row_has_words_and_a_default_within_its_bounds() {
+    assert_eq!(PARAMS.len(), TEXTS.len());
+    for (spec, text) in PARAMS.iter().zip(TEXTS) {
+        for words in [text.label, text.doc] {
+            assert!(words.iter().all(|w| !w.is_empty()), "{}", spec.key);
+        }
+        for notation in [Notation::Px, Notation::Relative] {
+            let range = spec.range(notation);
+            assert!(range.min < range.max);
+            assert!(range.default.is_nan() || (range.min..=range.max).contains(&range.default), "{}", spec.key);
+        }
+        if let Kind::Choice(words) = spec.kind {
+            assert_eq!(words.len(), text.choices.len());
+            assert_eq!(spec.range.max, (words.len() - 1) as f64);
+        }
+    }
+    let mut urls: Vec<_> = PARAMS.iter().map(|s| s.url).collect();
+    urls.sort_unstable();
+    urls.dedup();
+    assert_eq!(urls.len(), PARAMS.len(), "two rows share a key in links");
+}
+
+#[test]
+fn flat_form_round_trips_every_preset() {
+    for preset in PRESETS {
+        let params = preset.params();
+        assert_eq!(Params::from_flat(&params.to_flat()).unwrap(), params);
+    }
+}
+
+#[test]
+fn presets_are_table_1_of_both_papers() {
+    let papers: serde_json::Value = serde_json::from_str(include_str!("data/presets.json")).unwrap();
+    let mut count = 0;
+    for (book, prefix, notation) in
+        [("journal2011", "journal", Notation::Px), ("nicograph2010", "conference", Notation::Relative)]
+    {
+        for (name, column) in papers[book]["presets"].as_object().unwrap() {
+            let ours = preset(&format!("{prefix}-{name}")).unwrap();
+            assert_eq!(ours.notation, notation);
+            assert_eq!(ours.layers.len() as u64, column["N"].as_u64().unwrap());
+            for (index, row) in ours.layers.iter().enumerate() {
+                for (value, key) in row.iter().zip(["r", "A_s", "c_w1", "c_w2", "c_w3", "c_h1", "c_h2", "c_h3"]) {
+                    assert_eq!(*value, column[key][index].as_f64().unwrap(), "{name} {key} {index}");
+                }
+            }
+            count += 1;
+        }
+    }
+    assert_eq!(count, PRESETS.len());
+}
+
+#[test]
+fn a_value_out_of_range_is_named_with_its_bounds() {
+    for (row, spec) in PARAMS.iter().enumerate().filter(|(_, s)| matches!(s.scope, Scope::Field(..))) {
+        for bad in [spec.range.max + 1.0, spec.range.min - 1.0, f64::NAN, f64::INFINITY] {
+            let mut flat = Params::default().to_flat();
+            flat[row] = bad;
+            let error = Params::from_flat(&flat).unwrap_err();
+            assert_eq!(error.key(), spec.key);
+            assert_eq!(error.numbers()[1..], [spec.range.min, spec.range.max]);
+            assert!(error.to_string().contains(spec.key));
+        }
+    }
+}

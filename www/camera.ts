@@ -1,0 +1,213 @@
+/**
+ * The orbit camera as pure functions: framing, orbiting, zooming, panning. Nothing here draws or listens.
+ *
+ * At azimuth 0 the eye looks along +y; growing azimuth carries it counter-clockwise round the target.
+ * Elevation π/2 looks straight down with +y up. Plans (`diagrams`, `selection`) are seen from straight
+ * above with +y up whatever the angles; half their picture's height is `distance · tan(FOV_Y / 2)`, so
+ * that a length at the target is as long on the screen as in the 3D view.
+ * The picture's own coordinates run from -1 to 1, x right, y up.
+ */
+
+import type { CameraState, View } from './renderer/renderer.ts';
+
+/** Vertical field of view, radians: 36°. The same number is in `src/render/camera.rs`. */
+export const FOV_Y = (36 * Math.PI) / 180;
+
+const TAN = Math.tan(FOV_Y / 2);
+const MIN_ELEVATION = (5 * Math.PI) / 180;
+const MAX_ELEVATION = Math.PI / 2;
+/** Close enough to fill the picture with one small rock. */
+const MIN_DISTANCE_PX = 6;
+/** A dozen times what frames the largest image. */
+const MAX_DISTANCE_PX = 250_000;
+/** Steeper in tall pictures, where 35° would leave a thin band of rocks. */
+const ELEVATION_WIDE = (35 * Math.PI) / 180;
+const ELEVATION_TALL = (58 * Math.PI) / 180;
+const AZIMUTH_DEFAULT = (30 * Math.PI) / 180;
+
+type Vector = [number, number, number];
+
+export interface CameraAxes {
+  eye: Vector;
+  right: Vector;
+  up: Vector;
+  forward: Vector;
+}
+
+/** True for the views that are seen from straight above whatever the camera's angles. */
+export function isPlan(view: View): boolean {
+  return view === 'diagrams' || view === 'selection';
+}
+
+/** Unit axes of the picture, and the eye, in the world. */
+export function cameraAxes(camera: CameraState): CameraAxes {
+  const [sa, ca] = [Math.sin(camera.azimuth), Math.cos(camera.azimuth)];
+  const [se, ce] = [Math.sin(camera.elevation), Math.cos(camera.elevation)];
+  const forward: Vector = [-sa * ce, ca * ce, -se];
+  const [x, y, z] = camera.target;
+  const d = camera.distance;
+  return {
+    eye: [x - forward[0] * d, y - forward[1] * d, z - forward[2] * d],
+    right: [ca, sa, 0],
+    up: [-sa * se, ca * se, ce],
+    forward,
+  };
+}
+
+/** Where the ray through (x, y) of the picture meets the ground z = 0; null above the horizon. */
+export function groundPoint(
+  camera: CameraState,
+  x: number,
+  y: number,
+  aspect: number,
+  plan = false,
+): [number, number] | null {
+  if (plan) {
+    const half = camera.distance * TAN;
+    return [camera.target[0] + x * half * aspect, camera.target[1] + y * half];
+  }
+  const { eye, right, up, forward } = cameraAxes(camera);
+  const ray = [0, 1, 2].map(
+    (i) => forward[i]! + x * TAN * aspect * right[i]! + y * TAN * up[i]!,
+  ) as Vector;
+  if (ray[2] > -1e-4) return null;
+  const steps = -eye[2] / ray[2];
+  return [eye[0] + steps * ray[0], eye[1] + steps * ray[1]];
+}
+
+/**
+ * The camera that frames a whole field: azimuth 30°, elevation 35°, steeper in tall pictures.
+ * `view` decides between the oblique picture, whose outermost corners may leave it, and the plan,
+ * which is shown whole.
+ */
+export function defaultCamera(
+  imageWidth: number,
+  imageHeight: number,
+  aspect: number,
+  view: View = '3d',
+): CameraState {
+  const middle: Vector = [imageWidth / 2, imageHeight / 2, 0];
+  const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
+  // 0 in a tall picture (a phone held upright), 1 in a wide one.
+  const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
+  const elevation = ELEVATION_TALL + (ELEVATION_WIDE - ELEVATION_TALL) * wide;
+  const camera: CameraState = { azimuth: AZIMUTH_DEFAULT, elevation, distance: 1, target: middle };
+  if (isPlan(view)) {
+    const half = Math.max(imageHeight, imageWidth / ratio) / 2;
+    return { ...camera, distance: (half * 1.04) / TAN };
+  }
+  // How far the outermost corners may lie outside, 1 = the picture's edge: filled rather than floating.
+  const reach = 1.22 - 0.14 * wide;
+  for (let round = 0; round < 8; round++) {
+    camera.distance = fittingDistance(camera, imageWidth, imageHeight, ratio, reach);
+    const [low, high] = heights(camera, imageWidth, imageHeight);
+    // Perspective makes the near half taller: slide along the view until the field is centred.
+    const slide = (((low + high) / 2) * camera.distance * TAN) / Math.sin(elevation);
+    camera.target = [
+      camera.target[0] - Math.sin(camera.azimuth) * slide,
+      camera.target[1] + Math.cos(camera.azimuth) * slide,
+      0,
+    ];
+  }
+  return camera;
+}
+
+/** The image's corners relative to the target, along the camera's right, up and forward. */
+function corners(camera: CameraState, width: number, height: number): Vector[] {
+  const { right, up, forward } = cameraAxes(camera);
+  return [0, 1, 2, 3].map((i) => {
+    const from = [
+      (i & 1 ? width : 0) - camera.target[0],
+      (i & 2 ? height : 0) - camera.target[1],
+      -camera.target[2],
+    ];
+    const along = (axis: Vector): number =>
+      axis[0] * from[0]! + axis[1] * from[1]! + axis[2] * from[2]!;
+    return [along(right), along(up), along(forward)];
+  });
+}
+
+function fittingDistance(
+  camera: CameraState,
+  width: number,
+  height: number,
+  aspect: number,
+  reach: number,
+): number {
+  let distance = MIN_DISTANCE_PX;
+  for (const [x, y, z] of corners(camera, width, height)) {
+    distance = Math.max(
+      distance,
+      Math.abs(x) / (TAN * aspect * reach) - z,
+      Math.abs(y) / (TAN * reach) - z,
+    );
+  }
+  return distance;
+}
+
+/** Lowest and highest corner in the picture. */
+function heights(camera: CameraState, width: number, height: number): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (const [, y, z] of corners(camera, width, height)) {
+    const at = y / (TAN * Math.max(camera.distance + z, 1));
+    low = Math.min(low, at);
+    high = Math.max(high, at);
+  }
+  return [low, high];
+}
+
+/** Turned by angles in radians; the elevation stays between 5° and 90°. */
+export function orbit(camera: CameraState, azimuth: number, elevation: number): CameraState {
+  const turned = (camera.azimuth + azimuth) % (2 * Math.PI);
+  const raised = Math.min(MAX_ELEVATION, Math.max(MIN_ELEVATION, camera.elevation + elevation));
+  return { ...camera, azimuth: turned, elevation: raised };
+}
+
+/** `factor` below 1 comes closer. The ground under `about` (picture coordinates) stays where it is. */
+export function zoom(
+  camera: CameraState,
+  factor: number,
+  about: readonly [number, number] = [0, 0],
+  aspect = 1,
+  plan = false,
+): CameraState {
+  const wanted = camera.distance * factor;
+  const distance = Math.min(MAX_DISTANCE_PX, Math.max(MIN_DISTANCE_PX, wanted));
+  const scale = distance / camera.distance;
+  const point = groundPoint(camera, about[0], about[1], aspect, plan);
+  const [x, y, z] = camera.target;
+  // Near the horizon the ground runs away to infinity; a pointer there zooms about the middle.
+  if (!point || Math.hypot(point[0] - x, point[1] - y) > 4 * camera.distance) {
+    return { ...camera, distance };
+  }
+  return {
+    ...camera,
+    distance,
+    target: [point[0] + (x - point[0]) * scale, point[1] + (y - point[1]) * scale, z * scale],
+  };
+}
+
+/**
+ * Dragged by (dx, dy) pixels of a picture `heightPx` high, dy down: the ground at the target follows the
+ * pointer.
+ */
+export function pan(
+  camera: CameraState,
+  dx: number,
+  dy: number,
+  heightPx: number,
+  plan = false,
+): CameraState {
+  const perPixel = (2 * camera.distance * TAN) / Math.max(heightPx, 1);
+  const azimuth = plan ? 0 : camera.azimuth;
+  // Seen at a grazing angle a pixel spans much ground; beyond a third the drag would run away.
+  const foreshortening = plan ? 1 : Math.max(Math.sin(camera.elevation), 1 / 3);
+  const across = -dx * perPixel;
+  const along = (dy * perPixel) / foreshortening;
+  const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
+  const [x, y, z] = camera.target;
+  return {
+    ...camera,
+    target: [x + cos * across - sin * along, y + sin * across + cos * along, z],
+  };
+}

@@ -1,0 +1,251 @@
+/** `<control-panel>`: everything that can be set, in one column. */
+
+import { LitElement, html, nothing } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { MAX_LAYERS, PARAMS, PRESETS } from '../params.ts';
+import { FIELD_ROWS, LAYER_ROWS, presetParams } from '../params-flat.ts';
+import { LANGUAGES, LANGUAGE_NAMES, presetLabel } from '../strings.ts';
+import { icon } from './icons.ts';
+import { hasProblem, layerCard } from './layer-card.ts';
+import { fillNumberFields, numberField, paramControl, problemOf } from './param-control.ts';
+import { description, iconButton, segments } from './parts.ts';
+import { statistics, summary } from './statistics.ts';
+import { THEMES } from './store.ts';
+import type { TemplateResult } from 'lit';
+import type { PresetName } from '../params.ts';
+import type { StringKey } from '../strings.ts';
+import type { Store } from './store.ts';
+
+const SEED = PARAMS[0];
+/** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
+const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1) ?? '');
+
+/** What the page does that the store cannot. */
+export interface Actions {
+  freshSeed: () => void;
+  randomise: () => void;
+  share: () => void;
+  embed: () => void;
+  help: () => void;
+}
+
+export class ControlPanel extends LitElement {
+  static override properties = { store: { attribute: false }, actions: { attribute: false }, isOpen: { state: true } };
+
+  declare store: Store;
+  declare actions: Actions;
+  /** On narrow screens the panel is a sheet that can be folded away. */
+  declare isOpen: boolean;
+
+  /** Ids of the layers whose cards are open. */
+  readonly #openLayers = new Set<number>();
+  #unsubscribe: (() => void) | undefined;
+
+  constructor() {
+    super();
+    this.isOpen = false;
+    // What is being pointed at, or has the focus, is explained in the line below.
+    this.addEventListener('pointerover', (event) => this.#explain(event));
+    this.addEventListener('pointerleave', () => this.#explain(null));
+    this.addEventListener('focusin', (event) => this.#explain(event));
+  }
+
+  /** In the page's own tree: page.css styles it, and labels and descriptions are found by id. */
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    const [first] = this.store.params.layers;
+    if (first) this.#openLayers.add(first.id);
+    this.#unsubscribe = this.store.subscribe(() => this.requestUpdate());
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#unsubscribe?.();
+  }
+
+  protected override updated(): void {
+    fillNumberFields(this);
+    this.classList.toggle('is-open', this.isOpen);
+  }
+
+  protected override render(): TemplateResult {
+    return html`
+      ${this.#toolbar()}
+      <div class="panel-body">${this.#start()} ${this.#layers()} ${this.#ground()} ${this.#statistics()} ${this.#page()}</div>
+      <p class="help-line" aria-hidden="true" .textContent=${this.store.text('helpHint')}></p>
+    `;
+  }
+
+  #toolbar(): TemplateResult {
+    const { store, actions } = this;
+    const t = (key: StringKey) => store.text(key);
+    return html`
+      <div class="toolbar">
+        <button class="button sheet-toggle" type="button" aria-expanded=${this.isOpen} @click=${() => (this.isOpen = !this.isOpen)}>
+          ${icon('down')}<span>${t(this.isOpen ? 'hideControls' : 'showControls')}</span>
+        </button>
+        <h1 class="wordmark">${t('title')}</h1>
+        ${iconButton({ icon: 'undo', label: t('undo'), action: () => store.undo(), disabled: !store.canUndo })}
+        ${iconButton({ icon: 'redo', label: t('redo'), action: () => store.redo(), disabled: !store.canRedo })}
+        ${iconButton({ icon: 'randomise', label: t('randomise'), action: actions.randomise })}
+        <button class="button button-primary share" type="button" title=${t('shareHelp')} @click=${actions.share}>${icon('share')}<span>${t('share')}</span></button>
+      </div>
+    `;
+  }
+
+  /** Preset and seed: where everybody begins. */
+  #start(): TemplateResult {
+    const { store } = this;
+    const { params, preset, language } = store;
+    const isEdited = JSON.stringify({ ...params, seed: 0 }) !== JSON.stringify(presetParams(preset));
+    const problem = problemOf(store, SEED, null);
+    return html`
+      <section class="start" aria-label=${store.text('preset')}>
+        <div class="control" data-param="preset" data-help=${store.text('presetHelp')}>
+          <div class="control-head">
+            <label class="control-label" for="preset">${store.text('preset')}</label>
+            ${isEdited ? html`<span class="quiet">${store.text('edited')}</span>` : nothing}
+          </div>
+          <div class="field-row">
+            <select class="select" id="preset" aria-describedby="preset-help" .value=${live(preset)} @change=${this.#choosePreset}>
+              ${(['journal', 'conference'] as const).map(
+                (paper) => html`
+                  <optgroup label=${store.text(paper)}>
+                    ${PRESETS.filter(({ name }) => name.startsWith(paper)).map(
+                      (row) => html`<option value=${row.name} ?selected=${row.name === preset}>${presetLabel(row, COLUMNS)}</option>`,
+                    )}
+                  </optgroup>
+                `,
+              )}
+            </select>
+            ${iconButton({ icon: 'reset', label: store.text('reset'), action: () => store.reset(), disabled: !isEdited && params.seed === 0 })}
+          </div>
+          ${description('preset', store.text('presetHelp'), null)}
+        </div>
+        <div class="control" data-param="seed" data-help=${SEED.doc[language]}>
+          <label class="control-label" for="seed-number">${SEED.label[language]}</label>
+          <div class="field-row">
+            ${numberField({ store, spec: SEED, layer: null, id: 'seed', shown: String(params.seed), unit: '', problem })}
+            ${iconButton({ icon: 'previous', label: store.text('previousSeed'), action: () => store.setSeed(params.seed - 1) })}
+            ${iconButton({ icon: 'next', label: store.text('nextSeed'), action: () => store.setSeed(params.seed + 1) })}
+            ${iconButton({ icon: 'dice', label: store.text('freshSeed'), action: this.actions.freshSeed })}
+          </div>
+          ${description('seed', SEED.doc[language], problem)}
+        </div>
+      </section>
+    `;
+  }
+
+  #choosePreset = (event: Event): void => {
+    this.store.choosePreset((event.target as HTMLSelectElement).value as PresetName);
+  };
+
+  #layers(): TemplateResult {
+    const { store } = this;
+    const { layers } = store.params;
+    const { problem } = store;
+    const ofList = problem && (problem.key === 'layers' || problem.key === 'id') ? problem.text(store.language) : null;
+    return html`
+      <section class="section" aria-labelledby="layers-heading">
+        <div class="section-head">
+          <h2 id="layers-heading">${store.text('layers')} <span class="quiet">${layers.length} / ${MAX_LAYERS}</span></h2>
+          <button class="button" type="button" ?disabled=${layers.length >= MAX_LAYERS} @click=${this.#addLayer}>${icon('add')}${store.text('addLayer')}</button>
+        </div>
+        ${description('layers', '', ofList)}
+        ${layers.length === 0 ? html`<p class="quiet">${store.text('noLayers')}</p>` : nothing}
+        <ol class="layers">
+          ${layers.map((layer, index) =>
+            layerCard({
+              store,
+              layer,
+              index,
+              isOpen: this.#openLayers.has(layer.id) || hasProblem(store, index),
+              toggle: () => this.#toggleLayer(layer.id),
+            }),
+          )}
+        </ol>
+      </section>
+    `;
+  }
+
+  #addLayer = (): void => {
+    this.store.addLayer();
+    const added = this.store.params.layers.at(-1);
+    if (added) this.#openLayers.add(added.id);
+  };
+
+  #toggleLayer(id: number): void {
+    if (!this.#openLayers.delete(id)) this.#openLayers.add(id);
+    this.requestUpdate();
+  }
+
+  #ground(): TemplateResult {
+    const rows = FIELD_ROWS.filter((spec) => spec !== SEED);
+    return html`
+      <details class="section" ?open=${true}>
+        <summary><h2>${this.store.text('ground')}</h2>${icon('down')}</summary>
+        ${rows.map((spec) => paramControl(this.store, spec, null))}
+      </details>
+    `;
+  }
+
+  #statistics(): TemplateResult {
+    return html`
+      <details class="section" ?open=${true}>
+        <summary><h2>${this.store.text('statistics')}</h2>${icon('down')}</summary>
+        ${statistics(this.store)}
+      </details>
+      <p class="visually-hidden" role="status">${this.store.progress ? '' : summary(this.store)}</p>
+    `;
+  }
+
+  /** What is the page's and not the field's. */
+  #page(): TemplateResult {
+    const { store, actions } = this;
+    return html`
+      <section class="section" aria-labelledby="page-heading">
+        <h2 id="page-heading">${store.text('page')}</h2>
+        ${segments({
+          name: 'language',
+          label: store.text('language'),
+          options: LANGUAGES.map((value) => ({ value, label: LANGUAGE_NAMES[value] })),
+          value: store.language,
+          action: (language) => store.setLanguage(language),
+        })}
+        ${segments({
+          name: 'theme',
+          label: store.text('theme'),
+          options: THEMES.map((value) => ({ value, label: store.text(`theme-${value}`) })),
+          value: store.theme,
+          action: (theme) => store.setTheme(theme),
+        })}
+        <div class="button-row">
+          <button class="button" type="button" title=${store.text('embedHelp')} data-help=${store.text('embedHelp')} @click=${actions.embed}>
+            ${icon('code')}${store.text('embed')}
+          </button>
+          <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
+        </div>
+      </section>
+    `;
+  }
+
+  #explain(event: Event | null): void {
+    const line = this.querySelector('.help-line');
+    const target = event?.target instanceof Element ? event.target : document.activeElement;
+    const help = (target as HTMLElement | null)?.closest<HTMLElement>('[data-help]')?.dataset.help;
+    // Not by a render: a pointer crosses many controls, and only this line changes.
+    if (line) line.textContent = help || this.store.text('helpHint');
+  }
+}
+
+customElements.define('control-panel', ControlPanel);
+
+declare global {
+  interface HTMLElementTagNameMap {
+    'control-panel': ControlPanel;
+  }
+}

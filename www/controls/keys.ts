@@ -1,0 +1,39 @@
+/** The page's own keys. The picture has keys too, while it has the focus. */
+
+import { VIEWS } from '../url-codec.ts';
+import { isDialogOpen, showKeys } from './dialogs.ts';
+import type { Store } from './store.ts';
+
+export function listenToKeys(store: Store, frameAll: () => void): void {
+  addEventListener('keydown', (event) => {
+    if (event.defaultPrevented || event.isComposing || isDialogOpen()) return;
+    const handled = event.ctrlKey || event.metaKey ? travel(store, event) : !event.altKey && !isTyping(event) && press(store, event.key, frameAll);
+    if (handled) event.preventDefault();
+  });
+}
+
+/** Undo and redo are the page's even inside a number field: what was typed there has long been applied. */
+function travel(store: Store, event: KeyboardEvent): boolean {
+  const key = event.key.toLowerCase();
+  if (event.altKey || (key !== 'z' && key !== 'y')) return false;
+  if (event.target instanceof HTMLElement) delete event.target.dataset.typing;
+  if (key === 'y' || event.shiftKey) store.redo();
+  else store.undo();
+  return true;
+}
+
+function press(store: Store, key: string, frameAll: () => void): boolean {
+  const view = VIEWS[Number(key) - 1];
+  if (view) store.setView(view);
+  else if (key === '?') showKeys(store);
+  else if (key === 'f' || key === 'F') frameAll();
+  else if (key === '[' || key === ']') store.setSeed(store.params.seed + (key === ']' ? 1 : -1));
+  else return false;
+  return true;
+}
+
+/** Whether the key means something to the control that has the focus: text, numbers, the letters of a menu. */
+function isTyping({ target }: Event): boolean {
+  if (target instanceof HTMLInputElement) return target.type !== 'range' && target.type !== 'radio';
+  return target instanceof HTMLSelectElement || target instanceof HTMLTextAreaElement;
+}

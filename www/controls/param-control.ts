@@ -1,0 +1,176 @@
+/** One parameter as its row of the table says: a slider with a number beside it, or a choice. */
+
+import { html } from 'lit';
+import { live } from 'lit/directives/live.js';
+import { boundsOf, readValue } from '../params-flat.ts';
+import { translate } from '../strings.ts';
+import { describedBy, description, mathText, segments } from './parts.ts';
+import { sliderScale } from './slider-scale.ts';
+import type { TemplateResult } from 'lit';
+import type { ParamSpec } from '../params.ts';
+import type { Store } from './store.ts';
+
+/** Digits shown of a number; its value keeps all of them. */
+const SHOWN_DIGITS = 7;
+
+/** The control of a row, for layer `layer` (an index) or, with `null`, for the field. */
+export function paramControl(store: Store, spec: ParamSpec, layer: number | null): TemplateResult {
+  return spec.kind === 'choice' ? choiceControl(store, spec, layer) : numberControl(store, spec, layer);
+}
+
+export function problemOf(store: Store, spec: ParamSpec, layer: number | null): string | null {
+  const { problem } = store;
+  const isHere = problem?.key === spec.key && problem.layer === layer && (problem.component ?? 0) === (spec.component ?? 0);
+  return problem && isHere ? problem.text(store.language) : null;
+}
+
+/** The page's id of a control; also how tests find it. */
+function idOf(spec: ParamSpec, layer: number | null): string {
+  return layer === null ? spec.url : `${spec.url}-${layer}`;
+}
+
+function choiceControl(store: Store, spec: ParamSpec, layer: number | null): TemplateResult {
+  const { language, params } = store;
+  const owner = layer === null ? params : params.layers[layer];
+  return segments({
+    name: idOf(spec, layer),
+    label: spec.label[language],
+    help: spec.doc[language],
+    options: spec.choices.map(({ value, label }) => ({ value, label: label[language] })),
+    value: String(owner && readValue(owner, spec)),
+    action: (value) => store.setParam(spec, layer, value),
+    problem: problemOf(store, spec, layer),
+  });
+}
+
+function numberControl(store: Store, spec: ParamSpec, layer: number | null): TemplateResult {
+  const { language, params } = store;
+  const owner = layer === null ? params : params.layers[layer];
+  const value = Number(owner && readValue(owner, spec));
+  const scale = sliderScale(spec, params.notation);
+  const unit = spec.unit[params.notation];
+  const shown = shownNumber(value);
+  const id = idOf(spec, layer);
+  const help = spec.doc[language];
+  const problem = problemOf(store, spec, layer);
+  const slide = (event: Event) => store.setParam(spec, layer, scale.valueAt((event.target as HTMLInputElement).valueAsNumber, value));
+  return html`
+    <div class="control" data-param=${id} data-help=${help}>
+      <div class="control-head">
+        <label class="control-label" for=${id}>${mathText(spec.label[language])}</label>
+        ${numberField({ store, spec, layer, id, shown, unit, problem })}
+      </div>
+      <input
+        class="slider"
+        type="range"
+        id=${id}
+        min=${scale.min}
+        max=${scale.max}
+        step=${scale.step}
+        .value=${live(String(scale.positionOf(value)))}
+        .style=${fill(scale, scale.positionOf(value))}
+        aria-valuetext=${unit ? `${shown} ${unit}` : shown}
+        aria-describedby=${describedBy(id, help, problem)}
+        @pointerdown=${() => holdUntilPointerUp(store)}
+        @input=${slide}
+      />
+      ${description(id, help, problem)}
+    </div>
+  `;
+}
+
+interface NumberField {
+  store: Store;
+  spec: ParamSpec;
+  layer: number | null;
+  id: string;
+  shown: string;
+  unit: string;
+  problem: string | null;
+}
+
+export function numberField({ store, spec, layer, id, shown, unit, problem }: NumberField): TemplateResult {
+  const { language, params } = store;
+  const { min, max, step } = boundsOf(spec, params.notation);
+  const isLegal = (typed: number) => typed >= min && typed <= max && (spec.kind === 'real' || Number.isInteger(typed));
+  const complain = (typed: number) => {
+    const key = Number.isFinite(typed) ? 'clampedInField' : 'notANumber';
+    store.setProblem({ key: spec.key, layer, component: spec.component, text: (at) => translate(at, key, { min, max }) });
+  };
+  const type = ({ target }: Event) => {
+    const field = target as HTMLInputElement;
+    field.dataset.typing = '';
+    const typed = field.valueAsNumber;
+    if (isLegal(typed)) store.setParam(spec, layer, typed + 0);
+    else complain(typed);
+  };
+  const settle = ({ target }: Event) => {
+    const field = target as HTMLInputElement;
+    delete field.dataset.typing;
+    const typed = field.valueAsNumber;
+    if (Number.isFinite(typed) && !isLegal(typed)) {
+      const inside = Math.min(max, Math.max(min, typed));
+      store.setParam(spec, layer, (spec.kind === 'real' ? inside : Math.round(inside)) + 0);
+      complain(typed);
+    } else {
+      if (!Number.isFinite(typed)) store.setProblem(null);
+      field.value = field.dataset.shown ?? '';
+    }
+  };
+  return html`
+    <span class="number">
+      <input
+        class="number-field"
+        type="number"
+        id="${id}-number"
+        inputmode=${spec.kind === 'real' || min < 0 ? 'decimal' : 'numeric'}
+        autocomplete="off"
+        min=${min}
+        max=${max}
+        step=${step}
+        data-shown=${shown}
+        aria-label=${unit ? `${spec.label[language]} (${unit})` : spec.label[language]}
+        aria-describedby=${describedBy(id, spec.doc[language], problem)}
+        aria-invalid=${problem ? 'true' : 'false'}
+        @input=${type}
+        @change=${settle}
+        @blur=${settle}
+      />
+      ${unit ? html`<span class="unit" aria-hidden="true">${unit}</span>` : ''}
+    </span>
+  `;
+}
+
+/**
+ * Puts the values into the number fields below `root`, but for the one being typed in: “1.” must not turn into “1” under the fingers.
+ * Call it after every render.
+ */
+export function fillNumberFields(root: ParentNode): void {
+  for (const field of root.querySelectorAll<HTMLInputElement>('.number-field')) {
+    const { shown = '', typing } = field.dataset;
+    if (typing === undefined && field.value !== shown) field.value = shown;
+  }
+}
+
+export function shownNumber(value: number): string {
+  return String(Number.isInteger(value) ? value : Number(value.toPrecision(SHOWN_DIGITS)));
+}
+
+/** The filled part of a track, as shares of its length: from zero, or from the end where zero is not on it. */
+function fill({ min, max }: { min: number; max: number }, position: number): string {
+  const share = (at: number) => Math.min(1, Math.max(0, (at - min) / (max - min)));
+  const [from, to] = [share(0), share(position)].sort((a, b) => a - b);
+  return `--fill-from: ${from}; --fill-to: ${to}`;
+}
+
+function holdUntilPointerUp(store: Store): void {
+  store.hold();
+  const release = () => {
+    removeEventListener('pointerup', release, true);
+    removeEventListener('pointercancel', release, true);
+    // The slider's last input event comes before this, its change event may come after.
+    store.release();
+  };
+  addEventListener('pointerup', release, true);
+  addEventListener('pointercancel', release, true);
+}

@@ -1,0 +1,59 @@
+/** The one error class of the package, and its flat form for the way between worker and page. */
+
+/**
+ * What went wrong, as plain data: `structuredClone` keeps neither the name nor the properties of an Error.
+ *
+ * Names that the caller can mend: `OutOfRange`, `NotAnInteger`, `TooManyLayers`, `DuplicateLayerId`, `UnknownPreset`,
+ * `MalformedRequest`, `OverBudget` (all of them also thrown by Rust), `UnknownKey`, `WrongType` (TypeScript only).
+ * Names that it cannot: `WasmUnavailable`, `WorkerUnavailable`, `WorkerLost`, `Internal`.
+ */
+export interface ErrorInfo {
+  /** Machine-readable code, stable across versions. */
+  name: string;
+  /** For people, in English. */
+  message: string;
+  /** The parameter at fault, where there is one. */
+  key?: string | undefined;
+  /** Index of the layer at fault, in input order. */
+  layer?: number | undefined;
+  value?: unknown;
+  min?: number | undefined;
+  max?: number | undefined;
+}
+
+export class RockFieldError extends Error {
+  readonly key: string | undefined;
+  readonly layer: number | undefined;
+  readonly value: unknown;
+  readonly min: number | undefined;
+  readonly max: number | undefined;
+
+  constructor(info: ErrorInfo, options?: ErrorOptions) {
+    super(info.message, options);
+    this.name = info.name;
+    this.key = info.key;
+    this.layer = info.layer;
+    this.value = info.value;
+    this.min = info.min;
+    this.max = info.max;
+  }
+}
+
+/** The flat form of anything that was thrown; what has no code of ours is `Internal`. */
+export function errorInfo(thrown: unknown): ErrorInfo {
+  if (isCoded(thrown)) {
+    const { name, message, key, layer, value, min, max } = thrown;
+    return { name, message, key, layer, value, min, max };
+  }
+  const text = thrown instanceof Error ? `${thrown.name}: ${thrown.message}` : String(thrown);
+  return { name: 'Internal', message: `the generator failed (${text}); please report this with the link of the field` };
+}
+
+/** Whether `thrown` names a parameter: ours, or an Error made by the wasm bindings. After one of these nothing has changed. */
+export function isCoded(thrown: unknown): thrown is Error & ErrorInfo {
+  return thrown instanceof RockFieldError || (thrown instanceof Error && typeof (thrown as Error & ErrorInfo).key === 'string');
+}
+
+export function abortError(message: string): DOMException {
+  return new DOMException(message, 'AbortError');
+}

@@ -1,0 +1,326 @@
+/**
+ * The page's side of the protocol: one worker, the latest request wins, a worker that is gone is replaced.
+ *
+ * A worker can vanish without a word (memory, `self.close()`), so silence counts: whoever waits for an answer longer than
+ * `SILENCE_MS` asks, and replaces the worker when there is no answer to that either. Nothing is timed while nobody waits.
+ */
+
+import { abortError, RockFieldError } from '../errors.ts';
+import type { ErrorInfo } from '../errors.ts';
+import type { Field } from '../field.ts';
+import { flatRequest } from '../params-flat.ts';
+import type { Params } from '../params.ts';
+import { defaultMaxBytes } from './budget.ts';
+import type { FlatRequest, FromWorker, Progress, ToWorker } from './protocol.ts';
+
+/** A cancel that is not answered by then ends the worker: a slice takes 30 ms at most. */
+export const CANCEL_MS = 100;
+
+/** A busy worker reports every 50 ms; the copies of the largest field take a few hundred. */
+export const SILENCE_MS = 1000;
+
+/** From the question to the verdict. A page that was frozen wakes with its timers due before its messages. */
+export const GRACE_MS = 1500;
+
+/** The part of `Worker` that is used, for tests. */
+export interface WorkerLike {
+  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
+  onerror: ((event: ErrorEvent) => void) | null;
+  onmessageerror: ((event: MessageEvent) => void) | null;
+  postMessage(message: ToWorker): void;
+  terminate(): void;
+}
+
+export interface ClientOptions {
+  spawn?: () => WorkerLike;
+  /**
+   * Every finished field, in the order of the requests, those of superseded requests included: a drag shows its newest finished
+   * result. `superseded` tells that a newer request is on its way. Called before the promise of the request settles.
+   */
+  onField?: (field: Field, superseded: boolean) => void;
+}
+
+export interface GenerateOptions {
+  signal?: AbortSignal | undefined;
+  /** Called for runs of more than 200 ms. */
+  onProgress?: ((progress: Progress) => void) | undefined;
+  /** Default 1.5 GiB, 512 MiB on devices that report 4 GB or less. */
+  maxBytes?: number | undefined;
+}
+
+/** One call of `generate` whose promise is open. */
+interface Call {
+  id: number;
+  request: FlatRequest;
+  retried: boolean;
+  onProgress: ((progress: Progress) => void) | undefined;
+  resolve: (field: Field) => void;
+  reject: (error: unknown) => void;
+}
+
+interface SeedCall {
+  resolve: (seed: number) => void;
+  reject: (error: unknown) => void;
+}
+
+function spawnWorker(): WorkerLike {
+  // This literal form is the one that bundlers recognise.
+  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }) as WorkerLike;
+}
+
+export class GeneratorClient {
+  #options: ClientOptions;
+  #worker: WorkerLike | undefined;
+  /** The worker has compiled its wasm: from then on it can be expected to answer. */
+  #ready = false;
+  #lastId = 0;
+  #call: Call | undefined;
+  #seeds = new Map<number, SeedCall>();
+  /** Runs that the worker has not answered yet, superseded ones included. */
+  #open = new Set<number>();
+  #shown = 0;
+  #watchdog: ReturnType<typeof setTimeout> | undefined;
+  #asked = false;
+  #disposed = false;
+
+  constructor(options: ClientOptions = {}) {
+    this.#options = options;
+  }
+
+  /** Whether a request waits for its field. */
+  get busy(): boolean {
+    return this.#call !== undefined;
+  }
+
+  /**
+   * The field of these parameters. A newer call supersedes this one, whose promise then rejects with an AbortError.
+   *
+   * Rejects with a RockFieldError: by the parameters (nothing has changed), `WasmUnavailable`, `WorkerUnavailable` or `WorkerLost`
+   * (the next call starts a new worker), or `Internal` (the generator trapped; the next call starts a new worker).
+   */
+  generate(params: Params, { signal, onProgress, maxBytes = defaultMaxBytes() }: GenerateOptions = {}): Promise<Field> {
+    if (this.#disposed) return Promise.reject(abortError('the generator was disposed of'));
+    if (signal?.aborted) return Promise.reject(signal.reason as unknown);
+    return new Promise((resolve, reject) => {
+      const id = ++this.#lastId;
+      const onAbort = () => {
+        if (this.#call?.id === id) this.#abandon(this.#call, signal?.reason);
+      };
+      signal?.addEventListener('abort', onAbort, { once: true });
+      const settled = () => signal?.removeEventListener('abort', onAbort);
+      const superseded = this.#call;
+      this.#call = {
+        id,
+        request: flatRequest(params, maxBytes),
+        retried: false,
+        onProgress,
+        resolve: (field) => (settled(), resolve(field)),
+        reject: (error) => (settled(), reject(error)),
+      };
+      superseded?.reject(abortError('superseded by a newer request'));
+      this.#start(this.#call);
+    });
+  }
+
+  /** A fresh random seed, drawn by the generator's own entropy source. */
+  freshSeed(): Promise<number> {
+    if (this.#disposed) return Promise.reject(abortError('the generator was disposed of'));
+    return new Promise((resolve, reject) => {
+      const id = ++this.#lastId;
+      this.#seeds.set(id, { resolve, reject });
+      this.#post({ type: 'seed', id });
+    });
+  }
+
+  /** Gives the running request up: its promise rejects with an AbortError, its finished stages are kept where possible. */
+  cancel(): void {
+    if (this.#call) this.#abandon(this.#call, abortError('cancelled'));
+  }
+
+  /** Ends the worker; open promises reject with an AbortError. */
+  dispose(): void {
+    this.#disposed = true;
+    this.#discard();
+    this.#fail(abortError('the generator was disposed of'));
+  }
+
+  #start(call: Call): void {
+    this.#open.add(call.id);
+    this.#post({ type: 'start', id: call.id, request: call.request });
+  }
+
+  #abandon(call: Call, reason: unknown): void {
+    this.#call = undefined;
+    call.reject(reason);
+    const worker = this.#worker;
+    if (!worker) return;
+    this.#post({ type: 'cancel', id: call.id });
+    // While it loads, a worker cannot answer and burns nothing.
+    if (!this.#ready) return;
+    setTimeout(() => {
+      if (this.#worker === worker && this.#open.has(call.id)) this.#replace();
+    }, CANCEL_MS);
+  }
+
+  #post(message: ToWorker): void {
+    if (!this.#worker && !this.#spawn()) return;
+    this.#worker?.postMessage(message);
+    // A wait that has begun goes on: a drag must not put the question off for ever.
+    if (this.#watchdog === undefined) this.#watch();
+  }
+
+  #spawn(): boolean {
+    let worker: WorkerLike;
+    try {
+      worker = (this.#options.spawn ?? spawnWorker)();
+    } catch (cause) {
+      this.#fail(workerUnavailable(cause instanceof Error ? cause.message : String(cause)));
+      return false;
+    }
+    this.#worker = worker;
+    worker.onmessage = (event) => {
+      if (this.#worker === worker) this.#receive(event.data);
+    };
+    worker.onerror = (event) => {
+      event.preventDefault?.();
+      if (this.#worker !== worker) return;
+      if (this.#ready) this.#lost();
+      else {
+        this.#discard();
+        this.#fail(workerUnavailable(event.message));
+      }
+    };
+    worker.onmessageerror = () => {
+      if (this.#worker === worker) this.#lost();
+    };
+    return true;
+  }
+
+  #receive(message: FromWorker): void {
+    switch (message.type) {
+      case 'ready':
+        this.#ready = true;
+        break;
+      case 'progress':
+        if (this.#call?.id === message.id) this.#call.onProgress?.(message.progress);
+        break;
+      case 'field':
+        this.#open.delete(message.id);
+        this.#deliver(message.id, message.field);
+        break;
+      case 'rejected':
+        this.#open.delete(message.id);
+        this.#take(message.id)?.reject(new RockFieldError(message.error));
+        break;
+      case 'dropped':
+        this.#open.delete(message.id);
+        // Nobody asks the worker to drop the current call; should it do so, the promise must not stay open.
+        this.#take(message.id)?.reject(abortError('dropped'));
+        break;
+      case 'crashed':
+        this.#crashed(message.id, message.error);
+        break;
+      case 'failed':
+        this.#discard();
+        this.#fail(new RockFieldError(message.error));
+        break;
+      case 'seed':
+        this.#seeds.get(message.id)?.resolve(message.seed);
+        this.#seeds.delete(message.id);
+        break;
+      case 'pong':
+        break;
+      default:
+        message satisfies never;
+    }
+    this.#watch();
+  }
+
+  #deliver(id: number, field: Field): void {
+    const call = this.#take(id);
+    // A run that was cancelled in the moment it ended is nobody's: neither current nor superseded by a newer call.
+    const superseded = call === undefined && this.#call !== undefined;
+    if ((call || superseded) && id > this.#shown) {
+      this.#shown = id;
+      this.#options.onField?.(field, superseded);
+    }
+    call?.resolve(field);
+  }
+
+  /** The current call if it has this id; it is then closed. */
+  #take(id: number): Call | undefined {
+    if (this.#call?.id !== id) return undefined;
+    const call = this.#call;
+    this.#call = undefined;
+    return call;
+  }
+
+  /** After a trap the same parameters would trap again: only a newer request, or a seed, is worth a new worker. */
+  #crashed(id: number, error: ErrorInfo): void {
+    const thrown = new RockFieldError(error);
+    this.#take(id)?.reject(thrown);
+    this.#seeds.get(id)?.reject(thrown);
+    this.#seeds.delete(id);
+    this.#replace();
+  }
+
+  /** The worker is gone without a trap, perhaps killed for memory: one more try, then the request is given up. */
+  #lost(): void {
+    const call = this.#call;
+    if (call?.retried) {
+      this.#discard();
+      this.#fail(new RockFieldError({ name: 'WorkerLost', message: 'the generator stopped without an answer, twice; try smaller settings' }));
+      return;
+    }
+    if (call) call.retried = true;
+    this.#replace();
+  }
+
+  /** Ends the worker. A new one is made only for what still waits. */
+  #replace(): void {
+    this.#discard();
+    for (const id of this.#seeds.keys()) this.#post({ type: 'seed', id });
+    if (this.#call) this.#start(this.#call);
+  }
+
+  #discard(): void {
+    this.#worker?.terminate();
+    this.#worker = undefined;
+    this.#ready = false;
+    this.#open.clear();
+    this.#watch();
+  }
+
+  #fail(error: unknown): void {
+    const call = this.#call;
+    this.#call = undefined;
+    call?.reject(error);
+    for (const seed of this.#seeds.values()) seed.reject(error);
+    this.#seeds.clear();
+    this.#open.clear();
+  }
+
+  /** Called at every sign of life: starts the wait anew if there is anything to wait for. */
+  #watch(): void {
+    clearTimeout(this.#watchdog);
+    this.#watchdog = undefined;
+    this.#asked = false;
+    if (!this.#worker || !this.#ready || (this.#open.size === 0 && this.#seeds.size === 0)) return;
+    this.#watchdog = setTimeout(() => this.#ask(), SILENCE_MS);
+  }
+
+  #ask(): void {
+    if (this.#asked) {
+      this.#lost();
+      return;
+    }
+    this.#asked = true;
+    this.#worker?.postMessage({ type: 'ping' });
+    this.#watchdog = setTimeout(() => this.#ask(), GRACE_MS);
+  }
+}
+
+function workerUnavailable(detail: string | undefined): RockFieldError {
+  const reason = detail ? `: ${detail}` : ' (worker.js is missing or blocked)';
+  return new RockFieldError({ name: 'WorkerUnavailable', message: `the generator's worker could not be started${reason}` });
+}

@@ -1,0 +1,132 @@
+/**
+ * The worker's side of the protocol, without the worker: which run goes on, which is dropped, what is answered.
+ *
+ * The newest request wins, but a run that has begun is left alone for a while. Otherwise a drag that sends a request every
+ * 16 ms would drop every run before its end and show nothing until the hand rests. The patience doubles with each run that is
+ * dropped, so that whatever a field costs, some run of a drag ends; it falls back to its first value when one has ended.
+ * A cancelled run has no such protection.
+ */
+
+import { abortError, errorInfo, isCoded } from '../errors.ts';
+import type { FromWorker, Progress, StartMessage, ToWorker } from './protocol.ts';
+import { buffersOf, Session } from './session.ts';
+import type { GeneratorModule } from './wasm.ts';
+
+/** A superseded run younger than this may end: at 150 ms a drag still feels answered. Chosen by eye. */
+export const PATIENCE_MS = 150;
+
+/** Runs shorter than this need no progress bar. */
+export const PROGRESS_AFTER_MS = 200;
+
+/** Between two reports of one run. */
+const PROGRESS_EVERY_MS = 50;
+
+interface Run {
+  id: number;
+  begin: number;
+  reported: number;
+  controller: AbortController;
+}
+
+export class RunLoop {
+  #post: (message: FromWorker, transfer?: Transferable[]) => void;
+  #module: Promise<GeneratorModule>;
+  #session: Session | undefined;
+  #running: Run | undefined;
+  #next: StartMessage | undefined;
+  #patience = PATIENCE_MS;
+
+  constructor(load: () => Promise<GeneratorModule>, post: (message: FromWorker, transfer?: Transferable[]) => void) {
+    this.#post = post;
+    this.#module = load();
+    this.#module.then(
+      () => this.#post({ type: 'ready' }),
+      (error: unknown) => this.#post({ type: 'failed', error: errorInfo(error) }),
+    );
+  }
+
+  receive(message: ToWorker): void {
+    switch (message.type) {
+      case 'start':
+        if (this.#next) this.#post({ type: 'dropped', id: this.#next.id });
+        this.#next = message;
+        if (this.#running) this.#losePatience(this.#running);
+        else void this.#work();
+        break;
+      case 'cancel':
+        if (this.#next?.id === message.id) {
+          this.#next = undefined;
+          this.#post({ type: 'dropped', id: message.id });
+        }
+        if (this.#running?.id === message.id) this.#running.controller.abort(abortError('cancelled'));
+        break;
+      case 'seed':
+        this.#module.then(
+          (module) => this.#drawSeed(module, message.id),
+          () => undefined, // 'failed' has been sent
+        );
+        break;
+      case 'ping':
+        this.#post({ type: 'pong' });
+        break;
+      default:
+        message satisfies never;
+    }
+  }
+
+  /** Runs what is next until nothing is. */
+  async #work(): Promise<void> {
+    while (this.#next) {
+      const { id, request } = this.#next;
+      this.#next = undefined;
+      const run: Run = { id, begin: performance.now(), reported: 0, controller: new AbortController() };
+      this.#running = run;
+      try {
+        const module = await this.#module;
+        this.#session ??= new Session(new module.Generator());
+        // The time the wasm took to load is not the run's fault.
+        run.begin = performance.now();
+        const field = await this.#session.run(request, {
+          signal: run.controller.signal,
+          onProgress: (progress) => {
+            this.#report(run, progress);
+            if (this.#next) this.#losePatience(run);
+          },
+        });
+        this.#patience = PATIENCE_MS;
+        this.#post({ type: 'field', id, field }, buffersOf(field));
+      } catch (thrown) {
+        this.#answerFailure(run, thrown);
+      } finally {
+        this.#running = undefined;
+      }
+    }
+  }
+
+  #losePatience(run: Run): void {
+    if (performance.now() - run.begin < this.#patience || run.controller.signal.aborted) return;
+    this.#patience *= 2;
+    run.controller.abort(abortError('superseded'));
+  }
+
+  #report(run: Run, progress: Progress): void {
+    const now = performance.now();
+    if (now - run.begin < PROGRESS_AFTER_MS || now - run.reported < PROGRESS_EVERY_MS) return;
+    run.reported = now;
+    this.#post({ type: 'progress', id: run.id, progress });
+  }
+
+  #drawSeed(module: GeneratorModule, id: number): void {
+    try {
+      this.#post({ type: 'seed', id, seed: module.fresh_seed() });
+    } catch (thrown) {
+      this.#post({ type: 'crashed', id, error: errorInfo(thrown) });
+    }
+  }
+
+  #answerFailure({ id, controller }: Run, thrown: unknown): void {
+    if (thrown === controller.signal.reason) this.#post({ type: 'dropped', id });
+    else if (isCoded(thrown) && !this.#session?.broken) this.#post({ type: 'rejected', id, error: errorInfo(thrown) });
+    else this.#post({ type: 'crashed', id, error: errorInfo(thrown) });
+  }
+}

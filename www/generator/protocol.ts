@@ -1,0 +1,126 @@
+/**
+ * What page and worker say to each other. Every message carries a type; answers carry the id of what they answer.
+ *
+ * The worker reads its messages between slices of a run, so an answer is at most about 25 ms away.
+ */
+
+import type { ErrorInfo } from '../errors.ts';
+import type { Field } from '../field.ts';
+
+export type StageName = 'sites' | 'cells' | 'selection' | 'shape' | 'mesh';
+
+/** In the order of the numbers that `Generator.stage()` gives. */
+export const STAGES: readonly StageName[] = ['sites', 'cells', 'selection', 'shape', 'mesh'];
+
+export interface Progress {
+  stage: StageName;
+  /** 0…1 of the whole run. */
+  fraction: number;
+}
+
+/** A field to generate, in the form that crosses every boundary. */
+export interface FlatRequest {
+  /** `encodeParams` of the request. */
+  params: Float64Array;
+  /** The wasm does not tell these back, and the worker has no parameter table to look them up in `params`. */
+  imageWidth: number;
+  imageHeight: number;
+  /** A request whose estimate is above this is refused. */
+  maxBytes: number;
+}
+
+/**
+ * Generate this field; a newer `start` supersedes it.
+ *
+ * Replies: any number of `progress` (only once the run has taken 200 ms), then exactly one of `field`, `rejected`, `dropped`,
+ * `crashed`, `failed`.
+ */
+export interface StartMessage {
+  type: 'start';
+  id: number;
+  request: FlatRequest;
+}
+
+/** Give up run `id`, keeping its finished stages. Replies: `dropped`, or nothing when the run had already been answered. */
+export interface CancelMessage {
+  type: 'cancel';
+  id: number;
+}
+
+/** A fresh random seed. Replies: `seed`, `failed` or `crashed`. */
+export interface SeedMessage {
+  type: 'seed';
+  id: number;
+}
+
+/** Are you alive? Replies: `pong`. */
+export interface PingMessage {
+  type: 'ping';
+}
+
+export type ToWorker = StartMessage | CancelMessage | SeedMessage | PingMessage;
+
+/** The wasm is compiled: from now on silence means something. */
+export interface ReadyMessage {
+  type: 'ready';
+}
+
+/** The wasm could not be loaded; every request before and after it is answered by this. Discard the worker. */
+export interface FailedMessage {
+  type: 'failed';
+  error: ErrorInfo;
+}
+
+export interface ProgressMessage {
+  type: 'progress';
+  id: number;
+  progress: Progress;
+}
+
+/** The run is finished. All buffers are transferred. */
+export interface FieldMessage {
+  type: 'field';
+  id: number;
+  field: Field;
+}
+
+/** The request was refused before anything changed. */
+export interface RejectedMessage {
+  type: 'rejected';
+  id: number;
+  error: ErrorInfo;
+}
+
+/** The run was cancelled or superseded. */
+export interface DroppedMessage {
+  type: 'dropped';
+  id: number;
+}
+
+/** The wasm trapped: the state of the worker is undefined. Discard it. */
+export interface CrashedMessage {
+  type: 'crashed';
+  id: number;
+  error: ErrorInfo;
+}
+
+export interface SeedReply {
+  type: 'seed';
+  id: number;
+  seed: number;
+}
+
+export interface PongMessage {
+  type: 'pong';
+}
+
+export type FromWorker =
+  | ReadyMessage
+  | FailedMessage
+  | ProgressMessage
+  | FieldMessage
+  | RejectedMessage
+  | DroppedMessage
+  | CrashedMessage
+  | SeedReply
+  | PongMessage;

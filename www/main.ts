@@ -1,0 +1,189 @@
+/** The page: wires the element, the controls and the address bar to one store. */
+
+import './rock-field.ts';
+import './controls/control-panel.ts';
+import './controls/stage-overlay.ts';
+import { copyText, embedCode } from './controls/clipboard.ts';
+import { showKeys, showText, toast } from './controls/dialogs.ts';
+import { listenToKeys } from './controls/keys.ts';
+import { loadPreferences, savePreferences } from './controls/preferences.ts';
+import { Store } from './controls/store.ts';
+import { RockFieldError, errorInfo } from './errors.ts';
+import { keepOffline } from './offline.ts';
+import { translate } from './strings.ts';
+import { decodeLink, encodeLink } from './url-codec.ts';
+import type { Actions } from './controls/control-panel.ts';
+import type { Change } from './controls/store.ts';
+import type { RockFieldEventMap } from './rock-field-element.ts';
+import type { RockFieldElement } from './rock-field.ts';
+import type { StringKey } from './strings.ts';
+
+/** A drag makes some 60 edits a second; Safari allows 100 changes of the address in 30 s. */
+const ADDRESS_DELAY_MS = 300;
+
+const store = new Store(decodeLink(location.search + location.hash), loadPreferences());
+const stage = found('.stage');
+const field = document.createElement('rock-field');
+
+function found(selector: string): HTMLElement {
+  const element = document.querySelector<HTMLElement>(selector);
+  if (!element) throw new Error(`the page has no ${selector}`);
+  return element;
+}
+
+// The element follows the store …
+
+function follow(change: Change): void {
+  if (change === 'params') showParams();
+  if (change === 'look') Object.assign(field, { view: store.view, color: store.color });
+  if (change === 'preferences') showPreferences();
+  if (change === 'params' || change === 'look' || change === 'camera') scheduleAddress();
+}
+
+function showParams(): void {
+  try {
+    field.params = store.params;
+  } catch (thrown) {
+    store.fail(errorInfo(thrown));
+  }
+}
+
+function showPreferences(): void {
+  const { language, theme } = store;
+  savePreferences({ language, theme });
+  const page = document.documentElement;
+  page.lang = language;
+  if (theme === 'auto') delete page.dataset.theme;
+  else page.dataset.theme = theme;
+  field.theme = theme;
+  for (const element of document.querySelectorAll<HTMLElement>('[data-string]')) {
+    element.textContent = translate(language, element.dataset.string as StringKey);
+  }
+  stage.setAttribute('aria-label', translate(language, 'picture'));
+  panel.setAttribute('aria-label', translate(language, 'controls'));
+}
+
+// … and tells it what happened.
+
+function listen<K extends keyof RockFieldEventMap>(element: RockFieldElement, type: K, listener: (event: RockFieldEventMap[K]) => void): void {
+  element.addEventListener(type, listener as EventListener);
+}
+
+listen(field, 'load', () => void keepOffline());
+listen(field, 'generate', ({ detail }) => {
+  store.backend = field.backend;
+  store.showField(detail.field, detail.superseded ? null : store.params);
+});
+listen(field, 'progress', ({ detail }) => store.setProgress(detail));
+listen(field, 'error', ({ detail }) => store.fail(detail.error));
+listen(field, 'restored', () => store.say((language) => translate(language, 'lostPicture')));
+listen(field, 'notice', ({ detail }) => store.say(() => detail.message));
+listen(field, 'camera-change', ({ detail }) => {
+  store.camera = detail.framed ? null : detail.camera;
+  store.notify('camera');
+});
+
+// The address.
+
+let addressTimer: ReturnType<typeof setTimeout> | undefined;
+
+function link(): string {
+  return encodeLink(store);
+}
+
+function pageAddress(): string {
+  return `${location.origin}${location.pathname}#${link()}`;
+}
+
+function scheduleAddress(): void {
+  clearTimeout(addressTimer);
+  addressTimer = setTimeout(writeAddress, ADDRESS_DELAY_MS);
+}
+
+function writeAddress(): void {
+  clearTimeout(addressTimer);
+  addressTimer = undefined;
+  // Without the `?…` it may have been opened with: one link, not two.
+  history.replaceState(null, '', `${location.pathname}#${link()}`);
+}
+
+addEventListener('hashchange', () => {
+  // An edit on its way to the address is older than what was put there.
+  clearTimeout(addressTimer);
+  const opened = decodeLink(location.hash);
+  store.open(opened);
+  field.camera = opened.camera;
+});
+
+// What the buttons do.
+
+async function withFreshSeed(use: (seed: number) => void): Promise<void> {
+  try {
+    use(await field.freshSeed());
+  } catch (thrown) {
+    store.fail(errorInfo(thrown));
+  }
+}
+
+async function copy(text: string, done: StringKey, heading: StringKey): Promise<void> {
+  if (await copyText(text)) toast(store.text(done));
+  else showText(store, store.text(heading), text);
+}
+
+const actions: Actions = {
+  freshSeed: () => void withFreshSeed((seed) => store.setSeed(seed)),
+  randomise: () => void withFreshSeed((seed) => store.randomise(seed)),
+  share: () => {
+    writeAddress();
+    void copy(pageAddress(), 'copied', 'share');
+  },
+  embed: () => void copy(embedCode(link(), location.href), 'embedCopied', 'embed'),
+  help: () => showKeys(store),
+};
+
+async function toggleFullScreen(): Promise<void> {
+  try {
+    if (document.fullscreenElement) await document.exitFullscreen();
+    else await stage.requestFullscreen();
+  } catch (thrown) {
+    console.info('rock-field: no full screen:', thrown);
+  }
+}
+
+function cancel(): void {
+  field.cancel();
+  store.setProgress(null);
+  store.backToShown();
+}
+
+// Everything stands; put it on the page.
+
+const panel = document.createElement('control-panel');
+panel.className = 'panel';
+panel.setAttribute('role', 'region');
+panel.tabIndex = -1;
+Object.assign(panel, { store, actions });
+
+const overlay = document.createElement('stage-overlay');
+Object.assign(overlay, { store, actions: { cancel, frameAll: () => field.frameAll(), toggleFullScreen: () => void toggleFullScreen() } });
+
+store.subscribe(follow);
+showPreferences();
+Object.assign(field, { params: store.params, view: store.view, color: store.color, camera: store.camera });
+field.className = 'picture';
+stage.append(field, overlay);
+stage.after(panel);
+listenToKeys(store, () => field.frameAll());
+
+found('.skip-link').addEventListener('click', (event) => {
+  // Not by the address: that is the field's.
+  event.preventDefault();
+  panel.focus();
+});
+found('.boot').remove();
+
+// What nobody caught is said, not swallowed.
+addEventListener('unhandledrejection', ({ reason }) => {
+  const message = reason instanceof RockFieldError ? reason.message : String(reason);
+  if (reason?.name !== 'AbortError') store.say((language) => translate(language, 'pageFailed', { message }));
+});

@@ -1,0 +1,68 @@
+/** The parameters of a field, and their table (generated from the Rust one). */
+
+import { MAX_LAYERS, PARAMS, PRESETS } from './params.gen.ts';
+
+export { MAX_LAYERS, PARAMS, PRESETS };
+
+export type Language = 'en' | 'ja';
+export type Words = Record<Language, string>;
+export type Notation = 'px' | 'relative';
+/** base, per rock, per vertex */
+export type Triple = [number, number, number];
+
+export interface Bounds {
+  min: number;
+  max: number;
+  step: number;
+  default: number | null;
+  slider: { min: number; max: number; logarithmic: boolean };
+}
+
+/** One row of the table. */
+export interface ParamSpec extends Bounds {
+  key: string;
+  /** Part of a triple: 0 base, 1 per rock, 2 per vertex. */
+  component: number | null;
+  url: string;
+  scope: 'field' | 'layer';
+  kind: 'real' | 'integer' | 'optional-integer' | 'choice';
+  /** First stage an edit re-runs. */
+  stage: 'sites' | 'cells' | 'selection' | 'shape' | 'mesh';
+  /** Bounds in the conference's notation where they differ. */
+  relative: Bounds | null;
+  unit: Record<Notation, string>;
+  label: Words;
+  doc: Words;
+  choices: readonly { value: string; label: Words }[];
+}
+
+/** Table 1 of the papers: one row per layer of r, A_s, c_w1..3, c_h1..3. */
+export interface Preset {
+  name: string;
+  notation: Notation;
+  layers: readonly (readonly number[])[];
+}
+
+export type PresetName = (typeof PRESETS)[number]['name'];
+
+export interface Layer {
+  /** Stable identity; the layer's random streams hang on it. */
+  id: number;
+  radius: number;
+  areaFraction: number;
+  cellCount: number | null;
+  taper: Triple;
+  height: Triple;
+}
+
+export interface Params {
+  seed: number;
+  imageWidth: number;
+  imageHeight: number;
+  packing: number;
+  notation: Notation;
+  darts: 'saturate' | 'attempts';
+  border: 'clip' | 'drop';
+  swing: 'shared' | 'separate';
+  layers: Layer[];
+}

@@ -1,0 +1,135 @@
+/**
+ * The field from above on a plain 2D canvas, for devices without any GPU: whatever the view asked for,
+ * the cells, the selected ones filled, and the sites.
+ */
+
+import { FOV_Y } from '../camera.ts';
+import type { Field, FieldLayer } from '../field.ts';
+import type { CameraState, SceneRenderer, SceneStyle } from './renderer.ts';
+
+/** As INK in `src/render/palette.rs`: by layer id modulo 8. */
+const INK = ['#cd5e3c', '#e8b24a', '#4a8fbc', '#7ca450', '#986c9e', '#d6c8ac', '#707880', '#409e8e'];
+const GREY = '#9e9c98';
+const THEMES = {
+  light: { table: '#e0e4e6', paper: '#faf8f3', line: '#6e6860', ink: '#1e1a18' },
+  dark: { table: '#111214', paper: '#1b1d20', line: '#78766f', ink: '#0c0b0a' },
+} as const;
+/** Larger canvases fail silently in some browsers. */
+const MAX_SIDE = 8192;
+/** Below this many device pixels per cell, lines and sites would only darken the sheet. */
+const MIN_CELL_PX = 3;
+
+export class Canvas2dRenderer implements SceneRenderer {
+  readonly backend = 'canvas2d';
+  readonly canvas: HTMLCanvasElement;
+  /** A 2D canvas is restored by the browser itself: never resolves. */
+  readonly lost: Promise<string> = new Promise(() => {});
+  readonly #context: CanvasRenderingContext2D;
+  /** The page's own, not a copy. */
+  #field: Field | undefined;
+  #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
+  #camera: CameraState = { azimuth: 0, elevation: 1, distance: 1000, target: [0, 0, 0] };
+
+  constructor(canvas: HTMLCanvasElement) {
+    const context = canvas.getContext('2d', { alpha: false });
+    if (!context) throw new Error('no 2D canvas');
+    this.canvas = canvas;
+    this.#context = context;
+  }
+
+  setField(field: Field): void {
+    this.#field = field;
+  }
+
+  setStyle(style: SceneStyle): void {
+    this.#style = { ...style };
+  }
+
+  setCamera(camera: CameraState): void {
+    this.#camera = { ...camera, target: [...camera.target] };
+  }
+
+  resize(width: number, height: number): void {
+    const side = (value: number): number => Math.min(MAX_SIDE, Math.max(1, Math.round(value) || 1));
+    this.canvas.width = side(width);
+    this.canvas.height = side(height);
+  }
+
+  dispose(): void {
+    this.#field = undefined;
+  }
+
+  render(): void {
+    const context = this.#context;
+    const { width, height } = this.canvas;
+    const theme = this.#style.dark ? THEMES.dark : THEMES.light;
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = theme.table;
+    context.fillRect(0, 0, width, height);
+    const field = this.#field;
+    if (!field) return;
+    // As the plans of the GPU renderers: half the height is distance · tan(FOV_Y / 2), y up.
+    const scale = height / 2 / (this.#camera.distance * Math.tan(FOV_Y / 2));
+    const [x, y] = this.#camera.target;
+    context.setTransform(scale, 0, 0, -scale, width / 2 - x * scale, height / 2 + y * scale);
+    context.fillStyle = theme.paper;
+    context.fillRect(0, 0, field.imageWidth, field.imageHeight);
+    const pixel = 1 / scale;
+    const layers = [...field.layers].sort((a, b) => a.radius - b.radius);
+    if (this.#style.view !== 'diagrams') {
+      for (const layer of layers) this.#fillSelected(layer, theme.ink, pixel);
+    }
+    if (this.#style.view !== 'selection') {
+      for (const layer of layers) this.#drawDiagram(layer, pixel);
+    }
+    context.strokeStyle = theme.line;
+    context.lineWidth = 1.5 * pixel;
+    context.strokeRect(0, 0, field.imageWidth, field.imageHeight);
+  }
+
+  #ink(layer: FieldLayer): string {
+    return this.#style.color === 'plain' ? GREY : (INK[layer.id % INK.length] ?? GREY);
+  }
+
+  /** Adds cell `i` to the current path. */
+  #trace(layer: FieldLayer, i: number): void {
+    const from = layer.cellStarts[i] ?? 0;
+    const to = layer.cellStarts[i + 1] ?? from;
+    for (let j = from; j < to; j++) {
+      const [x, y] = [layer.cellVertices[2 * j] ?? 0, layer.cellVertices[2 * j + 1] ?? 0];
+      if (j === from) this.#context.moveTo(x, y);
+      else this.#context.lineTo(x, y);
+    }
+    if (to > from) this.#context.closePath();
+  }
+
+  #fillSelected(layer: FieldLayer, outline: string, pixel: number): void {
+    const context = this.#context;
+    context.beginPath();
+    for (const site of layer.selected) this.#trace(layer, site);
+    context.fillStyle = this.#ink(layer);
+    context.fill();
+    if (layer.radius < MIN_CELL_PX * pixel) return;
+    context.strokeStyle = outline;
+    context.lineWidth = pixel;
+    context.stroke();
+  }
+
+  #drawDiagram(layer: FieldLayer, pixel: number): void {
+    if (layer.radius < MIN_CELL_PX * pixel) return;
+    const context = this.#context;
+    context.strokeStyle = this.#ink(layer);
+    context.fillStyle = context.strokeStyle;
+    context.globalAlpha = 0.7;
+    context.lineWidth = Math.min(2 * pixel, layer.radius / 10);
+    context.beginPath();
+    for (let i = 0; i + 1 < layer.cellStarts.length; i++) this.#trace(layer, i);
+    context.stroke();
+    const dot = Math.min(3 * pixel, layer.radius / 4);
+    for (let i = 0; i + 1 < layer.sites.length; i += 2) {
+      const [x, y] = [layer.sites[i] ?? 0, layer.sites[i + 1] ?? 0];
+      context.fillRect(x - dot / 2, y - dot / 2, dot, dot);
+    }
+    context.globalAlpha = 1;
+  }
+}

@@ -1,0 +1,55 @@
+/** Draws nothing and records every call, for tests that have no graphics. */
+
+import type { Field } from '../field.ts';
+import type { CameraState, SceneRenderer, SceneStyle } from './renderer.ts';
+
+export type RecordedCall =
+  | { name: 'setField'; rocks: number }
+  | { name: 'setStyle'; style: SceneStyle }
+  | { name: 'setCamera'; camera: CameraState }
+  | { name: 'resize'; width: number; height: number }
+  | { name: 'render' }
+  | { name: 'dispose' };
+
+export class NullRenderer implements SceneRenderer {
+  readonly backend = 'null';
+  readonly canvas: HTMLCanvasElement;
+  readonly lost: Promise<string>;
+  /** In the order made. */
+  readonly calls: RecordedCall[] = [];
+  /** Pretends a loss. */
+  readonly lose: (reason: string) => void;
+
+  constructor(canvas: HTMLCanvasElement) {
+    this.canvas = canvas;
+    let lose: (reason: string) => void = () => {};
+    this.lost = new Promise((resolve) => {
+      lose = resolve;
+    });
+    this.lose = lose;
+  }
+
+  setField(field: Field): void {
+    this.calls.push({ name: 'setField', rocks: field.rockLayer.length });
+  }
+
+  setStyle(style: SceneStyle): void {
+    this.calls.push({ name: 'setStyle', style: { ...style } });
+  }
+
+  setCamera(camera: CameraState): void {
+    this.calls.push({ name: 'setCamera', camera: { ...camera, target: [...camera.target] } });
+  }
+
+  resize(width: number, height: number): void {
+    this.calls.push({ name: 'resize', width, height });
+  }
+
+  render(): void {
+    this.calls.push({ name: 'render' });
+  }
+
+  dispose(): void {
+    this.calls.push({ name: 'dispose' });
+  }
+}

@@ -1,0 +1,51 @@
+/**
+ * The one face of every renderer: the page talks to this and never to wasm, WebGPU or WebGL.
+ *
+ * World: plane x right, y up, in pixels of the image; z up. Nothing is drawn but by `render()`.
+ */
+
+import type { Field } from '../field.ts';
+
+/** `3d` and `wireframe` are seen through the camera; `diagrams` and `selection` are plans, north (+y) up. */
+export type View = '3d' | 'wireframe' | 'diagrams' | 'selection';
+
+/** One colour per layer, one per rock, or the papers' plain grey. */
+export type ColorMode = 'layer' | 'rock' | 'plain';
+
+export type Backend = 'webgpu' | 'webgl' | 'canvas2d' | 'null';
+
+/** Where the eye is: at azimuth 0 it looks along +y; growing azimuth carries it counter-clockwise round the target. */
+export interface CameraState {
+  /** Radians, counter-clockwise seen from above. */
+  azimuth: number;
+  /** Radians above the ground; π/2 looks straight down. */
+  elevation: number;
+  /** From the eye to the target, px. */
+  distance: number;
+  /** The point in the middle of the picture, px. */
+  target: [number, number, number];
+}
+
+export interface SceneStyle {
+  view: View;
+  color: ColorMode;
+  /** The page's theme: backdrop and sky, never the rocks. */
+  dark: boolean;
+}
+
+export interface SceneRenderer {
+  readonly backend: Backend;
+  readonly canvas: HTMLCanvasElement;
+  /** Uploads `field` and replaces what is drawn as one step; on an error the old field stays. */
+  setField(field: Field): void;
+  setStyle(style: SceneStyle): void;
+  setCamera(camera: CameraState): void;
+  /** Device pixels; below 1 counts as 1, above the device's largest texture as that. */
+  resize(width: number, height: number): void;
+  /** Draws one frame now. */
+  render(): void;
+  /** Resolves, and never rejects, with a reason when the device or context is lost. */
+  readonly lost: Promise<string>;
+  /** Frees what the renderer holds; calls after it do nothing. */
+  dispose(): void;
+}
