@@ -2,10 +2,13 @@
 //!
 //! Sites are pixels, so everything relative to a site is a small integer: a neighbour's offset g, the
 //! squared distance |g|², and a cell vertex, which is the circumcentre of the site and two neighbours,
-//! a quotient of integers below 2⁶³ for images up to 8192 px. No tolerance decides what is cut.
+//! a quotient of integers. Floating point decides where its error allows, and integers of
+//! 64 bits, enough for images up to 8192 px, where it does not: no tolerance decides what is cut.
 //!
 //! The image's border needs no code of its own: the bisector between a site and its mirror image
 //! across a side *is* that side, and the mirror image of a pixel is again at integer coordinates.
+
+use glam::DVec2;
 
 /// The four sides of the image as neighbours of a cell: left, right, bottom, top.
 pub(crate) const SIDES: u32 = u32::MAX - 3;
@@ -14,27 +17,24 @@ pub(crate) const SIDES: u32 = u32::MAX - 3;
 /// within 4.8e-7 px of their exact place and coarse enough for neighbours to share them bit for bit.
 pub(crate) const LATTICE: f64 = (1_u32 << 20) as f64;
 
-/// An edge of the cell, and the vertex it starts at (counter-clockwise).
+/// An edge of the cell, and the vertex it starts at (counter-clockwise). All relative to the site.
 #[derive(Debug, Clone, Copy)]
 struct Edge {
-    /// Offset of the neighbour across this edge.
-    g: [i64; 2],
+    /// Start vertex, rounded; its exact place is the circumcentre of the site and two neighbours, this edge's and
+    /// the previous one's.
+    vertex: DVec2,
+    /// Offset of the neighbour across this edge: whole numbers.
+    g: DVec2,
     /// Index of the neighbour, or [`SIDES`] + side.
     neighbor: u32,
-    /// Start vertex relative to the site: numerators and their common positive denominator.
-    n: [i64; 2],
-    d: i64,
-    /// Squared distance of that vertex from the site, rounded.
-    distance2: f64,
 }
 
 impl Edge {
     /// The edge across from `g`, starting where it meets the edge across from `previous`.
     #[inline]
-    fn after(previous: [i64; 2], g: [i64; 2], neighbor: u32) -> Self {
+    fn after(previous: DVec2, g: DVec2, neighbor: u32) -> Self {
         let (n, d) = circumcentre(previous, g);
-        let (x, y, w) = (n[0] as f64, n[1] as f64, d as f64);
-        Edge { g, neighbor, n, d, distance2: (x * x + y * y) / (w * w) }
+        Edge { vertex: n / d, g, neighbor }
     }
 }
 
@@ -48,21 +48,24 @@ pub(crate) struct CellCutter {
     reach2: f64,
 }
 
-/// Circumcentre of the origin and two points, the second counter-clockwise of the first.
-fn circumcentre(a: [i64; 2], b: [i64; 2]) -> ([i64; 2], i64) {
-    let (aa, bb) = (a[0] * a[0] + a[1] * a[1], b[0] * b[0] + b[1] * b[1]);
-    ([aa * b[1] - bb * a[1], bb * a[0] - aa * b[0]], 2 * (a[0] * b[1] - a[1] * b[0]))
+/// Circumcentre of the origin and two points, the second counter-clockwise of the first: numerators and denominator.
+///
+/// Exact: offsets are below 2¹⁴, so the numerators are below 2⁴⁴ and the denominator is below 2³⁰, and even.
+#[inline]
+fn circumcentre(a: DVec2, b: DVec2) -> (DVec2, f64) {
+    let (aa, bb) = (a.length_squared(), b.length_squared());
+    (DVec2::new(aa * b.y - bb * a.y, bb * a.x - aa * b.x), 2.0 * a.perp_dot(b))
 }
 
 impl CellCutter {
     /// Starts with the whole image, seen from pixel (x, y).
     pub(crate) fn start(&mut self, width: u32, height: u32, x: u32, y: u32) {
-        let [w, h, x, y] = [width, height, x, y].map(i64::from);
+        let [w, h, x, y] = [width, height, x, y].map(f64::from);
         let mirrors = [
-            (SIDES + 2, [0, -2 * y - 1]),
-            (SIDES + 1, [2 * (w - x) - 1, 0]),
-            (SIDES + 3, [0, 2 * (h - y) - 1]),
-            (SIDES, [-2 * x - 1, 0]),
+            (SIDES + 2, DVec2::new(0.0, -2.0 * y - 1.0)),
+            (SIDES + 1, DVec2::new(2.0 * (w - x) - 1.0, 0.0)),
+            (SIDES + 3, DVec2::new(0.0, 2.0 * (h - y) - 1.0)),
+            (SIDES, DVec2::new(-2.0 * x - 1.0, 0.0)),
         ];
         self.edges.clear();
         for k in 0..4 {
@@ -74,7 +77,7 @@ impl CellCutter {
     }
 
     fn update_reach(&mut self) {
-        let farthest = self.edges.iter().fold(0.0_f64, |far, edge| far.max(edge.distance2));
+        let farthest = self.edges.iter().fold(0.0_f64, |far, edge| far.max(edge.vertex.length_squared()));
         // A bisector lies half way to its site, so at a quarter of the squared distance.
         self.reach2 = 4.0 * farthest * (1.0 + 1e-12);
     }
@@ -87,40 +90,67 @@ impl CellCutter {
 
     /// Cuts off what is nearer to the neighbour at offset g than to the site.
     #[inline]
-    pub(crate) fn cut(&mut self, g: [i64; 2], neighbor: u32) {
-        let gg = g[0] * g[0] + g[1] * g[1];
-        if self.is_reached_from(gg as f64) {
-            // A vertex v = n / d is cut off where 2 v·g > |g|². A vertex exactly on the bisector stays.
-            let is_cut = |edge: &Edge| 2 * (edge.n[0] * g[0] + edge.n[1] * g[1]) > gg * edge.d;
-            if let Some(some_cut) = self.edges.iter().position(is_cut) {
-                self.replace_cut_vertices(some_cut, is_cut, g, neighbor);
+    pub(crate) fn cut(&mut self, g: DVec2, neighbor: u32) {
+        let gg = g.length_squared();
+        if !self.is_reached_from(gg) {
+            return;
+        }
+        // A vertex v is cut off where v·g > |g|² / 2. Each side is off by a few ulp of |v| |g| ≤ (reach2 + |g|²) / 2 …
+        let half = 0.5 * gg;
+        let slack = 2.0e-15 * (self.reach2 + gg);
+        let mut farthest = f64::NEG_INFINITY;
+        let mut at = 0;
+        for (k, edge) in self.edges.iter().enumerate() {
+            let beyond = edge.vertex.dot(g) - half;
+            if beyond > farthest {
+                (farthest, at) = (beyond, k);
             }
+        }
+        if farthest > slack || (farthest >= -slack && self.is_cut(at, g, slack)) {
+            self.replace_cut_vertices(at, g, neighbor, slack);
         }
     }
 
-    fn replace_cut_vertices(&mut self, some_cut: usize, is_cut: impl Fn(&Edge) -> bool, g: [i64; 2], neighbor: u32) {
+    /// Whether vertex k is strictly nearer to the neighbour at offset g. A vertex exactly on the bisector stays.
+    #[inline]
+    fn is_cut(&self, k: usize, g: DVec2, slack: f64) -> bool {
+        let beyond = self.edges[k].vertex.dot(g) - 0.5 * g.length_squared();
+        if beyond.abs() > slack { beyond > 0.0 } else { self.is_cut_exactly(k, g) }
+    }
+
+    /// … and where that leaves the sign open, integers below 2⁶³ decide.
+    #[cold]
+    fn is_cut_exactly(&self, k: usize, g: DVec2) -> bool {
+        let previous = if k == 0 { self.edges.len() - 1 } else { k - 1 };
+        let (n, d) = circumcentre(self.edges[previous].g, self.edges[k].g);
+        let [nx, ny, d, gx, gy] = [n.x, n.y, d, g.x, g.y].map(|whole| whole as i64);
+        2 * (nx * gx + ny * gy) > (gx * gx + gy * gy) * d
+    }
+
+    fn replace_cut_vertices(&mut self, some_cut: usize, g: DVec2, neighbor: u32, slack: f64) {
         let count = self.edges.len();
+        let (previous, next) =
+            (|k: usize| if k == 0 { count - 1 } else { k - 1 }, |k: usize| if k + 1 == count { 0 } else { k + 1 });
         // The cut vertices are consecutive, cyclically: first ..= last.
         let mut first = some_cut;
-        if first == 0 {
-            while is_cut(&self.edges[(first + count - 1) % count]) {
-                first = (first + count - 1) % count;
-            }
+        while self.is_cut(previous(first), g, slack) {
+            first = previous(first);
         }
         let mut last = some_cut;
-        while is_cut(&self.edges[(last + 1) % count]) {
-            last = (last + 1) % count;
+        while self.is_cut(next(last), g, slack) {
+            last = next(last);
         }
-        let before = self.edges[(first + count - 1) % count];
+        let before = self.edges[previous(first)];
         let after = self.edges[last];
         self.spare.clear();
-        // New vertex on the edge that leads to the first cut vertex; there the bisector begins …
+        // The new edge begins on the edge that leads to the first cut vertex …
         self.spare.push(Edge::after(before.g, g, neighbor));
-        // … and it ends on the edge that leaves the last one.
+        // … and ends on the edge that leaves the last one.
         self.spare.push(Edge::after(g, after.g, after.neighbor));
-        let kept = (first + count - last - 1) % count;
-        for k in 1..=kept {
-            self.spare.push(self.edges[(last + k) % count]);
+        let mut k = next(last);
+        while k != first {
+            self.spare.push(self.edges[k]);
+            k = next(k);
         }
         core::mem::swap(&mut self.edges, &mut self.spare);
         self.update_reach();
@@ -132,7 +162,19 @@ impl CellCutter {
     /// Vertices nearer than 1e-6 px are merged (decision A8): that is one lattice step.
     pub(crate) fn emit(&mut self, mut vertex: impl FnMut([f64; 2], u32)) {
         self.corners.clear();
-        self.corners.extend(self.edges.iter().map(|edge| (edge.n.map(|n| to_lattice(n, edge.d)), edge.neighbor)));
+        let mut previous = self.edges[self.edges.len() - 1].g;
+        for edge in &self.edges {
+            let place = edge.vertex.to_array().map(to_lattice);
+            let place = match place {
+                [Some(x), Some(y)] => [x, y],
+                _ => {
+                    let (n, d) = circumcentre(previous, edge.g);
+                    n.to_array().map(|n| to_lattice_exactly(n as i64, d as i64))
+                }
+            };
+            self.corners.push((place, edge.neighbor));
+            previous = edge.g;
+        }
         let corners = &mut self.corners[..];
         let least = (0..corners.len()).min_by(|&a, &b| {
             let (a, b) = (corners[a].0, corners[b].0);
@@ -153,17 +195,18 @@ impl CellCutter {
     }
 }
 
-/// n / d in lattice steps, rounded to the nearest (halves up) as if computed exactly, so that it does not
-/// depend on which of a vertex's sites it was computed from.
+/// A coordinate in lattice steps, rounded to the nearest, halves up; `None` where its own rounding could tip that.
 #[inline]
-fn to_lattice(n: i64, d: i64) -> f64 {
-    let shifted = n as f64 / d as f64 * LATTICE + 0.5;
+fn to_lattice(coordinate: f64) -> Option<f64> {
+    let shifted = coordinate * LATTICE + 0.5;
     let rounded = shifted.floor();
-    // The quotient is off by at most 2⁻¹⁹ steps (2³⁴ steps in 53 bits); only near a boundary can that matter.
+    // The coordinate is off by at most two ulp: 2⁻¹⁸ of a step, for it is below 2¹⁴ px.
     let fraction = shifted - rounded;
-    if (1.0e-5..=1.0 - 1.0e-5).contains(&fraction) { rounded } else { to_lattice_exactly(n, d) }
+    (1.0e-5..=1.0 - 1.0e-5).contains(&fraction).then_some(rounded)
 }
 
+/// n / d in lattice steps, rounded to the nearest (halves up), so that it does not depend on which of a vertex's
+/// sites it was computed from.
 #[cold]
 fn to_lattice_exactly(n: i64, d: i64) -> f64 {
     let (whole, rest) = (n.div_euclid(d), n.rem_euclid(d));

@@ -120,7 +120,8 @@ impl VoronoiBuilder {
         let [x, y] = here.map(u32::from);
         let (cutter, grid) = (&mut self.cutter, &self.cells.grid);
         cutter.start(sites.width, sites.height, x, y);
-        let offset = |[ox, oy]: Pixel| [i64::from(ox) - i64::from(x), i64::from(oy) - i64::from(y)];
+        let origin = DVec2::new(f64::from(x), f64::from(y));
+        let offset = |[ox, oy]: Pixel| DVec2::new(f64::from(ox), f64::from(oy)) - origin;
         match &self.neighborhood {
             Neighborhood::Local => {
                 let (column, row) = (x / grid.side, y / grid.side);
@@ -149,7 +150,7 @@ impl VoronoiBuilder {
             }
         }
         let (vertices, neighbors) = (&mut self.cells.vertices, &mut self.cells.neighbors);
-        let centre = DVec2::new(f64::from(x) + 0.5, f64::from(y) + 0.5);
+        let centre = origin + 0.5;
         cutter.emit(|[dx, dy], neighbor| {
             // Exact: a multiple of 2⁻²⁰ below 2¹⁴.
             vertices.push(centre + DVec2::new(dx, dy) / LATTICE);
