@@ -68,9 +68,12 @@ async function finish(staging, meta) {
   const names = readdirSync(staging).filter((name) => !name.endsWith('.map')).sort();
   const files = Object.fromEntries(names.map((name) => [name, integrity(path.join(staging, name))]));
   const page = readFileSync(path.join(root, PAGE), 'utf8');
-  if (!/<head>/i.test(page)) throw new Failure(`${PAGE} has no <head> to put the build's id in`);
+  if (!page.includes('</head>')) throw new Failure(`${PAGE} has no </head> to put the build's id before`);
   const build = hashOf(page, JSON.stringify(files)).slice(0, 16);
-  writeFileSync(path.join(staging, PAGE), page.replace(/<head>/i, `<head>\n    <meta name="rock-field-build" content="${build}">`));
+  // The chunks are asked for with the page, not one import after the other.
+  const preloads = scriptsOf(meta, 'main.js').map((name) => `<link rel="modulepreload" href="./${name}">`);
+  const added = [`<meta name="rock-field-build" content="${build}">`, ...preloads].map((line) => `  ${line}\n  `).join('');
+  writeFileSync(path.join(staging, PAGE), page.replace('</head>', `${added}</head>`));
   const scripts = ['main.js', 'worker.js'].flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
   const precache = [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...ALWAYS_NEEDED])];
   await bundle({

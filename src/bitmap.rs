@@ -21,6 +21,11 @@ impl Bitmap {
         Bitmap { width, height, words: vec![0; strips * height as usize] }
     }
 
+    /// W·H.
+    pub(crate) fn pixels(&self) -> u64 {
+        u64::from(self.width) * u64::from(self.height)
+    }
+
     /// Whether the pixel is flagged.
     #[inline]
     pub(crate) fn get(&self, x: u32, y: u32) -> bool {

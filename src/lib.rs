@@ -2,7 +2,10 @@
 pub mod error;
 pub mod params;
 pub mod rocks;
+pub mod validate;
 mod bitmap;
+#[cfg(feature = "bench")]
+mod literal;
 mod memory;
 mod mesh;
 mod rng;

@@ -107,7 +107,7 @@ function writeAddress(): void {
   history.replaceState(null, '', `${location.pathname}#${link()}`);
 }
 
-addEventListener('hashchange', () => {
+window.addEventListener('hashchange', () => {
   // An edit on its way to the address is older than what was put there.
   clearTimeout(addressTimer);
   const opened = decodeLink(location.hash);
@@ -183,7 +183,7 @@ found('.skip-link').addEventListener('click', (event) => {
 found('.boot').remove();
 
 // What nobody caught is said, not swallowed.
-addEventListener('unhandledrejection', ({ reason }) => {
+window.addEventListener('unhandledrejection', ({ reason }) => {
   const message = reason instanceof RockFieldError ? reason.message : String(reason);
   if (reason?.name !== 'AbortError') store.say((language) => translate(language, 'pageFailed', { message }));
 });

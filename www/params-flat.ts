@@ -206,7 +206,8 @@ function checkNumber(
 }
 
 function objectOf(value: unknown, key: string, layer: number | undefined): Loose {
-  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return value as Loose;
+  // Own keys alone: nothing that a prototype adds is a request.
+  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return { ...value };
   if (key === 'params') {
     throw new RockFieldError({ name: 'MalformedRequest', key, value, message: `the request is ${quote(value)}; it has to be an object` });
   }

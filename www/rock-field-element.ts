@@ -156,9 +156,11 @@ export class RockFieldElement extends SceneElement {
 
   protected override opened(): void {
     this.#isOpen = true;
-    this.describe(WORDS.waiting[this.language]);
     // After a pause the field is still there.
-    if (!this.field) this.#stale = true;
+    if (!this.field) {
+      this.#stale = true;
+      this.describe(WORDS.waiting[this.language]);
+    }
     this.#schedule();
   }
 

@@ -7,8 +7,10 @@
  */
 
 import type { ErrorInfo } from './errors.ts';
+import { CameraFlight } from './camera-flight.ts';
 import { defaultCamera, isPlan } from './camera.ts';
 import type { Field } from './field.ts';
+import { MessageBox } from './message-box.ts';
 import { OrbitControls } from './orbit-controls.ts';
 import { loadRenderer } from './renderer/load.ts';
 import type { Backend, CameraState, ColorMode, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
@@ -24,9 +26,6 @@ const MAX_PIXELS = 3840 * 2160;
 /** So many losses within so short a time are no accident: the plan is drawn without the GPU then. */
 const MAX_LOSSES = 3;
 const LOSS_WINDOW_MS = 30_000;
-
-const FRAME_ALL_MS = 350;
-const NOTICE_MS = 8000;
 
 const STYLES = `
 :host { display: block; position: relative; contain: strict; width: 300px; height: 150px; background: var(--rock-field-background, transparent) }
@@ -77,12 +76,7 @@ function errorText(thrown: unknown): string {
  */
 export abstract class SceneElement extends Base {
   #stage!: HTMLElement;
-  #message!: HTMLElement;
-  #messageText!: HTMLElement;
-  /** Why there is no picture. */
-  #error = '';
-  #notices: string[] = [];
-  #noticeTimer: ReturnType<typeof setTimeout> | undefined;
+  #messages!: MessageBox;
 
   #cycle = 0;
   #isOpen = false;
@@ -102,7 +96,7 @@ export abstract class SceneElement extends Base {
   #theme: Theme = 'auto';
   /** Null while the whole field is framed, whatever its size. */
   #camera: CameraState | null = null;
-  #flight: { from: CameraState; to: CameraState; begin: number } | undefined;
+  #flight: CameraFlight | undefined;
 
   #width = 0;
   #height = 0;
@@ -121,17 +115,8 @@ export abstract class SceneElement extends Base {
     this.#stage.className = 'stage';
     this.#stage.tabIndex = 0;
     this.#stage.setAttribute('role', 'application');
-    this.#message = document.createElement('div');
-    this.#message.className = 'message';
-    this.#message.setAttribute('part', 'message');
-    this.#message.setAttribute('role', 'status');
-    this.#message.hidden = true;
-    const slot = document.createElement('slot');
-    slot.name = 'message';
-    this.#messageText = document.createElement('span');
-    slot.append(this.#messageText);
-    this.#message.append(slot);
-    root.append(this.#stage, this.#message);
+    this.#messages = new MessageBox();
+    root.append(this.#stage, this.#messages.element);
   }
 
   // What a kind of scene adds.
@@ -198,7 +183,7 @@ export abstract class SceneElement extends Base {
     if (still) {
       this.camera = null;
     } else {
-      this.#flight = { from: this.camera, to, begin: performance.now() };
+      this.#flight = new CameraFlight(this.camera, to, performance.now());
       this.invalidate();
     }
     this.emit('camera-change', { camera: to, framed: true });
@@ -229,7 +214,7 @@ export abstract class SceneElement extends Base {
       return false;
     }
     this.#field = field;
-    this.#updateMessage();
+    this.#clearError();
     this.invalidate();
     return true;
   }
@@ -250,18 +235,14 @@ export abstract class SceneElement extends Base {
 
   /** An `error` event; also a message in the element while it has no picture to show instead. */
   protected report(error: ErrorInfo): void {
-    this.#error = error.message;
-    this.#updateMessage();
+    if (!this.#hasPicture()) this.#messages.setError(error.message);
     this.emit('error', { error });
   }
 
   /** Something was put right, or left out, for an attribute: said once on the console, once by event, for a while on the picture. */
   protected notify(message: string): void {
     console.warn(`<${this.localName}>: ${message}`);
-    this.#notices.push(message);
-    this.#updateMessage();
-    clearTimeout(this.#noticeTimer);
-    this.#noticeTimer = setTimeout(() => this.#forgetNotices(), NOTICE_MS);
+    this.#messages.notify(message);
     this.emit('notice', { message });
   }
 
@@ -306,7 +287,7 @@ export abstract class SceneElement extends Base {
     this.#restoring = false;
     this.#flight = undefined;
     this.#seen = false;
-    this.#forgetNotices();
+    this.#messages.forgetNotices();
     if (this.#painted) this.#renewReadiness();
     this.closed();
   }
@@ -376,8 +357,10 @@ export abstract class SceneElement extends Base {
     this.#renderer = renderer;
     void renderer.lost.then((reason) => this.#onLost(renderer, reason));
     this.#stage.replaceChildren(renderer.canvas);
+    const isMakeshift = renderer.backend === 'canvas2d' && this.#wantedBackend() === 'auto';
+    this.#messages.setStanding(isMakeshift ? WORDS.noGpu[this.language] : '');
     this.#measure();
-    this.#updateMessage();
+    this.#clearError();
     this.invalidate();
     return true;
   }
@@ -415,9 +398,12 @@ export abstract class SceneElement extends Base {
   #onResize(entry: ResizeObserverEntry): void {
     // Out of the document everything is 0 × 0; it is told again on the way back in.
     if (!this.isConnected) return;
+    const ratio = window.devicePixelRatio || 1;
+    const { width, height } = entry.contentRect;
     const exact = entry.devicePixelContentBoxSize?.[0];
-    if (exact) this.#resize(exact.inlineSize, exact.blockSize);
-    else this.#measure();
+    // Developer tools that pretend another ratio leave this box in CSS pixels.
+    if (exact && Math.abs(exact.inlineSize - width * ratio) < 2) this.#resize(exact.inlineSize, exact.blockSize);
+    else this.#resize(Math.round(width * ratio), Math.round(height * ratio));
   }
 
   #measure(): void {
@@ -449,13 +435,17 @@ export abstract class SceneElement extends Base {
   }
 
   #canDraw(): boolean {
-    return this.isConnected && this.#seen && this.#width > 0 && this.#height > 0 && document.visibilityState === 'visible' && this.#renderer !== undefined && this.#field !== null;
+    const canBeSeen = this.isConnected && this.#seen && this.#width > 0 && this.#height > 0 && document.visibilityState === 'visible';
+    return canBeSeen && this.#hasPicture();
   }
 
   #onFrame(now: number): void {
     this.#frame = 0;
     if (!this.#dirty || !this.#canDraw()) return;
-    if (this.#flight) this.#fly(now);
+    if (this.#flight) {
+      this.#camera = this.#flight.at(now);
+      if (!this.#camera) this.#flight = undefined;
+    }
     this.#draw();
     if (this.#flight) this.invalidate();
   }
@@ -483,18 +473,6 @@ export abstract class SceneElement extends Base {
     }
   }
 
-  #fly(now: number): void {
-    const flight = this.#flight;
-    if (!flight) return;
-    const t = Math.min(1, Math.max(0, (now - flight.begin) / FRAME_ALL_MS));
-    if (t === 1) {
-      this.#flight = undefined;
-      this.#camera = null;
-    } else {
-      this.#camera = between(flight.from, flight.to, t * t * (3 - 2 * t));
-    }
-  }
-
   #isDark(): boolean {
     if (this.#theme !== 'auto') return this.#theme === 'dark';
     return globalThis.matchMedia?.('(prefers-color-scheme: dark)').matches ?? false;
@@ -510,31 +488,11 @@ export abstract class SceneElement extends Base {
     this.invalidate();
   }
 
-  // Messages.
-
-  #updateMessage(): void {
-    if (this.#field && this.#renderer) this.#error = '';
-    const noGpu = this.backend === 'canvas2d' && this.#wantedBackend() === 'auto' ? WORDS.noGpu[this.language] : '';
-    const text = [this.#error, ...this.#notices, noGpu].filter((line) => line !== '').join('\n');
-    this.#messageText.textContent = text;
-    this.#message.hidden = text === '';
+  #hasPicture(): boolean {
+    return this.#field !== null && this.#renderer !== undefined;
   }
 
-  #forgetNotices(): void {
-    clearTimeout(this.#noticeTimer);
-    this.#notices = [];
-    this.#updateMessage();
+  #clearError(): void {
+    if (this.#hasPicture()) this.#messages.setError('');
   }
-}
-
-/** Part of the way from one camera to another, the short way round; distances in equal factors. */
-function between(from: CameraState, to: CameraState, t: number): CameraState {
-  const mix = (a: number, b: number) => a + (b - a) * t;
-  const turn = ((((to.azimuth - from.azimuth) % (2 * Math.PI)) + 3 * Math.PI) % (2 * Math.PI)) - Math.PI;
-  return {
-    azimuth: from.azimuth + turn * t,
-    elevation: mix(from.elevation, to.elevation),
-    distance: from.distance * (to.distance / from.distance) ** t,
-    target: [mix(from.target[0], to.target[0]), mix(from.target[1], to.target[1]), mix(from.target[2], to.target[2])],
-  };
 }

@@ -19,8 +19,6 @@ export const STRINGS = {
   skip: { en: 'Skip to the controls', ja: '設定へ移動' },
   picture: { en: 'Picture', ja: '画像' },
   controls: { en: 'Controls', ja: '設定' },
-  showControls: { en: 'Show the controls', ja: '設定を開く' },
-  hideControls: { en: 'Hide the controls', ja: '設定を閉じる' },
 
   undo: { en: 'Undo', ja: '元に戻す' },
   redo: { en: 'Redo', ja: 'やり直す' },
@@ -51,6 +49,7 @@ export const STRINGS = {
   ground: { en: 'Ground and method', ja: '地面と手法' },
   statistics: { en: 'Statistics', ja: '統計' },
   page: { en: 'Page', ja: 'ページ' },
+  layerCount: { en: '{n} layers', ja: '{n} 層' },
   layer: { en: 'Layer {n}', ja: '層 {n}' },
   addLayer: { en: 'Add layer', ja: '層を追加' },
   removeLayer: { en: 'Remove layer {n}', ja: '層 {n} を削除' },
@@ -62,7 +61,8 @@ export const STRINGS = {
   byCount: { en: 'Count', ja: '個数' },
   taper: { en: 'Taper', ja: '幅' },
   height: { en: 'Height', ja: '高さ' },
-  rocksOfLayer: { en: '{n} rocks', ja: '岩 {n} 個' },
+  oneRock: { en: '1 rock', ja: '岩 1 個' },
+  someRocks: { en: '{n} rocks', ja: '岩 {n} 個' },
 
   view: { en: 'View', ja: '表示' },
   'view-3d': { en: '3D', ja: '3D' },
@@ -82,8 +82,7 @@ export const STRINGS = {
   'theme-light': { en: 'Light', ja: 'ライト' },
   'theme-dark': { en: 'Dark', ja: 'ダーク' },
 
-  summary: { en: '{rocks} rocks · {triangles} triangles · {covered} covered', ja: '岩 {rocks} 個・三角形 {triangles}・被覆率 {covered}' },
-  summaryShort: { en: '{rocks} rocks · {ms} ms', ja: '岩 {rocks} 個・{ms} ms' },
+  summary: { en: '{rocks} · {triangles} triangles · {covered} covered', ja: '{rocks}・三角形 {triangles}・被覆率 {covered}' },
   rocks: { en: 'Rocks', ja: '岩' },
   triangles: { en: 'Triangles', ja: '三角形' },
   covered: { en: 'Ground covered', ja: '被覆率' },
@@ -119,6 +118,7 @@ export const STRINGS = {
   zoomBy: { en: 'wheel, pinch, or + and −', ja: 'ホイール、ピンチ、+ と −' },
   frameBy: { en: 'F or double-click', ja: 'F またはダブルクリック' },
   viewsBy: { en: '1, 2, 3, 4', ja: '1、2、3、4' },
+  seeds: { en: 'Previous, next seed', ja: '前・次のシード' },
   seedsBy: { en: '[ and ]', ja: '[ と ]' },
   helpBy: { en: '?', ja: '?' },
   sliders: { en: 'Sliders', ja: 'スライダー' },
@@ -193,14 +193,17 @@ export function errorText(language: Language, error: ErrorInfo): string {
   return filled(words[language], { value: String(error.value), min, max, valueMiB: mebibytes(error.value), maxMiB: mebibytes(max) });
 }
 
-/** `journal-fig11a` → `Fig. 11 (a)`, with what sets it apart: `r 90 · c_h1 45`. */
-export function presetLabel(preset: Preset, columns: readonly string[]): string {
+/** `journal-fig11a` → `Fig. 11 (a)`, with what sets it apart: `r 90 · c_h1 45`, or the layers' areas. */
+export function presetLabel(language: Language, preset: Preset, columns: readonly string[]): string {
   const [, number = '', part = ''] = /fig(\d+)([a-z]?)$/.exec(preset.name) ?? [];
-  const [only] = preset.layers;
-  const column = (index: number) => preset.layers.map((row) => row[index]).join(', ');
-  const rest = only?.flatMap((value, index) => (index > 1 && value !== 0 ? [`${columns[index]} ${value}`] : [])) ?? [];
-  const details = preset.layers.length === 1 ? rest : [`A_s ${column(1)}`];
-  return `Fig. ${number}${part && ` (${part})`} – ${[`r ${column(0)}`, ...details].join(' · ')}`;
+  const { layers } = preset;
+  const figure = `Fig. ${number}${part && ` (${part})`}`;
+  const areas = layers.map(([, area = 0]) => Math.round(100 * area)).join(' / ');
+  if (layers.length > 1) return `${figure} – ${translate(language, 'layerCount', { n: layers.length })} · ${areas} %`;
+  const [only = []] = layers;
+  // The area is 0.5 in all of them.
+  const numbers = only.flatMap((value, index) => (index !== 1 && value !== 0 ? [`${columns[index]} ${value}`] : []));
+  return `${figure} – ${numbers.join(' · ')}`;
 }
 
 /** English or Japanese, whichever the list of preferred languages names first; English for all others. */

@@ -2,5 +2,7 @@
 
 #[cfg(feature = "generator")]
 mod generator;
+#[cfg(feature = "bench")]
+mod literal;
 #[cfg(feature = "renderer")]
 mod renderer;

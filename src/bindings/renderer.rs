@@ -4,9 +4,7 @@ use std::cell::RefCell;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{
-    Camera, ColorMode, Gpu, Layer, Mesh, Mode, Plan, RenderError, Rocks, Scene, View,
-};
+use crate::render::{Camera, ColorMode, Gpu, Layer, Maps, Mesh, Mode, Plan, RenderError, Rocks, Scene, View};
 
 thread_local! {
     // wgpu wants its callbacks `Send`, a JavaScript function is not: they carry an index into this list.
@@ -41,6 +39,7 @@ pub struct Renderer {
     listener: u32,
     gpu: Gpu,
     view: View,
+    maps: Option<Maps>,
     scene: Option<Scene>,
     plan: Option<Plan>,
     layers: Vec<Layer>,
@@ -54,18 +53,9 @@ impl Renderer {
         on_lost: js_sys::Function,
     ) -> Result<Renderer, js_sys::Error> {
         let listener = listen(on_lost);
-        let (gpu, surface) = Gpu::with_canvas(canvas, listener, tell)
-            .await
-            .map_err(|error| to_js(&error))?;
+        let (gpu, surface) = Gpu::with_canvas(canvas, listener, tell).await.map_err(|error| to_js(&error))?;
         let view = View::new(&gpu, surface).map_err(|error| to_js(&error))?;
-        Ok(Self {
-            listener,
-            gpu,
-            view,
-            scene: None,
-            plan: None,
-            layers: Vec::new(),
-        })
+        Ok(Self { listener, gpu, view, maps: None, scene: None, plan: None, layers: Vec::new() })
     }
 
     /// Uploads a field's mesh and replaces what is drawn. Per rock: its layer's id and its site's index.
@@ -81,16 +71,9 @@ impl Renderer {
         rock_layers: Vec<u32>,
         rock_sites: Vec<u32>,
     ) -> Result<(), js_sys::Error> {
-        let mesh = Mesh {
-            positions,
-            indices,
-            rocks: Rocks {
-                vertex_starts,
-                layers: rock_layers,
-                sites: rock_sites,
-            },
-        };
-        let scene = Scene::new(&self.gpu, [image_width, image_height], mesh);
+        let mesh = Mesh { positions, indices, rocks: Rocks { vertex_starts, layers: rock_layers, sites: rock_sites } };
+        let maps = self.maps.get_or_insert_with(|| Maps::new(&self.gpu)).clone();
+        let scene = Scene::new(&self.gpu, [image_width, image_height], mesh, maps);
         self.scene = Some(scene.map_err(|error| to_js(&error))?);
         self.plan = None;
         Ok(())
@@ -131,14 +114,7 @@ impl Renderer {
         cell_vertices: Vec<f32>,
         selected: Vec<u32>,
     ) {
-        self.layers.push(Layer {
-            id,
-            radius,
-            sites,
-            cell_starts,
-            cell_vertices,
-            selected,
-        });
+        self.layers.push(Layer { id, radius, sites, cell_starts, cell_vertices, selected });
     }
 
     /// Makes the plan that the view asks for, and lets go of the layers.
@@ -173,12 +149,7 @@ impl Renderer {
         target_y: f32,
         target_z: f32,
     ) {
-        self.view.set_camera(Camera {
-            azimuth,
-            elevation,
-            distance,
-            target: [target_x, target_y, target_z],
-        });
+        self.view.set_camera(Camera { azimuth, elevation, distance, target: [target_x, target_y, target_z] });
     }
 
     /// Device pixels, and how many of them make a CSS pixel.
@@ -188,13 +159,13 @@ impl Renderer {
 
     /// Draws one frame.
     pub fn render(&mut self) {
-        self.view
-            .render(&self.gpu, self.scene.as_mut(), self.plan.as_ref());
+        self.view.render(&self.gpu, self.scene.as_mut(), self.plan.as_ref());
     }
 
     /// Stops telling of losses and lets the device go; call before `free`.
     pub fn close(&self) {
-        self.gpu.destroy();
+        // First the listener: letting the device go is reported as a loss too.
         LISTENERS.with_borrow_mut(|list| list.get_mut(self.listener as usize).map(Option::take));
+        self.gpu.destroy();
     }
 }

@@ -12,11 +12,7 @@ pub(crate) enum RenderError {
     /// The canvas gave no surface, or none this device can draw to.
     Surface(String),
     /// A buffer of the field is larger than this device takes.
-    TooLarge {
-        what: &'static str,
-        bytes: u64,
-        limit: u64,
-    },
+    TooLarge { what: &'static str, bytes: u64, limit: u64 },
     /// The buffers contradict each other: ours to fix.
     Malformed(&'static str),
 }

@@ -33,11 +33,8 @@ impl Gpu {
                 .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
                 .map_err(|error| RenderError::Surface(error.to_string()))
         };
-        let (early, canvas) = if cfg!(feature = "renderer-webgl") {
-            (Some(make_surface(canvas)?), None)
-        } else {
-            (None, Some(canvas))
-        };
+        let (early, canvas) =
+            if cfg!(feature = "renderer-webgl") { (Some(make_surface(canvas)?), None) } else { (None, Some(canvas)) };
         let adapter = instance
             .request_adapter(&wgpu::RequestAdapterOptions {
                 power_preference: wgpu::PowerPreference::HighPerformance,
@@ -58,13 +55,7 @@ impl Gpu {
         let flags = adapter.get_texture_format_features(format).flags;
         let samples = if flags.sample_count_supported(4) { 4 } else { 1 };
         let pipelines = Pipelines::new(&device, format, samples);
-        let gpu = Self {
-            device,
-            queue,
-            pipelines,
-            format,
-            samples,
-        };
+        let gpu = Self { device, queue, pipelines, format, samples };
         Ok((gpu, surface))
     }
 
@@ -80,9 +71,7 @@ impl Gpu {
 }
 
 /// The smallest limits that do: WebGL2's, with this adapter's own texture and buffer sizes.
-async fn request_device(
-    adapter: &wgpu::Adapter,
-) -> Result<(wgpu::Device, wgpu::Queue), RenderError> {
+async fn request_device(adapter: &wgpu::Adapter) -> Result<(wgpu::Device, wgpu::Queue), RenderError> {
     let offered = adapter.limits();
     let required_limits = wgpu::Limits {
         max_buffer_size: offered.max_buffer_size,
@@ -100,11 +89,8 @@ async fn request_device(
 }
 
 fn watch(device: &wgpu::Device, id: u32, on_lost: OnLost) {
-    device.set_device_lost_callback(move |reason, message| {
-        // Our own dispose is no loss.
-        if reason != wgpu::DeviceLostReason::Destroyed {
-            on_lost(id, &format!("the graphics device was lost: {message}"));
-        }
+    device.set_device_lost_callback(move |_, message| {
+        on_lost(id, &format!("the graphics device was lost: {message}"));
     });
     device.on_uncaptured_error(std::sync::Arc::new(move |error: wgpu::Error| match error {
         wgpu::Error::OutOfMemory { .. } => on_lost(id, "the graphics device is out of memory"),

@@ -8,7 +8,7 @@
 //! ```
 //!
 //! One frame: if the field is new, its shadow and height maps; then one multisampled pass:
-//! backdrop and ground, then all rocks in one indexed draw (and their edges in the wireframe view),
+//! backdrop and ground, then all rocks at once (outsides, insides; edges in the wireframe view),
 //! or the fills and strokes of a plan. Nothing is drawn unless asked for.
 //!
 //! Both backends run the same shaders and encode sRGB in them, so they give the same picture.
@@ -30,5 +30,5 @@ pub(crate) use error::RenderError;
 pub(crate) use gpu::Gpu;
 pub(crate) use palette::ColorMode;
 pub(crate) use plan::{Layer, Plan};
-pub(crate) use scene::{Mesh, Rocks, Scene};
+pub(crate) use scene::{Maps, Mesh, Rocks, Scene};
 pub(crate) use view::{Mode, View};

@@ -55,10 +55,7 @@ fn pack(rgb: [f32; 3]) -> u32 {
 }
 
 fn entry(table: &[[u8; 3]; 8], layer: u32) -> [f32; 3] {
-    table
-        .get(layer as usize % table.len())
-        .unwrap_or(&GREY)
-        .map(f32::from)
+    table.get(layer as usize % table.len()).unwrap_or(&GREY).map(f32::from)
 }
 
 /// The colour of one rock; `hash` from [`hash`] of its layer id and site index, so that it keeps its
@@ -113,22 +110,14 @@ fn oklch(lightness: f32, chroma: f32, hue: f32) -> [f32; 3] {
 }
 
 fn encode(linear: f32) -> f32 {
-    if linear <= 0.003_130_8 {
-        12.92 * linear
-    } else {
-        1.055 * linear.powf(1.0 / 2.4) - 0.055
-    }
+    if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
 /// An sRGB colour as a linear uniform.
 pub(crate) fn linear([r, g, b]: [u8; 3]) -> [f32; 4] {
     let decode = |c: u8| {
         let c = f32::from(c) / 255.0;
-        if c <= 0.04045 {
-            c / 12.92
-        } else {
-            ((c + 0.055) / 1.055).powf(2.4)
-        }
+        if c <= 0.04045 { c / 12.92 } else { ((c + 0.055) / 1.055).powf(2.4) }
     };
     [decode(r), decode(g), decode(b), 0.0]
 }
@@ -138,6 +127,8 @@ pub(crate) struct Theme {
     pub(crate) backdrop_low: [u8; 3],
     pub(crate) backdrop_high: [u8; 3],
     pub(crate) soil: [u8; 3],
+    /// What the soil dries to outside the image.
+    pub(crate) dust: [u8; 3],
     /// Under the diagrams.
     pub(crate) paper: [u8; 3],
     /// Round the plan.
@@ -151,6 +142,7 @@ pub(crate) const LIGHT: Theme = Theme {
     backdrop_low: [226, 228, 227],
     backdrop_high: [201, 211, 219],
     soil: [92, 74, 61],
+    dust: [214, 202, 184],
     paper: [250, 248, 243],
     table: [224, 228, 230],
     rule: [110, 104, 96],
@@ -160,6 +152,7 @@ pub(crate) const DARK: Theme = Theme {
     backdrop_low: [38, 37, 36],
     backdrop_high: [24, 27, 31],
     soil: [92, 74, 61],
+    dust: [62, 54, 48],
     paper: [27, 29, 32],
     table: [17, 18, 20],
     rule: [120, 118, 112],

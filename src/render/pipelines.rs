@@ -63,7 +63,8 @@ pub(crate) struct Pipelines {
     pub(crate) shadow: wgpu::RenderPipeline,
     pub(crate) height: wgpu::RenderPipeline,
     pub(crate) ground: wgpu::RenderPipeline,
-    pub(crate) rock: wgpu::RenderPipeline,
+    /// Outsides, then insides.
+    pub(crate) rock: [wgpu::RenderPipeline; 2],
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     plan: OnceCell<[wgpu::RenderPipeline; 2]>,
 }
@@ -75,8 +76,16 @@ struct Pass<'a> {
     lit: bool,
     buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     topology: wgpu::PrimitiveTopology,
+    sides: Sides,
     depth: Depth,
     target: Target,
+}
+
+/// Which sides of a face are drawn. Never only one: rocks overhang, and c_w may turn one inside out.
+enum Sides {
+    Both,
+    Out,
+    In,
 }
 
 enum Depth {
@@ -106,6 +115,7 @@ impl Pipelines {
             lit: false,
             buffers: &[Some(POSITION)],
             topology: wgpu::PrimitiveTopology::TriangleList,
+            sides: Sides::Both,
             depth: Depth::Test,
             target: Target::Shadow,
         });
@@ -115,6 +125,7 @@ impl Pipelines {
             lit: false,
             buffers: &[Some(POSITION)],
             topology: wgpu::PrimitiveTopology::TriangleList,
+            sides: Sides::Both,
             depth: Depth::Test,
             target: Target::Height,
         });
@@ -124,10 +135,14 @@ impl Pipelines {
             lit: true,
             buffers: &[],
             topology: wgpu::PrimitiveTopology::TriangleList,
+            sides: Sides::Both,
             depth: Depth::Ignore,
             target: Target::View { blend: false },
         });
-        let rock = make(rock_pass(Depth::Test));
+        // Where a rock turns away from the eye, a face and the hidden one behind it share an edge, and
+        // with it their depth: drawn together, specks of the hidden face show along the ridges. Its
+        // inside is therefore drawn second, pushed back.
+        let rock = [make(rock_pass(Sides::Out, Depth::Test)), make(rock_pass(Sides::In, Depth::TestBehind))];
         Self {
             frame_layout,
             field_layout,
@@ -157,13 +172,11 @@ impl Pipelines {
                 lit: false,
                 buffers: &[Some(POSITION), Some(COLOR)],
                 topology: wgpu::PrimitiveTopology::LineList,
+                sides: Sides::Both,
                 depth: Depth::Test,
                 target: Target::View { blend: false },
             };
-            [
-                self.make(device, rock_pass(Depth::TestBehind)),
-                self.make(device, edges),
-            ]
+            [self.make(device, rock_pass(Sides::Both, Depth::TestBehind)), self.make(device, edges)]
         })
     }
 
@@ -176,6 +189,7 @@ impl Pipelines {
                 lit: false,
                 buffers: &[Some(FILL)],
                 topology: wgpu::PrimitiveTopology::TriangleList,
+                sides: Sides::Both,
                 depth: Depth::Ignore,
                 target: Target::View { blend: false },
             };
@@ -185,6 +199,7 @@ impl Pipelines {
                 lit: false,
                 buffers: &[Some(STROKE)],
                 topology: wgpu::PrimitiveTopology::TriangleStrip,
+                sides: Sides::Both,
                 depth: Depth::Ignore,
                 target: Target::View { blend: true },
             };
@@ -193,13 +208,14 @@ impl Pipelines {
     }
 }
 
-fn rock_pass(depth: Depth) -> Pass<'static> {
+fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {
     Pass {
         label: "rock-field/rock/pipeline",
         source: include_str!("shaders/rock.wgsl"),
         lit: true,
         buffers: &[Some(POSITION), Some(COLOR)],
         topology: wgpu::PrimitiveTopology::TriangleList,
+        sides,
         depth,
         target: Target::View { blend: false },
     }
@@ -224,13 +240,7 @@ fn pipeline(
         immediate_size: 0,
     });
     let srgb = [("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 })];
-    let color = |format, blend| {
-        Some(wgpu::ColorTargetState {
-            format,
-            blend,
-            write_mask: wgpu::ColorWrites::ALL,
-        })
-    };
+    let color = |format, blend| Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL });
     let (targets, depth_format, count, constants) = match pass.target {
         Target::View { blend } => {
             let blend = blend.then_some(wgpu::BlendState::ALPHA_BLENDING);
@@ -244,10 +254,7 @@ fn pipeline(
         Depth::Test => (wgpu::CompareFunction::LessEqual, true, 0),
         Depth::TestBehind => (wgpu::CompareFunction::LessEqual, true, 2),
     };
-    let compilation = wgpu::PipelineCompilationOptions {
-        constants,
-        ..Default::default()
-    };
+    let compilation = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label: Some(pass.label),
         layout: Some(&layout),
@@ -259,8 +266,11 @@ fn pipeline(
         },
         primitive: wgpu::PrimitiveState {
             topology: pass.topology,
-            // Two-sided: rocks overhang, and c_w may turn one inside out.
-            cull_mode: None,
+            cull_mode: match pass.sides {
+                Sides::Both => None,
+                Sides::Out => Some(wgpu::Face::Back),
+                Sides::In => Some(wgpu::Face::Front),
+            },
             ..Default::default()
         },
         depth_stencil: Some(wgpu::DepthStencilState {
@@ -268,16 +278,9 @@ fn pipeline(
             depth_write_enabled: Some(depth_write),
             depth_compare: Some(depth_compare),
             stencil: Default::default(),
-            bias: wgpu::DepthBiasState {
-                constant: bias,
-                slope_scale: bias as f32 * 0.75,
-                clamp: 0.0,
-            },
+            bias: wgpu::DepthBiasState { constant: bias, slope_scale: bias as f32 * 0.75, clamp: 0.0 },
         }),
-        multisample: wgpu::MultisampleState {
-            count,
-            ..Default::default()
-        },
+        multisample: wgpu::MultisampleState { count, ..Default::default() },
         fragment: targets.as_ref().map(|target| wgpu::FragmentState {
             module: &module,
             entry_point: Some("fs_main"),
@@ -306,12 +309,8 @@ fn uniform_layout<T>(device: &wgpu::Device, label: &'static str) -> wgpu::BindGr
 }
 
 fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry = |binding, ty| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty,
-        count: None,
-    };
+    let entry =
+        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
     let texture = |sample_type| wgpu::BindingType::Texture {
         sample_type,
         view_dimension: wgpu::TextureViewDimension::D2,
@@ -323,10 +322,7 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         entries: &[
             entry(0, texture(wgpu::TextureSampleType::Depth)),
             entry(1, sampler(wgpu::SamplerBindingType::Comparison)),
-            entry(
-                2,
-                texture(wgpu::TextureSampleType::Float { filterable: true }),
-            ),
+            entry(2, texture(wgpu::TextureSampleType::Float { filterable: true })),
             entry(3, sampler(wgpu::SamplerBindingType::Filtering)),
         ],
     })

@@ -27,6 +27,14 @@ pub(crate) struct Plan {
     stroke_count: u32,
 }
 
+impl Drop for Plan {
+    /// As for a scene: not left to JavaScript's collector.
+    fn drop(&mut self) {
+        self.fills.destroy();
+        self.strokes.destroy();
+    }
+}
+
 type Point = [f32; 2];
 
 /// Corners of the quad every stroke is drawn as, a triangle strip.
@@ -122,12 +130,7 @@ impl Plan {
     }
 
     /// The selected cells in their layers' colours, dark outlines, dark ground: Fig. 8 (d).
-    pub(crate) fn selection(
-        gpu: &Gpu,
-        image: Point,
-        layers: &[Layer],
-        theme: &Theme,
-    ) -> Result<Self, RenderError> {
+    pub(crate) fn selection(gpu: &Gpu, image: Point, layers: &[Layer], theme: &Theme) -> Result<Self, RenderError> {
         let mut ink = Ink::default();
         let sheet = corners(image);
         ink.fill(&sheet, palette::packed(palette::GROUND));
@@ -148,10 +151,8 @@ impl Plan {
     fn upload(gpu: &Gpu, ink: &Ink) -> Result<Self, RenderError> {
         let make = |label, what, words: &[u32]| {
             let bytes = 4 * words.len() as u64;
-            let buffer =
-                upload::buffer(&gpu.device, label, what, bytes, wgpu::BufferUsages::VERTEX)?;
-            gpu.queue
-                .write_buffer(&buffer, 0, bytemuck::cast_slice(words));
+            let buffer = upload::buffer(&gpu.device, label, what, bytes, wgpu::BufferUsages::VERTEX)?;
+            gpu.queue.write_buffer(&buffer, 0, bytemuck::cast_slice(words));
             Ok(buffer)
         };
         Ok(Self {
@@ -162,11 +163,7 @@ impl Plan {
         })
     }
 
-    pub(crate) fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        [fills, strokes]: &[wgpu::RenderPipeline; 2],
-    ) {
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, [fills, strokes]: &[wgpu::RenderPipeline; 2]) {
         pass.set_pipeline(fills);
         pass.set_vertex_buffer(0, self.fills.slice(..));
         pass.draw(0..self.fill_vertices, 0..1);

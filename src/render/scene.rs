@@ -50,16 +50,53 @@ pub(crate) struct Scene {
     pub(crate) radius: f32,
     pub(crate) image: [f32; 2],
     pub(crate) field_group: wgpu::BindGroup,
-    pub(crate) maps_group: wgpu::BindGroup,
-    shadow: wgpu::TextureView,
-    height: wgpu::TextureView,
-    height_depth: wgpu::TextureView,
+    pub(crate) maps: Maps,
     maps_drawn: bool,
 }
 
+/// The textures the light is read from; handles, so a clone is the same textures.
+#[derive(Clone)]
+pub(crate) struct Maps {
+    pub(crate) group: wgpu::BindGroup,
+    side: u32,
+    shadow: wgpu::TextureView,
+    height: wgpu::TextureView,
+    height_depth: wgpu::TextureView,
+}
+
+impl Maps {
+    pub(crate) fn new(gpu: &Gpu) -> Self {
+        let side = MAP_SIDE.min(gpu.max_side());
+        let map = |label, format| {
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+            texture(&gpu.device, label, (side, side), 1, format, usage)
+        };
+        let shadow = map("rock-field/shadow/map", SHADOW_FORMAT);
+        let height = map("rock-field/height/map", HEIGHT_FORMAT);
+        Self {
+            group: maps_group(gpu, &shadow, &height),
+            side,
+            shadow,
+            height,
+            height_depth: map("rock-field/height/depth", SHADOW_FORMAT),
+        }
+    }
+}
+
+impl Drop for Scene {
+    /// A WebGPU buffer lives until JavaScript collects it: while a slider is dragged that is too late.
+    fn drop(&mut self) {
+        let buffers = [&self.positions, &self.colors, &self.indices];
+        for buffer in buffers.into_iter().chain(&self.edges) {
+            buffer.destroy();
+        }
+    }
+}
+
 impl Scene {
-    /// Uploads `mesh`, grown on an image of `image` px. Its colours follow with [`Scene::paint`].
-    pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: Mesh<'_>) -> Result<Self, RenderError> {
+    /// Uploads `mesh`, grown on an image of `image` px. Its colours follow with [`Scene::paint`], its
+    /// maps with [`Scene::draw_maps`]; `maps` may be those of the scene it replaces.
+    pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: Mesh<'_>, maps: Maps) -> Result<Self, RenderError> {
         let vertex_count = mesh.positions.length() / 3;
         let index_count = mesh.indices.length() / 3 * 3;
         let rocks = mesh.rocks;
@@ -67,9 +104,7 @@ impl Scene {
             || rocks.layers.len() + 1 != rocks.vertex_starts.len()
             || rocks.vertex_starts.last() != Some(&vertex_count)
         {
-            return Err(RenderError::Malformed(
-                "rockStarts, vertexStarts, rockLayer and selected disagree",
-            ));
+            return Err(RenderError::Malformed("rockStarts, vertexStarts, rockLayer and selected disagree"));
         }
         let make = |label, what, elements: u32, usage| {
             upload::buffer(&gpu.device, label, what, 4 * u64::from(elements), usage)
@@ -77,12 +112,7 @@ impl Scene {
         let vertex = wgpu::BufferUsages::VERTEX;
         let positions = make("rock-field/rock/positions", "vertices", 3 * vertex_count, vertex)?;
         let colors = make("rock-field/rock/colors", "colours", vertex_count, vertex)?;
-        let indices = make(
-            "rock-field/rock/indices",
-            "triangles",
-            index_count,
-            wgpu::BufferUsages::INDEX,
-        )?;
+        let indices = make("rock-field/rock/indices", "triangles", index_count, wgpu::BufferUsages::INDEX)?;
 
         let mut low = Vec3::ZERO;
         let mut high = Vec3::new(image[0], image[1], 1.0);
@@ -91,7 +121,7 @@ impl Scene {
             let end = start + slice.len() as u32;
             mesh.positions.subarray(start, end).copy_to(slice);
             for &value in slice.iter() {
-                // A slice need not end with a vertex: the axis is carried along. NaN changes nothing.
+                // NaN changes nothing.
                 low[axis] = low[axis].min(value);
                 high[axis] = high[axis].max(value);
                 axis = (axis + 1) % 3;
@@ -111,8 +141,7 @@ impl Scene {
             return Err(RenderError::Malformed("a coordinate is infinite"));
         }
 
-        let side = MAP_SIDE.min(gpu.max_side());
-        let uniforms = field_uniforms(image, low, high, side as f32);
+        let uniforms = field_uniforms(image, low, high, maps.side as f32);
         let buffer = upload::buffer(
             &gpu.device,
             "rock-field/field/uniforms",
@@ -120,25 +149,12 @@ impl Scene {
             size_of::<FieldUniforms>() as u64,
             wgpu::BufferUsages::UNIFORM,
         )?;
-        gpu.queue
-            .write_buffer(&buffer, 0, bytemuck::bytes_of(&uniforms));
+        gpu.queue.write_buffer(&buffer, 0, bytemuck::bytes_of(&uniforms));
         let field_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("rock-field/field/group"),
             layout: &gpu.pipelines.field_layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: buffer.as_entire_binding(),
-            }],
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
         });
-        let map = |label, format| {
-            let usage =
-                wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-            texture(&gpu.device, label, (side, side), 1, format, usage)
-        };
-        let shadow = map("rock-field/shadow/map", SHADOW_FORMAT);
-        let height = map("rock-field/height/map", HEIGHT_FORMAT);
-        let height_depth = map("rock-field/height/depth", SHADOW_FORMAT);
-        let maps_group = maps_group(gpu, &shadow, &height);
         Ok(Self {
             positions,
             colors,
@@ -152,10 +168,7 @@ impl Scene {
             radius: (high - low).length() * 0.5,
             image,
             field_group,
-            maps_group,
-            shadow,
-            height,
-            height_depth,
+            maps,
             maps_drawn: false,
         })
     }
@@ -189,11 +202,7 @@ impl Scene {
     }
 
     /// Makes the line list of every triangle's edges; `indices` as given to [`Scene::new`].
-    pub(crate) fn set_edges(
-        &mut self,
-        gpu: &Gpu,
-        indices: &js_sys::Uint32Array,
-    ) -> Result<(), RenderError> {
+    pub(crate) fn set_edges(&mut self, gpu: &Gpu, indices: &js_sys::Uint32Array) -> Result<(), RenderError> {
         if indices.length() / 3 * 3 != self.index_count {
             return Err(RenderError::Malformed("edges of another field"));
         }
@@ -206,21 +215,14 @@ impl Scene {
         )?;
         // Two line ends per corner; inner edges come twice, from either side, which costs less than
         // finding out.
-        let mut triangle = [0; 3];
+        let mut corners = Vec::new();
         upload::write::<u32>(&gpu.queue, &buffer, 2 * self.index_count, |start, slice| {
-            for (end, out) in (start..).zip(slice) {
-                let corner = end % 6;
-                if corner == 0 || end == start {
-                    let first = end / 6 * 3;
-                    indices.subarray(first, first + 3).copy_to(&mut triangle);
+            corners.resize(slice.len() / 2, 0);
+            indices.subarray(start / 2, start / 2 + corners.len() as u32).copy_to(&mut corners);
+            for (triangle, edges) in corners.chunks_exact(3).zip(slice.chunks_exact_mut(6)) {
+                if let &[a, b, c] = triangle {
+                    edges.copy_from_slice(&[a, b, b, c, c, a]);
                 }
-                // 0 1, 1 2, 2 0
-                let [a, b, c] = triangle;
-                *out = match corner {
-                    0 | 5 => a,
-                    1 | 2 => b,
-                    _ => c,
-                };
             }
         });
         self.edges = Some(buffer);
@@ -229,37 +231,29 @@ impl Scene {
 
     /// Draws the shadow and height maps if they are not yet there. Nothing moves but by a new field, so
     /// once is enough.
-    pub(crate) fn draw_maps(
-        &mut self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        frame_group: &wgpu::BindGroup,
-    ) {
+    pub(crate) fn draw_maps(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, frame_group: &wgpu::BindGroup) {
         if self.maps_drawn {
             return;
         }
         self.maps_drawn = true;
         let height_color = wgpu::RenderPassColorAttachment {
-            view: &self.height,
+            view: &self.maps.height,
             depth_slice: None,
             resolve_target: None,
-            ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
-                store: wgpu::StoreOp::Store,
-            },
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
         };
         let passes = [
             (
                 "rock-field/shadow/pass",
                 &gpu.pipelines.shadow,
                 None,
-                depth_attachment(&self.shadow, wgpu::StoreOp::Store),
+                depth_attachment(&self.maps.shadow, wgpu::StoreOp::Store),
             ),
             (
                 "rock-field/height/pass",
                 &gpu.pipelines.height,
                 Some(height_color),
-                depth_attachment(&self.height_depth, wgpu::StoreOp::Discard),
+                depth_attachment(&self.maps.height_depth, wgpu::StoreOp::Discard),
             ),
         ];
         for (label, pipeline, color, depth) in passes {
@@ -276,22 +270,13 @@ impl Scene {
         }
     }
 
-    /// All rocks, one draw.
-    pub(crate) fn draw_rocks(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        colored: bool,
-    ) {
+    /// All rocks in one draw.
+    pub(crate) fn draw_rocks(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, colored: bool) {
         self.draw(pass, pipeline, colored, &self.indices, self.index_count);
     }
 
     /// All edges, one draw; nothing before [`Scene::set_edges`].
-    pub(crate) fn draw_edges(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-    ) {
+    pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         if let Some(edges) = &self.edges {
             self.draw(pass, pipeline, true, edges, 2 * self.index_count);
         }
@@ -334,11 +319,7 @@ fn field_uniforms(image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUni
     let mut most = Vec3::NEG_INFINITY;
     for corner in 0..8 {
         let pick = |bit: u32, a: f32, b: f32| if corner >> bit & 1 == 0 { a } else { b };
-        let at = Vec3::new(
-            pick(0, from.x, to.x),
-            pick(1, from.y, to.y),
-            pick(2, from.z, to.z),
-        );
+        let at = Vec3::new(pick(0, from.x, to.x), pick(1, from.y, to.y), pick(2, from.z, to.z));
         let seen = Vec3::new(at.dot(right), at.dot(up), -at.dot(sun));
         least = least.min(seen);
         most = most.max(seen);
@@ -351,11 +332,7 @@ fn field_uniforms(image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUni
     );
     let span = most - least;
     let to_clip = Mat4::from_scale(Vec3::new(2.0 / span.x, 2.0 / span.y, 1.0 / span.z))
-        * Mat4::from_translation(Vec3::new(
-            -(least.x + most.x) * 0.5,
-            -(least.y + most.y) * 0.5,
-            -least.z,
-        ));
+        * Mat4::from_translation(Vec3::new(-(least.x + most.x) * 0.5, -(least.y + most.y) * 0.5, -least.z));
     // A margin of four texels keeps the taps at the border on empty ground.
     let extent = (high - low).truncate();
     let texel = extent.max_element() / (side - 8.0);
@@ -366,15 +343,11 @@ fn field_uniforms(image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUni
         sun: sun.extend(span.x.max(span.y) / side).to_array(),
         map: [corner.x, corner.y, scale.x, scale.y],
         size: [image[0], image[1], high.z.max(1.0), 0.0],
-        ground: [0.26 * image[0].max(image[1]), texel, 0.0, 0.0],
+        ground: [0.36 * image[0].max(image[1]), texel, 0.0, 0.0],
     }
 }
 
-fn maps_group(
-    gpu: &Gpu,
-    shadow: &wgpu::TextureView,
-    height: &wgpu::TextureView,
-) -> wgpu::BindGroup {
+fn maps_group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> wgpu::BindGroup {
     let sampler = |label, compare| {
         gpu.device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some(label),
@@ -384,10 +357,7 @@ fn maps_group(
             ..Default::default()
         })
     };
-    let compare = sampler(
-        "rock-field/shadow/sampler",
-        Some(wgpu::CompareFunction::LessEqual),
-    );
+    let compare = sampler("rock-field/shadow/sampler", Some(wgpu::CompareFunction::LessEqual));
     let linear = sampler("rock-field/height/sampler", None);
     let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {

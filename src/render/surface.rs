@@ -7,16 +7,11 @@ pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth2
 
 /// The surface's first format, preferably one that stores what the shader wrote: we encode sRGB
 /// ourselves, once, on both backends.
-pub(crate) fn format(
-    surface: &wgpu::Surface<'_>,
-    adapter: &wgpu::Adapter,
-) -> Result<wgpu::TextureFormat, RenderError> {
+pub(crate) fn format(surface: &wgpu::Surface<'_>, adapter: &wgpu::Adapter) -> Result<wgpu::TextureFormat, RenderError> {
     let formats = surface.get_capabilities(adapter).formats;
     formats
         .iter()
-        .find(|format| {
-            matches!(format, wgpu::TextureFormat::Rgba8Unorm | wgpu::TextureFormat::Bgra8Unorm)
-        })
+        .find(|format| matches!(format, wgpu::TextureFormat::Rgba8Unorm | wgpu::TextureFormat::Bgra8Unorm))
         .or(formats.first())
         .copied()
         .ok_or_else(|| RenderError::Surface("it offers no format".into()))
@@ -36,13 +31,7 @@ impl Target {
     pub(crate) fn new(gpu: &Gpu, surface: wgpu::Surface<'static>) -> Self {
         let (width, height) = (1, 1);
         let (color, depth) = attachments(gpu, width, height);
-        let target = Self {
-            surface,
-            width,
-            height,
-            color,
-            depth,
-        };
+        let target = Self { surface, width, height, color, depth };
         target.configure(gpu);
         target
     }
@@ -55,6 +44,9 @@ impl Target {
             return;
         }
         (self.width, self.height) = (width, height);
+        for view in self.color.iter().chain([&self.depth]) {
+            view.texture().destroy();
+        }
         (self.color, self.depth) = attachments(gpu, width, height);
         self.configure(gpu);
     }
@@ -94,10 +86,7 @@ impl Target {
         &'a self,
         frame: &'a wgpu::TextureView,
         clear: wgpu::Color,
-    ) -> (
-        wgpu::RenderPassColorAttachment<'a>,
-        wgpu::RenderPassDepthStencilAttachment<'a>,
-    ) {
+    ) -> (wgpu::RenderPassColorAttachment<'a>, wgpu::RenderPassDepthStencilAttachment<'a>) {
         let (view, resolve_target, store) = match &self.color {
             Some(color) => (color, Some(frame), wgpu::StoreOp::Discard),
             None => (frame, None, wgpu::StoreOp::Store),
@@ -106,10 +95,7 @@ impl Target {
             view,
             depth_slice: None,
             resolve_target,
-            ops: wgpu::Operations {
-                load: wgpu::LoadOp::Clear(clear),
-                store,
-            },
+            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store },
         };
         (color, depth_attachment(&self.depth, wgpu::StoreOp::Discard))
     }
@@ -122,28 +108,14 @@ pub(crate) fn depth_attachment(
 ) -> wgpu::RenderPassDepthStencilAttachment<'_> {
     wgpu::RenderPassDepthStencilAttachment {
         view,
-        depth_ops: Some(wgpu::Operations {
-            load: wgpu::LoadOp::Clear(1.0),
-            store,
-        }),
+        depth_ops: Some(wgpu::Operations { load: wgpu::LoadOp::Clear(1.0), store }),
         stencil_ops: None,
     }
 }
 
-fn attachments(
-    gpu: &Gpu,
-    width: u32,
-    height: u32,
-) -> (Option<wgpu::TextureView>, wgpu::TextureView) {
+fn attachments(gpu: &Gpu, width: u32, height: u32) -> (Option<wgpu::TextureView>, wgpu::TextureView) {
     let make = |label, format| {
-        texture(
-            &gpu.device,
-            label,
-            (width, height),
-            gpu.samples,
-            format,
-            wgpu::TextureUsages::RENDER_ATTACHMENT,
-        )
+        texture(&gpu.device, label, (width, height), gpu.samples, format, wgpu::TextureUsages::RENDER_ATTACHMENT)
     };
     let color = (gpu.samples > 1).then(|| make("rock-field/view/color", gpu.format));
     (color, make("rock-field/view/depth", DEPTH_FORMAT))
@@ -161,11 +133,7 @@ pub(crate) fn texture(
     device
         .create_texture(&wgpu::TextureDescriptor {
             label: Some(label),
-            size: wgpu::Extent3d {
-                width,
-                height,
-                depth_or_array_layers: 1,
-            },
+            size: wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
             mip_level_count: 1,
             sample_count,
             dimension: wgpu::TextureDimension::D2,

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-/// Once per frame and view. Size 192 B.
+/// Once per frame and view. Size 208 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Globals {
@@ -22,6 +22,7 @@ pub(crate) struct Globals {
     pub(crate) backdrop_low: [f32; 4],
     pub(crate) backdrop_high: [f32; 4],
     pub(crate) soil: [f32; 4],
+    pub(crate) dust: [f32; 4],
 }
 
 /// Once per field. Size 128 B.

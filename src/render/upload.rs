@@ -2,8 +2,9 @@
 
 use super::RenderError;
 
-/// 4-byte elements per slice: 512 KiB of scratch.
-const SLICE: u32 = 1 << 17;
+/// 4-byte elements per slice, 384 KiB of scratch; a multiple of 6, so that neither a vertex nor a
+/// triangle nor its edges are cut in two.
+const SLICE: u32 = 6 << 14;
 
 /// Makes a buffer of `bytes` (at least 4: empty buffers are not portable), or says why it cannot.
 pub(crate) fn buffer(

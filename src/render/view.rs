@@ -40,21 +40,13 @@ impl View {
         let frame_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("rock-field/view/group"),
             layout: &gpu.pipelines.frame_layout,
-            entries: &[wgpu::BindGroupEntry {
-                binding: 0,
-                resource: globals.as_entire_binding(),
-            }],
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: globals.as_entire_binding() }],
         });
         Ok(Self {
             target: Target::new(gpu, surface),
             globals,
             frame_group,
-            camera: Camera {
-                azimuth: 0.0,
-                elevation: 1.0,
-                distance: 1000.0,
-                target: [0.0; 3],
-            },
+            camera: Camera { azimuth: 0.0, elevation: 1.0, distance: 1000.0, target: [0.0; 3] },
             mode: Mode::Rocks,
             color: ColorMode::Layer,
             dark: false,
@@ -79,20 +71,11 @@ impl View {
     }
 
     /// The plan this view shows, if it shows one.
-    pub(crate) fn plan(
-        &self,
-        gpu: &Gpu,
-        scene: Option<&Scene>,
-        layers: &[Layer],
-    ) -> Result<Option<Plan>, RenderError> {
+    pub(crate) fn plan(&self, gpu: &Gpu, scene: Option<&Scene>, layers: &[Layer]) -> Result<Option<Plan>, RenderError> {
         let theme = if self.dark { &DARK } else { &LIGHT };
         match (self.mode, scene) {
-            (Mode::Diagrams, Some(scene)) => {
-                Plan::diagrams(gpu, scene.image, layers, self.dark, theme).map(Some)
-            }
-            (Mode::Selection, Some(scene)) => {
-                Plan::selection(gpu, scene.image, layers, theme).map(Some)
-            }
+            (Mode::Diagrams, Some(scene)) => Plan::diagrams(gpu, scene.image, layers, self.dark, theme).map(Some),
+            (Mode::Selection, Some(scene)) => Plan::selection(gpu, scene.image, layers, theme).map(Some),
             _ => Ok(None),
         }
     }
@@ -103,8 +86,7 @@ impl View {
             return;
         };
         let globals = self.globals(scene.as_deref());
-        gpu.queue
-            .write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
+        gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let scene = scene.map(|scene| {
             if self.is_solid() {
@@ -127,7 +109,9 @@ impl View {
             match (self.mode, plan) {
                 (Mode::Rocks, _) => {
                     self.draw_ground(gpu, scene, &mut pass);
-                    scene.draw_rocks(&mut pass, &gpu.pipelines.rock, true);
+                    for sides in &gpu.pipelines.rock {
+                        scene.draw_rocks(&mut pass, sides, true);
+                    }
                 }
                 (Mode::Wireframe, _) => {
                     let [fill, edges] = gpu.pipelines.wire(&gpu.device);
@@ -145,7 +129,7 @@ impl View {
     }
 
     fn draw_ground(&self, gpu: &Gpu, scene: &Scene, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_bind_group(2, &scene.maps_group, &[]);
+        pass.set_bind_group(2, &scene.maps.group, &[]);
         pass.set_pipeline(&gpu.pipelines.ground);
         pass.draw(0..3, 0..1);
     }
@@ -177,22 +161,16 @@ impl View {
         let zoom = 1.0 / (self.camera.distance * tangent);
         let wireframe = if self.mode == Mode::Wireframe { 1.0 } else { 0.0 };
         Globals {
-            clip_from_eye: frame
-                .clip_from_eye(aspect, center, radius)
-                .to_cols_array_2d(),
+            clip_from_eye: frame.clip_from_eye(aspect, center, radius).to_cols_array_2d(),
             eye: frame.eye.extend(self.ratio).to_array(),
             ray_right: (frame.right * tangent * aspect).extend(width).to_array(),
             ray_up: (frame.up * tangent).extend(height).to_array(),
             ray_forward: frame.forward.extend(wireframe).to_array(),
-            plan: [
-                self.camera.target[0],
-                self.camera.target[1],
-                zoom / aspect,
-                zoom,
-            ],
+            plan: [self.camera.target[0], self.camera.target[1], zoom / aspect, zoom],
             backdrop_low: palette::linear(theme.backdrop_low),
             backdrop_high: palette::linear(theme.backdrop_high),
             soil: palette::linear(theme.soil),
+            dust: palette::linear(theme.dust),
         }
     }
 }

@@ -147,10 +147,12 @@ impl CellCutter {
         self.spare.push(Edge::after(before.g, g, neighbor));
         // … and ends on the edge that leaves the last one.
         self.spare.push(Edge::after(g, after.g, after.neighbor));
-        let mut k = next(last);
-        while k != first {
-            self.spare.push(self.edges[k]);
-            k = next(k);
+        let kept = next(last);
+        if kept <= first {
+            self.spare.extend_from_slice(&self.edges[kept..first]);
+        } else {
+            self.spare.extend_from_slice(&self.edges[kept..]);
+            self.spare.extend_from_slice(&self.edges[..first]);
         }
         core::mem::swap(&mut self.edges, &mut self.spare);
         self.update_reach();

@@ -15,8 +15,8 @@ pub(crate) struct Grid {
 impl Grid {
     /// Buckets of `side` px (raised where that would mean more buckets than sites).
     pub(crate) fn new(width: u32, height: u32, side: u32, pixels: &[Pixel]) -> Self {
-        // More than about one bucket per site only costs memory and empty visits.
-        let roomy = (f64::from(width) * f64::from(height) / pixels.len().max(1) as f64).sqrt() as u32;
+        // Far more buckets than sites only cost memory and empty visits.
+        let roomy = (0.5 * f64::from(width) * f64::from(height) / pixels.len().max(1) as f64).sqrt() as u32;
         let side = side.max(roomy).max(1);
         let (columns, rows) = (width.div_ceil(side), height.div_ceil(side));
         let mut starts = vec![0_u32; (columns * rows) as usize + 1];
@@ -51,8 +51,18 @@ impl Grid {
         &self.order[from..to]
     }
 
-    /// Calls `visit` with every site whose bucket lies exactly `ring` buckets from bucket (column, row).
+    /// Calls `visit` with every site whose bucket lies at most one bucket from bucket (column, row).
+    #[inline]
+    pub(crate) fn block(&self, column: u32, row: u32, mut visit: impl FnMut(u32)) {
+        let (left, right) = (column.saturating_sub(1), (column + 1).min(self.columns - 1));
+        for r in row.saturating_sub(1)..=(row + 1).min(self.rows - 1) {
+            self.run(r, left, right).iter().for_each(|&site| visit(site));
+        }
+    }
+
+    /// Calls `visit` with every site whose bucket lies exactly `ring` ≥ 1 buckets from bucket (column, row).
     /// False when no bucket of the image is that far away.
+    #[inline]
     pub(crate) fn ring(&self, column: u32, row: u32, ring: u32, mut visit: impl FnMut(u32)) -> bool {
         let (left, right) = (column.checked_sub(ring), Some(column + ring).filter(|&c| c < self.columns));
         let (low, high) = (row.checked_sub(ring), Some(row + ring).filter(|&r| r < self.rows));
@@ -60,15 +70,12 @@ impl Grid {
             return false;
         }
         let columns = (left.unwrap_or(0), right.unwrap_or(self.columns - 1));
-        for edge in [low, high].into_iter().flatten().take(if ring == 0 { 1 } else { 2 }) {
+        for edge in [low, high].into_iter().flatten() {
             self.run(edge, columns.0, columns.1).iter().for_each(|&site| visit(site));
         }
-        if ring > 0 {
-            let inner = low.map_or(0, |r| r + 1)..high.unwrap_or(self.rows);
-            for r in inner {
-                for edge in [left, right].into_iter().flatten() {
-                    self.run(r, edge, edge).iter().for_each(|&site| visit(site));
-                }
+        for r in low.map_or(0, |r| r + 1)..high.unwrap_or(self.rows) {
+            for edge in [left, right].into_iter().flatten() {
+                self.run(r, edge, edge).iter().for_each(|&site| visit(site));
             }
         }
         true
@@ -78,20 +85,21 @@ impl Grid {
     pub(crate) fn owner(&self, pixels: &[Pixel], x: u32, y: u32) -> Option<u32> {
         let (column, row) = (x / self.side, y / self.side);
         let mut best: Option<(u64, u32)> = None;
-        for ring in 0.. {
+        let consider = |best: &mut Option<(u64, u32)>, site: u32| {
+            let [sx, sy] = pixels[site as usize].map(u32::from);
+            let d2 = u64::from(sx.abs_diff(x)).pow(2) + u64::from(sy.abs_diff(y)).pow(2);
+            if best.is_none_or(|nearest| (d2, site) < nearest) {
+                *best = Some((d2, site));
+            }
+        };
+        self.block(column, row, |site| consider(&mut best, site));
+        for ring in 2.. {
             // A site `ring` buckets away is farther than (ring − 1) bucket sides.
-            let reach = u64::from(ring).saturating_sub(1) * u64::from(self.side);
-            if best.is_some_and(|(d2, _)| reach * reach > d2) {
+            let clear = u64::from(ring - 1) * u64::from(self.side);
+            if best.is_some_and(|(d2, _)| clear * clear > d2) {
                 break;
             }
-            let more = self.ring(column, row, ring, |site| {
-                let [sx, sy] = pixels[site as usize].map(u32::from);
-                let d2 = u64::from(sx.abs_diff(x)).pow(2) + u64::from(sy.abs_diff(y)).pow(2);
-                if best.is_none_or(|(nearest, index)| (d2, site) < (nearest, index)) {
-                    best = Some((d2, site));
-                }
-            });
-            if !more {
+            if !self.ring(column, row, ring, |site| consider(&mut best, site)) {
                 break;
             }
         }

@@ -112,7 +112,11 @@ impl DartThrower {
                 }
                 picks = picks.saturating_sub(batch);
                 match &mut self.picks_left {
-                    Some(left) => *left -= u64::from(batch),
+                    Some(left) => {
+                        *left -= u64::from(batch);
+                        // Below a pixel N_p grows without bound; once every pixel is a site no pick can hit any more.
+                        self.sites.saturated = self.sites.pixels.len() as u64 == self.bitmap.pixels();
+                    }
                     None if hits < FEW_HITS => {
                         let mut free = Vec::new();
                         self.bitmap.push_clear(&mut free);

@@ -125,18 +125,19 @@ impl VoronoiBuilder {
         match &self.neighborhood {
             Neighborhood::Local => {
                 let (column, row) = (x / grid.side, y / grid.side);
-                for ring in 0_i32.. {
+                grid.block(column, row, |other| {
+                    if other as usize != site {
+                        cutter.cut(offset(sites.pixels[other as usize]), other);
+                    }
+                });
+                for ring in 2_u32.. {
                     // Sites `ring` buckets away are farther than (ring − 1) bucket sides.
                     let clear = f64::from(grid.side) * f64::from(ring - 1);
-                    if ring > 1 && !cutter.is_reached_from(clear * clear) {
+                    if !cutter.is_reached_from(clear * clear) {
                         break;
                     }
-                    let more = grid.ring(column, row, ring as u32, |other| {
-                        if other as usize != site {
-                            cutter.cut(offset(sites.pixels[other as usize]), other);
-                        }
-                    });
-                    if !more {
+                    let visit = |other: u32| cutter.cut(offset(sites.pixels[other as usize]), other);
+                    if !grid.ring(column, row, ring, visit) {
                         break;
                     }
                 }

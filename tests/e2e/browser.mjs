@@ -17,6 +17,8 @@ const QUIET = ['--disable-quic', '--no-first-run', '--disable-background-network
 // `navigator.gpu` exists and its adapter is null: the case the WebGL2 fallback is for.
 const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const WEBGPU = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan,WebGPU', '--use-vulkan=swiftshader'];
+// Said by the browser because of how it is started here, whatever the page does: no adapter, no service worker.
+const EXPECTED_WARNINGS = /^(No available adapters\.|Service Worker registration blocked by Playwright)/;
 const NO_GPU = ['--disable-gpu', '--disable-3d-apis', '--disable-software-rasterizer'];
 
 /**
@@ -65,7 +67,7 @@ async function open(browser, base, address = '', { serviceWorkers = 'block', pre
   owner.on('console', (message) => {
     const from = `${message.text()} (${message.location().url})`;
     if (message.type() === 'error') errors.push(from);
-    if (message.type() === 'warning') warnings.push(from);
+    if (message.type() === 'warning' && !EXPECTED_WARNINGS.test(message.text())) warnings.push(from);
   });
   owner.on('weberror', (event) => errors.push(String(event.error()?.stack ?? event.error())));
   await prepare?.(page);

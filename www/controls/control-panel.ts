@@ -76,23 +76,27 @@ export class ControlPanel extends LitElement {
     return html`
       ${this.#toolbar()}
       <div class="panel-body">${this.#start()} ${this.#layers()} ${this.#ground()} ${this.#statistics()} ${this.#page()}</div>
-      <p class="help-line" aria-hidden="true" .textContent=${this.store.text('helpHint')}></p>
+      <p class="help-line is-idle" aria-hidden="true" .textContent=${this.store.text('helpHint')}></p>
     `;
   }
 
   #toolbar(): TemplateResult {
     const { store, actions } = this;
     const t = (key: StringKey) => store.text(key);
+    const isEdited = this.#isEdited();
     return html`
       <div class="toolbar">
         <button class="button sheet-toggle" type="button" aria-expanded=${this.isOpen} @click=${() => (this.isOpen = !this.isOpen)}>
-          ${icon('down')}<span>${t(this.isOpen ? 'hideControls' : 'showControls')}</span>
+          ${icon('down')}${t('controls')}
         </button>
-        <h1 class="wordmark">${t('title')}</h1>
+        <h1 class="wordmark"><img src="icon.svg" alt="" width="20" height="20" />${t('title')}</h1>
         ${iconButton({ icon: 'undo', label: t('undo'), action: () => store.undo(), disabled: !store.canUndo })}
         ${iconButton({ icon: 'redo', label: t('redo'), action: () => store.redo(), disabled: !store.canRedo })}
+        ${iconButton({ icon: 'reset', label: t('reset'), action: () => store.reset(), disabled: !isEdited && store.params.seed === 0 })}
         ${iconButton({ icon: 'randomise', label: t('randomise'), action: actions.randomise })}
-        <button class="button button-primary share" type="button" title=${t('shareHelp')} @click=${actions.share}>${icon('share')}<span>${t('share')}</span></button>
+        <button class="button button-primary share" type="button" title=${t('shareHelp')} aria-label=${t('share')} @click=${actions.share}>
+          ${icon('share')}<span>${t('share')}</span>
+        </button>
       </div>
     `;
   }
@@ -101,29 +105,25 @@ export class ControlPanel extends LitElement {
   #start(): TemplateResult {
     const { store } = this;
     const { params, preset, language } = store;
-    const isEdited = JSON.stringify({ ...params, seed: 0 }) !== JSON.stringify(presetParams(preset));
     const problem = problemOf(store, SEED, null);
     return html`
       <section class="start" aria-label=${store.text('preset')}>
         <div class="control" data-param="preset" data-help=${store.text('presetHelp')}>
           <div class="control-head">
             <label class="control-label" for="preset">${store.text('preset')}</label>
-            ${isEdited ? html`<span class="quiet">${store.text('edited')}</span>` : nothing}
+            ${this.#isEdited() ? html`<span class="quiet">${store.text('edited')}</span>` : nothing}
           </div>
-          <div class="field-row">
-            <select class="select" id="preset" aria-describedby="preset-help" .value=${live(preset)} @change=${this.#choosePreset}>
-              ${(['journal', 'conference'] as const).map(
-                (paper) => html`
-                  <optgroup label=${store.text(paper)}>
-                    ${PRESETS.filter(({ name }) => name.startsWith(paper)).map(
-                      (row) => html`<option value=${row.name} ?selected=${row.name === preset}>${presetLabel(row, COLUMNS)}</option>`,
-                    )}
-                  </optgroup>
-                `,
-              )}
-            </select>
-            ${iconButton({ icon: 'reset', label: store.text('reset'), action: () => store.reset(), disabled: !isEdited && params.seed === 0 })}
-          </div>
+          <select class="select" id="preset" aria-describedby="preset-help" .value=${live(preset)} @change=${this.#choosePreset}>
+            ${(['journal', 'conference'] as const).map(
+              (paper) => html`
+                <optgroup label=${store.text(paper)}>
+                  ${PRESETS.filter(({ name }) => name.startsWith(paper)).map(
+                    (row) => html`<option value=${row.name} ?selected=${row.name === preset}>${presetLabel(language, row, COLUMNS)}</option>`,
+                  )}
+                </optgroup>
+              `,
+            )}
+          </select>
           ${description('preset', store.text('presetHelp'), null)}
         </div>
         <div class="control" data-param="seed" data-help=${SEED.doc[language]}>
@@ -138,6 +138,12 @@ export class ControlPanel extends LitElement {
         </div>
       </section>
     `;
+  }
+
+  /** Whether anything but the seed differs from the preset. */
+  #isEdited(): boolean {
+    const { params, preset } = this.store;
+    return JSON.stringify({ ...params, seed: 0 }) !== JSON.stringify(presetParams(preset));
   }
 
   #choosePreset = (event: Event): void => {
@@ -237,8 +243,10 @@ export class ControlPanel extends LitElement {
     const line = this.querySelector('.help-line');
     const target = event?.target instanceof Element ? event.target : document.activeElement;
     const help = (target as HTMLElement | null)?.closest<HTMLElement>('[data-help]')?.dataset.help;
+    if (!line) return;
     // Not by a render: a pointer crosses many controls, and only this line changes.
-    if (line) line.textContent = help || this.store.text('helpHint');
+    line.textContent = help || this.store.text('helpHint');
+    line.classList.toggle('is-idle', !help);
   }
 }
 

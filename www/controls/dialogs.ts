@@ -17,7 +17,7 @@ const PICTURE_KEYS: readonly [StringKey, StringKey][] = [
 const PAGE_KEYS: readonly [StringKey, StringKey][] = [
   ['frameAll', 'frameBy'],
   ['view', 'viewsBy'],
-  ['nextSeed', 'seedsBy'],
+  ['seeds', 'seedsBy'],
   ['undo', 'undoBy'],
   ['redo', 'redoBy'],
   ['sliders', 'slidersBy'],

@@ -5,7 +5,7 @@ import { isDialogOpen, showKeys } from './dialogs.ts';
 import type { Store } from './store.ts';
 
 export function listenToKeys(store: Store, frameAll: () => void): void {
-  addEventListener('keydown', (event) => {
+  window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.isComposing || isDialogOpen()) return;
     const handled = event.ctrlKey || event.metaKey ? travel(store, event) : !event.altKey && !isTyping(event) && press(store, event.key, frameAll);
     if (handled) event.preventDefault();

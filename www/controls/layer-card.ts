@@ -6,6 +6,7 @@ import { LAYER_ROWS } from '../params-flat.ts';
 import { icon } from './icons.ts';
 import { paramControl, problemOf, shownNumber } from './param-control.ts';
 import { iconButton, segments } from './parts.ts';
+import { rockCount } from './statistics.ts';
 import type { TemplateResult } from 'lit';
 import type { Layer, ParamSpec } from '../params.ts';
 import type { Store } from './store.ts';
@@ -55,7 +56,7 @@ function numbers(store: Store, layer: Layer): string {
   const { notation } = store.params;
   const unit = LAYER_ROWS[0]?.unit[notation] ?? '';
   const made = store.field?.layers.find(({ id }) => id === layer.id);
-  const count = made && store.text('rocksOfLayer', { n: made.selected.length.toLocaleString(store.language) });
+  const count = made && rockCount(store, made.selected.length);
   return [`r ${shownNumber(layer.radius)}${notation === 'px' ? ` ${unit}` : ''}`, count].filter(Boolean).join(' · ');
 }
 

@@ -166,11 +166,11 @@ function fill({ min, max }: { min: number; max: number }, position: number): str
 function holdUntilPointerUp(store: Store): void {
   store.hold();
   const release = () => {
-    removeEventListener('pointerup', release, true);
-    removeEventListener('pointercancel', release, true);
+    window.removeEventListener('pointerup', release, true);
+    window.removeEventListener('pointercancel', release, true);
     // The slider's last input event comes before this, its change event may come after.
     store.release();
   };
-  addEventListener('pointerup', release, true);
-  addEventListener('pointercancel', release, true);
+  window.addEventListener('pointerup', release, true);
+  window.addEventListener('pointercancel', release, true);
 }

@@ -49,8 +49,15 @@ export interface Segments<T extends string> {
 /** A choice of a few: radio buttons that look like one. */
 export function segments<T extends string>({ name, label, hideLabel = false, help = '', options, value, action, problem }: Segments<T>): TemplateResult {
   return html`
-    <fieldset class="control segments" data-param=${name} data-help=${help} aria-describedby=${describedBy(name, help, problem)}>
-      <legend class=${hideLabel ? 'visually-hidden' : 'control-label'}>${mathText(label)}</legend>
+    <div
+      class="control segments"
+      role="radiogroup"
+      data-param=${name}
+      data-help=${help}
+      aria-labelledby="${name}-label"
+      aria-describedby=${describedBy(name, help, problem)}
+    >
+      <span class=${hideLabel ? 'visually-hidden' : 'control-label'} id="${name}-label">${mathText(label)}</span>
       <div class="segment-row">
         ${options.map(
           (option) => html`
@@ -62,7 +69,7 @@ export function segments<T extends string>({ name, label, hideLabel = false, hel
         )}
       </div>
       ${description(name, help, problem)}
-    </fieldset>
+    </div>
   `;
 }
 

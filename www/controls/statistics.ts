@@ -11,7 +11,12 @@ import type { Store } from './store.ts';
 const BACKENDS: Record<Backend, string> = { webgpu: 'WebGPU', webgl: 'WebGL2', canvas2d: 'Canvas 2D', null: '–' };
 
 export function percent(store: Store, share: number): string {
-  return share.toLocaleString(store.language, { style: 'percent', minimumFractionDigits: 1, maximumFractionDigits: 1 });
+  // Plus zero: an empty sum may be −0.
+  return (share + 0).toLocaleString(store.language, { style: 'percent', minimumFractionDigits: 1, maximumFractionDigits: 1 });
+}
+
+export function rockCount(store: Store, n: number): string {
+  return n === 1 ? store.text('oneRock') : store.text('someRocks', { n: n.toLocaleString(store.language) });
 }
 
 /** One line: `3,105 rocks · 48,930 triangles · 84.0 % covered`. */
@@ -20,7 +25,7 @@ export function summary(store: Store): string {
   if (!field) return store.text('notYet');
   const { rocks, triangles, coveredFraction } = field.stats;
   return store.text('summary', {
-    rocks: rocks.toLocaleString(store.language),
+    rocks: rockCount(store, rocks),
     triangles: triangles.toLocaleString(store.language),
     covered: percent(store, coveredFraction),
   });

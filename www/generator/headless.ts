@@ -5,8 +5,9 @@ import type { Field } from '../field.ts';
 import { encodeParams, flatRequest, resolveParams } from '../params-flat.ts';
 import type { FieldRequest } from '../params-flat.ts';
 import { defaultMaxBytes } from './budget.ts';
-import type { Progress } from './protocol.ts';
+import type { FlatRequest, Progress } from './protocol.ts';
 import { Session } from './session.ts';
+import type { RunOptions } from './session.ts';
 import { loadGenerator } from './wasm.ts';
 import type { GeneratorGlue, GeneratorModule, WasmSource } from './wasm.ts';
 
@@ -40,12 +41,13 @@ export interface FieldGenerator {
   dispose(): void;
 }
 
-/** The wasm of a realm, and how often it had to be replaced after a trap: objects of older instances are void. */
+/** The wasm of a realm: one instance, which all generators share, and which is replaced after a trap. */
 export class Realm {
   #glue: GeneratorGlue;
   #source: () => WasmSource | Promise<WasmSource>;
   #module: Promise<GeneratorModule> | undefined;
-  instance = 0;
+  #instance = 0;
+  #trapped = false;
 
   constructor(glue: GeneratorGlue, defaultSource: () => WasmSource | Promise<WasmSource>) {
     this.#glue = glue;
@@ -61,14 +63,26 @@ export class Realm {
     return this.#module;
   }
 
-  /** Replaces instance number `trapped`, unless that was done already. */
-  replace(trapped: number): void {
-    if (trapped !== this.instance) return;
+  /** Instance number `instance` trapped: nobody may call into it any more. */
+  trap(instance: number): void {
+    if (instance === this.#instance) this.#trapped = true;
+  }
+
+  /** Whether objects of instance number `instance` may still be used. */
+  isSound(instance: number): boolean {
+    return instance === this.#instance && !this.#trapped;
+  }
+
+  /** The number of a sound instance: the present one, or a new one after a trap. */
+  soundInstance(): number {
+    if (!this.#trapped) return this.#instance;
     if (!this.#glue.__wbg_reset_state) {
       throw new RockFieldError({ name: 'Internal', message: 'the generator failed before and cannot be started again here; reload the page or restart the process' });
     }
     this.#glue.__wbg_reset_state();
-    this.instance += 1;
+    this.#trapped = false;
+    this.#instance += 1;
+    return this.#instance;
   }
 }
 
@@ -105,17 +119,19 @@ class HeadlessGenerator implements FieldGenerator {
     // Read now: what the caller does to the object afterwards is no part of the request.
     const flat = flatRequest(resolveParams(request), maxBytes);
     signal?.throwIfAborted();
-    const run = this.#last.then(() => this.#open().run(flat, { signal, onProgress }));
+    const run = this.#last.then(() => this.#runIn(this.#open(), flat, { signal, onProgress }));
     this.#last = run.catch(() => undefined);
     return run;
   }
 
   freshSeed(): number {
+    this.#realm.soundInstance();
     return this.#module.fresh_seed();
   }
 
   memoryEstimate(request: FieldRequest = {}): number {
     const flat = encodeParams(resolveParams(request));
+    this.#realm.soundInstance();
     try {
       return this.#module.memory_estimate(flat);
     } catch (thrown) {
@@ -126,18 +142,28 @@ class HeadlessGenerator implements FieldGenerator {
   dispose(): void {
     if (this.#disposed) return;
     this.#disposed = true;
-    const free = () => this.#session?.free();
     // A run under way keeps its memory until it is answered.
-    void this.#last.then(free);
+    void this.#last.then(() => {
+      if (this.#realm.isSound(this.#instance)) this.#session?.free();
+    });
+  }
+
+  async #runIn(session: Session, request: FlatRequest, options: RunOptions): Promise<Field> {
+    const instance = this.#instance;
+    try {
+      return await session.run(request, options);
+    } finally {
+      if (session.broken) this.#realm.trap(instance);
+    }
   }
 
   /** The session, a new one after a trap: of this generator, or of another in the same instance. */
   #open(): Session {
     if (this.#disposed) throw new RockFieldError({ name: 'Internal', message: 'the generator was disposed of' });
-    if (this.#session?.broken) this.#realm.replace(this.#instance);
-    if (!this.#session || this.#session.broken || this.#instance !== this.#realm.instance) {
+    const instance = this.#realm.soundInstance();
+    if (!this.#session || instance !== this.#instance) {
       this.#session = new Session(new this.#module.Generator());
-      this.#instance = this.#realm.instance;
+      this.#instance = instance;
     }
     return this.#session;
   }

@@ -1,7 +1,7 @@
 // Prepended to every pass. World: x right, y up, z up, pixels of the image. Colour maths is linear.
 
 // Group 0, once per frame and view.
-// size 192 B, align 16; mirrored by Globals in uniforms.rs
+// size 208 B, align 16; mirrored by Globals in uniforms.rs
 struct Globals {
   // Takes positions relative to the eye: far from the origin an f32 keeps its digits that way.
   clip_from_eye: mat4x4f,
@@ -17,8 +17,9 @@ struct Globals {
   // Linear; w unused
   backdrop_low: vec4f,
   backdrop_high: vec4f,
-  // rgb linear soil; w unused
+  // Linear albedo of the ground under and round the rocks; w unused
   soil: vec4f,
+  dust: vec4f,
 }
 
 // Group 1, once per field.

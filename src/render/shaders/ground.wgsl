@@ -42,25 +42,26 @@ fn fs_main(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
   // World pixels under one screen pixel, along the longer side of its footprint.
   let footprint = 2.0 * steps * length(globals.ray_up.xyz) / viewport.y / max(-normalize(ray).z, 0.05);
 
-  // Outside the image the soil thins out to dust: a wide even fade, its grain finer than its width,
-  // so that neither a rectangle nor a haze shows.
+  // Outside the image the soil dries to dust and the dust runs out into the backdrop: two wide even
+  // fades, so that neither a rectangle nor a haze shows.
   let half_size = 0.5 * field.size.xy;
   let reach = field.ground.x;
   let d = abs(world.xy - half_size) - half_size;
   let outside = length(max(d, vec2f(0.0))) / reach;
-  let drift = (grain(world.xy, 0.45 * reach, footprint) - 0.5) * 0.3;
-  let crumbs = grain(world.xy, 0.05 * reach, footprint) + grain(world.xy, 0.02 * reach, footprint) - 1.0;
-  let fade = 1.0 - smoothstep(0.0, 1.0, outside * (1.0 + drift));
-  let soil_share = clamp(fade + crumbs * 0.7 * fade * (1.0 - fade), 0.0, 1.0);
+  let drift = (grain(world.xy, 0.35 * reach, footprint) - 0.5) * 0.25;
+  let crumbs = (grain(world.xy, 0.013 * reach, footprint) - 0.5) * 0.1
+    + (grain(world.xy, 0.04 * reach, footprint) - 0.5) * 0.05;
+  let along = outside * (1.0 + drift);
+  let dry = smoothstep(0.0, 0.5, along + crumbs * smoothstep(0.0, 0.1, along));
+  let gone = smoothstep(0.1, 1.0, along);
 
   let fine = grain(world.xy, 2.3, footprint) * 0.5 + grain(world.xy, 6.1, footprint) * 0.3
     + grain(world.xy, 41.0, footprint) * 0.2;
   let up = vec3f(0.0, 0.0, 1.0);
-  let soil = shade(globals.soil.rgb * (0.72 + 0.56 * fine), world, up, pixel.xy);
-  // Beyond the soil the floor is the backdrop itself; only shadows lie on it.
-  let floor_light = mix(0.62, 1.0, sunlight(world, up)) * mix(0.7, 1.0, sky_visibility(world, up, pixel.xy));
-  let floor_color = backdrop * select(1.0, floor_light, outside < 3.0);
-  let color = mix(floor_color, soil, soil_share);
+  let albedo = mix(globals.soil.rgb, globals.dust.rgb, dry) * (0.74 + 0.52 * mix(fine, 0.5, 0.6 * dry));
+  let earth = shade(albedo, world, up, pixel.xy);
+  // Where no dust lies the floor is the backdrop itself.
+  let color = mix(earth, backdrop, gone);
   let seen = select(backdrop, color, ray.z < -0.0001);
-  return finish(seen * mix(1.0, 0.5, globals.ray_forward.w * soil_share), pixel.xy);
+  return finish(seen * mix(1.0, 0.5, globals.ray_forward.w * (1.0 - gone)), pixel.xy);
 }

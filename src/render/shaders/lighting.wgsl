@@ -37,7 +37,7 @@ fn height_at(at: vec2f) -> f32 {
 fn sky_visibility(world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
   const TAPS = 16;
   const REACH = 26.0;
-  let start = dither(pixel) * 1.3;
+  let start = dither(pixel) * 0.8;
   let reach = max(REACH, 3.0 * field.ground.y);
   var blocked = 0.0;
   for (var i = 0; i < TAPS; i++) {

@@ -1,0 +1,32 @@
+//! What the bench's own artefact exports beside the generator: the papers' literal loops.
+
+use js_sys::{Float32Array, Uint32Array};
+use wasm_bindgen::prelude::*;
+
+use crate::literal::{self, LiteralField};
+use crate::params::Params;
+
+/// A field made by the literal loops.
+#[wasm_bindgen]
+pub struct Literal(LiteralField);
+
+#[wasm_bindgen]
+impl Literal {
+    /// Runs all stages; parameters as for `Generator.start`.
+    #[wasm_bindgen(constructor)]
+    pub fn new(params: &[f64]) -> Result<Self, JsValue> {
+        Ok(Self(literal::generate(&Params::from_flat(params)?)))
+    }
+
+    pub fn positions(&self) -> Float32Array {
+        self.0.positions.as_slice().into()
+    }
+
+    pub fn indices(&self) -> Uint32Array {
+        self.0.indices.as_slice().into()
+    }
+
+    pub fn rock_starts(&self) -> Uint32Array {
+        self.0.rock_starts.as_slice().into()
+    }
+}

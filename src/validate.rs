@@ -1,0 +1,86 @@
+//! Oracles: what the output of every stage has to satisfy, as functions.
+//!
+//! Each `check_…` takes a stage's f64 output and recomputes what it can in another way than the stage does: distances in
+//! integers, areas by compensated sums, pixel owners by comparing squared distances, positions from Eqs 2 and 3. The
+//! first thing found wrong comes back as a [`Violation`] that holds all the numbers. Tests and debug builds use them; they cost
+//! about as much as the stages themselves.
+
+mod buckets;
+mod cells;
+mod mesh;
+mod selection;
+mod shapes;
+mod sites;
+
+use std::fmt;
+
+pub use cells::{check_cells, check_ownership};
+pub use mesh::check_mesh;
+pub use selection::check_selection;
+pub use shapes::check_shapes;
+pub use sites::check_sites;
+
+use crate::params::{Darts, Params};
+use crate::rocks::{Field, target_sites};
+
+/// Something a stage promised and did not keep.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Violation(String);
+
+impl Violation {
+    /// The same, with the place it was found at in front.
+    fn within(self, place: impl fmt::Display) -> Self {
+        Violation(format!("{place}: {}", self.0))
+    }
+}
+
+impl fmt::Display for Violation {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.0)
+    }
+}
+
+impl std::error::Error for Violation {}
+
+fn ensure(holds: bool, message: impl FnOnce() -> String) -> Result<(), Violation> {
+    if holds { Ok(()) } else { Err(Violation(message())) }
+}
+
+/// Checks every stage of a field and that it is the field of `params`.
+///
+/// Cost: O(pixels · layers) time and memory, besides the size of the field.
+///
+/// # Errors
+/// The first violation, with the layer it is in.
+pub fn check_field(params: &Params, field: &Field) -> Result<(), Violation> {
+    ensure(field.layers.len() == params.layers.len(), || {
+        format!("{} layers instead of {}", field.layers.len(), params.layers.len())
+    })?;
+    let mut owners = Vec::with_capacity(field.layers.len());
+    for (index, (layer, asked)) in field.layers.iter().zip(&params.layers).enumerate() {
+        let place = format!("layer {index} (id {}, r {})", layer.layer.id, layer.layer.radius);
+        let check = || {
+            ensure(layer.layer == params.layer_in_px(asked), || format!("{:?} is not {asked:?}", layer.layer))?;
+            let sites = &layer.sites;
+            ensure(
+                [sites.width, sites.height] == [params.image_width, params.image_height]
+                    && sites.radius == layer.layer.radius,
+                || format!("sites for r {} on {} × {}", sites.radius, sites.width, sites.height),
+            )?;
+            let target = target_sites(params.pixels() as f64, params.packing, sites.radius);
+            ensure(sites.target == target as u64, || format!("N_p {} instead of {target}", sites.target))?;
+            let ended = sites.saturated || sites.pixels.len() as u64 == sites.target;
+            ensure(ended || params.darts == Darts::Attempts, || {
+                format!("{} of {} sites, yet not saturated", sites.pixels.len(), sites.target)
+            })?;
+            check_sites(sites)?;
+            check_cells(sites, &layer.cells)?;
+            let owner = check_ownership(sites, &layer.cells)?;
+            check_shapes(&layer.cells, &layer.selection.selected, &layer.shapes)?;
+            Ok(owner)
+        };
+        owners.push(check().map_err(|violation: Violation| violation.within(place))?);
+    }
+    check_selection(params.border, &field.layers, &owners).map_err(|violation| violation.within("selection"))?;
+    check_mesh(params, field).map_err(|violation| violation.within("mesh"))
+}

@@ -1,0 +1,123 @@
+//! Mesh: the flat buffers hold the displaced shapes, recomputed here from Eqs 2 and 3.
+
+use glam::{DVec2, DVec3, Vec3};
+
+use super::{Violation, ensure};
+use crate::mesh::Mesh;
+use crate::params::{Layer, Params, Swing};
+use crate::rng::{Purpose, Stream};
+use crate::rocks::Field;
+
+/// Checks the buffers of a field.
+///
+/// Rocks in layer order, within a layer in the order of the selection; the offsets grow, and every index lies within its
+/// rock's range. The rim is at z = 0, the top where Eqs 2 and 3 put it, normals are unit and the area-weighted means of their
+/// faces, everything is finite.
+///
+/// # Errors
+/// The first violation.
+pub fn check_mesh(params: &Params, field: &Field) -> Result<(), Violation> {
+    let mesh = &field.mesh;
+    check_lengths(mesh)?;
+    let mut rock = 0;
+    for (index, layer) in field.layers.iter().enumerate() {
+        for (k, &site) in layer.selection.selected.iter().enumerate() {
+            ensure(mesh.rock_layer.get(rock) == Some(&(index as u8)), || {
+                format!("rock {rock} is in layer {:?} instead of {index}", mesh.rock_layer.get(rock))
+            })?;
+            let rim = layer.cells.polygon(site as usize);
+            let mut points: Vec<DVec3> = rim.iter().map(|v| v.extend(0.0)).collect();
+            points.extend(displaced(params, &layer.layer, site, layer.shapes.top_of(k)));
+            check_rock(mesh, rock, &points, layer.shapes.triangles_of(k))
+                .map_err(|violation| violation.within(format_args!("rock {rock} (layer {index}, site {site})")))?;
+            rock += 1;
+        }
+    }
+    ensure(rock == mesh.rocks(), || format!("{} rocks instead of {rock}", mesh.rocks()))
+}
+
+fn check_lengths(mesh: &Mesh) -> Result<(), Violation> {
+    let Mesh { positions, normals, indices, rock_starts, vertex_starts, rock_layer } = mesh;
+    let rocks = rock_layer.len();
+    ensure(rock_starts.len() == rocks + 1 && vertex_starts.len() == rocks + 1, || {
+        format!("{} and {} offsets for {rocks} rocks", rock_starts.len(), vertex_starts.len())
+    })?;
+    ensure(positions.len() == normals.len(), || format!("{} positions, {} normals", positions.len(), normals.len()))?;
+    for (name, starts, len) in [("rock", rock_starts, indices.len()), ("vertex", vertex_starts, positions.len() / 3)] {
+        let increases = starts.first() == Some(&0) && starts.windows(2).all(|pair| pair[0] < pair[1]);
+        ensure(increases, || format!("{name} starts do not increase from 0"))?;
+        ensure(starts[rocks] as usize == len, || format!("{name} starts end at {} of {len}", starts[rocks]))?;
+    }
+    Ok(())
+}
+
+/// The p_add of a rock after Eqs 2 and 3, from the streams that its layer and site name.
+fn displaced(params: &Params, layer: &Layer, site: u32, top: &[DVec2]) -> Vec<DVec3> {
+    let stream = |purpose| Stream::new(params.seed, purpose, layer.id, site);
+    let [purpose_j1, purpose_j2] = match params.swing {
+        Swing::Shared => [Purpose::RockSwing, Purpose::VertexSwing],
+        Swing::Separate => [Purpose::RockSwingHeight, Purpose::VertexSwingHeight],
+    };
+    let (j1, j1_height) = (stream(Purpose::RockSwing).unit(), stream(purpose_j1).unit());
+    let (mut j2, mut j2_height) = (stream(Purpose::VertexSwing), stream(purpose_j2));
+    let g_add = top.iter().sum::<DVec2>() / top.len() as f64;
+    top.iter()
+        .map(|&p_add| {
+            let [c_w1, c_w2, c_w3] = layer.taper;
+            let [c_h1, c_h2, c_h3] = layer.height;
+            let step = c_w1 + c_w2 * j1 + c_w3 * j2.unit();
+            let z = c_h1 + c_h2 * j1_height + c_h3 * j2_height.unit();
+            let outward = p_add - g_add;
+            let t_xy = if outward == DVec2::ZERO { DVec2::ZERO } else { step * outward / outward.length() };
+            (p_add + t_xy).extend(z)
+        })
+        .collect()
+}
+
+fn check_rock(mesh: &Mesh, rock: usize, points: &[DVec3], triangles: &[[u16; 3]]) -> Result<(), Violation> {
+    let vertices = mesh.vertex_starts[rock] as usize..mesh.vertex_starts[rock + 1] as usize;
+    let corners = &mesh.indices[mesh.rock_starts[rock] as usize..mesh.rock_starts[rock + 1] as usize];
+    ensure(vertices.len() == points.len() && corners.len() == 3 * triangles.len(), || {
+        format!(
+            "{} vertices and {} indices instead of {} and {}",
+            vertices.len(),
+            corners.len(),
+            points.len(),
+            3 * triangles.len()
+        )
+    })?;
+    for (corner, &vertex) in corners.iter().zip(triangles.as_flattened()) {
+        let expected = vertices.start + usize::from(vertex);
+        ensure(*corner as usize == expected && vertices.contains(&expected), || {
+            format!("index {corner} instead of {expected}, of vertices {vertices:?}")
+        })?;
+    }
+
+    let mut normals = vec![(DVec3::ZERO, 0.0); points.len()];
+    for triangle in triangles {
+        let [a, b, c] = triangle.map(|v| points[usize::from(v)]);
+        let normal = (b - a).cross(c - a);
+        for v in triangle.map(usize::from) {
+            normals[v].0 += normal;
+            normals[v].1 += normal.length();
+        }
+    }
+    for (v, (&expected, (normal, area))) in points.iter().zip(normals).enumerate() {
+        let at = 3 * (vertices.start + v);
+        let position = Vec3::from_slice(&mesh.positions[at..at + 3]);
+        // Half a unit in the last place of f32 for each coordinate, and what f64 may differ by.
+        let tolerance = expected.abs() * f64::from(f32::EPSILON) + 1.0e-9;
+        ensure((position.as_dvec3() - expected).abs().cmple(tolerance).all(), || {
+            format!("vertex {v} is at {position} instead of {expected}")
+        })?;
+        ensure(position.z == 0.0 || v >= points.len() / 2, || format!("rim vertex {v} is at height {}", position.z))?;
+        let unit = Vec3::from_slice(&mesh.normals[at..at + 3]);
+        ensure((unit.length() - 1.0).abs() <= 1.0e-6, || format!("normal {unit} of vertex {v} is not unit"))?;
+        // Where faces cancel, what is left of their sum is rounding, and so is its direction.
+        if normal.length() > 1.0e-7 * area {
+            let distance = unit.as_dvec3().distance(normal.normalize());
+            ensure(distance <= 1.0e-6, || format!("normal of vertex {v} is {unit} instead of {}", normal.normalize()))?;
+        }
+    }
+    Ok(())
+}

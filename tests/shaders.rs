@@ -1,0 +1,250 @@
+//! The shaders without a GPU: they parse, they validate, they keep the rules that old devices impose,
+//! and their uniform blocks are as large as ours.
+#![allow(missing_docs, reason = "a test")]
+
+use std::path::PathBuf;
+
+use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
+use naga::{AddressSpace, Binding, Expression, Module, ShaderStage, TypeInner};
+
+#[path = "../src/render/uniforms.rs"]
+#[allow(dead_code, reason = "only the sizes are read")]
+mod uniforms;
+
+/// Passes with what `src/render/pipelines.rs` prepends to them.
+const PASSES: [(&str, &[&str]); 7] = [
+    ("shadow", &["common"]),
+    ("height", &["common"]),
+    ("ground", &["common", "lighting"]),
+    ("rock", &["common", "lighting"]),
+    ("wire", &["common"]),
+    ("plan", &["common"]),
+    ("stroke", &["common"]),
+];
+
+fn read(name: &str) -> String {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/render/shaders");
+    let path = folder.join(format!("{name}.wgsl"));
+    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
+}
+
+fn module((name, before): (&str, &[&str])) -> Module {
+    let source: String = before.iter().chain([&name]).map(|part| read(part)).collect();
+    naga::front::wgsl::parse_str(&source).unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(&source)))
+}
+
+/// No capability beyond plain WebGPU.
+fn validate(name: &str, module: &Module) -> ModuleInfo {
+    Validator::new(ValidationFlags::all(), Capabilities::empty())
+        .validate(module)
+        .unwrap_or_else(|error| panic!("{name}: {error:?}"))
+}
+
+fn each(check: impl Fn(&str, &Module)) {
+    for pass in PASSES {
+        check(pass.0, &module(pass));
+    }
+}
+
+/// Bytes and members of a named uniform struct.
+fn layout(module: &Module, name: &str) -> Option<(u32, Vec<(String, u32)>)> {
+    module.types.iter().find_map(|(_, ty)| match &ty.inner {
+        TypeInner::Struct { members, span } if ty.name.as_deref() == Some(name) => {
+            let of = |member: &naga::StructMember| (member.name.clone().unwrap_or_default(), member.offset);
+            Some((*span, members.iter().map(of).collect()))
+        }
+        _ => None,
+    })
+}
+
+#[test]
+fn every_shader_file_belongs_to_a_pass() {
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/render/shaders");
+    for entry in std::fs::read_dir(folder).expect("the shaders' folder") {
+        let path = entry.expect("an entry").path();
+        let name = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
+        let used = PASSES.iter().any(|(pass, before)| *pass == name || before.contains(&name));
+        assert!(used, "{name}.wgsl is tested by no pass");
+    }
+}
+
+#[test]
+fn every_pass_parses_and_validates() {
+    each(|name, module| {
+        validate(name, module);
+    });
+}
+
+#[test]
+fn entry_points_have_the_house_names() {
+    each(|name, module| {
+        for entry in &module.entry_points {
+            let expected = match entry.stage {
+                ShaderStage::Vertex => "vs_main",
+                _ => "fs_main",
+            };
+            assert_eq!(entry.name, expected, "{name}");
+        }
+    });
+}
+
+/// Field for field: the sizes, and that every member starts where Rust puts it.
+#[test]
+fn uniform_blocks_match_rust() {
+    let common = module(PASSES[0]);
+    let rust = [("Globals", size_of::<uniforms::Globals>()), ("FieldUniforms", size_of::<uniforms::FieldUniforms>())];
+    for (name, size) in rust {
+        let (span, _) = layout(&common, name).unwrap_or_else(|| panic!("{name} is missing"));
+        assert_eq!(span as usize, size, "{name}");
+    }
+    macro_rules! offsets_match {
+        ($name:ident: $($member:ident),+) => {
+            let (_, members) = layout(&common, stringify!($name)).expect("checked above");
+            let ours = [$((
+                stringify!($member).to_string(),
+                std::mem::offset_of!(uniforms::$name, $member) as u32,
+            )),+];
+            assert_eq!(members, ours, stringify!($name));
+        };
+    }
+    offsets_match!(Globals: clip_from_eye, eye, ray_right, ray_up, ray_forward, plan, backdrop_low, backdrop_high, soil, dust);
+    offsets_match!(FieldUniforms: sun_from_world, sun, map, size, ground);
+}
+
+/// WebGL2's std140 pads everything to 16 bytes: members that fill 16-byte groups lie the same in both.
+#[test]
+fn uniform_members_fill_groups_of_sixteen_bytes() {
+    each(|name, module| {
+        for (_, global) in module.global_variables.iter() {
+            if global.space != AddressSpace::Uniform {
+                continue;
+            }
+            let TypeInner::Struct { members, span } = &module.types[global.ty].inner else {
+                panic!("{name}: a uniform that is no struct");
+            };
+            let bounds = members.iter().map(|member| member.offset).chain([*span]);
+            for offset in bounds {
+                assert_eq!(offset % 16, 0, "{name}: {:?}", global.name);
+            }
+        }
+    });
+}
+
+/// WebGL2 has neither storage buffers nor storage textures nor compute.
+#[test]
+fn no_storage_and_no_compute() {
+    each(|name, module| {
+        for (_, global) in module.global_variables.iter() {
+            let allowed = matches!(global.space, AddressSpace::Uniform | AddressSpace::Handle | AddressSpace::Private);
+            assert!(allowed, "{name}: {:?}", global.name);
+        }
+        for (_, ty) in module.types.iter() {
+            let storage = matches!(ty.inner, TypeInner::Image { class: naga::ImageClass::Storage { .. }, .. });
+            assert!(!storage, "{name}: {:?}", ty.name);
+        }
+        for entry in &module.entry_points {
+            assert_ne!(entry.stage, ShaderStage::Compute, "{name}");
+        }
+    });
+}
+
+fn functions(module: &Module) -> impl Iterator<Item = &naga::Function> {
+    let helpers = module.functions.iter().map(|(_, function)| function);
+    helpers.chain(module.entry_points.iter().map(|entry| &entry.function))
+}
+
+/// Some Mali and Adreno compilers spill or miscompile dynamically indexed arrays (vello's lint).
+#[test]
+fn no_dynamic_indexing() {
+    each(|name, module| {
+        for function in functions(module) {
+            for (_, expression) in function.expressions.iter() {
+                let dynamic = matches!(expression, Expression::Access { .. });
+                assert!(!dynamic, "{name}: {:?}", function.name);
+            }
+        }
+    });
+}
+
+/// Older Adreno drivers silently drop user structs in fragment code to 16 bits (vello's
+/// `no_structs_in_fragment`). Uniforms and what a vertex shader returns are structs of the interface.
+#[test]
+fn fragment_code_passes_no_structs() {
+    each(|name, module| {
+        let is_struct = |ty: naga::Handle<naga::Type>| matches!(module.types[ty].inner, TypeInner::Struct { .. });
+        let helpers = module.functions.iter().map(|(_, function)| function);
+        let fragments = module
+            .entry_points
+            .iter()
+            .filter(|entry| entry.stage == ShaderStage::Fragment)
+            .map(|entry| &entry.function);
+        for function in helpers.chain(fragments) {
+            for argument in &function.arguments {
+                assert!(!is_struct(argument.ty), "{name}: {:?}", function.name);
+            }
+            for (_, local) in function.local_variables.iter() {
+                assert!(!is_struct(local.ty), "{name}: {:?}", function.name);
+            }
+            let result = function.result.as_ref();
+            assert!(!result.is_some_and(|result| is_struct(result.ty)), "{name}");
+        }
+    });
+}
+
+/// Outside uniform control flow an implicit level of detail is undefined; we have no mip levels anyway.
+#[test]
+fn textures_are_sampled_at_level_zero() {
+    each(|name, module| {
+        for function in functions(module) {
+            for (_, expression) in function.expressions.iter() {
+                if let Expression::ImageSample { level, .. } = expression {
+                    let explicit = matches!(level, naga::SampleLevel::Zero | naga::SampleLevel::Exact(_));
+                    assert!(explicit, "{name}: {:?}", function.name);
+                }
+            }
+        }
+    });
+}
+
+/// The provoking vertex of flat interpolation differs on WebGL2.
+#[test]
+fn nothing_is_interpolated_flat() {
+    each(|name, module| {
+        for (_, ty) in module.types.iter() {
+            let TypeInner::Struct { members, .. } = &ty.inner else {
+                continue;
+            };
+            for member in members {
+                let flat = matches!(
+                    member.binding,
+                    Some(Binding::Location { interpolation: Some(naga::Interpolation::Flat), .. })
+                );
+                assert!(!flat, "{name}: {:?}", member.name);
+            }
+        }
+    });
+}
+
+/// WebGL2 has them only by emulation that some drivers get wrong.
+#[test]
+fn no_bit_scanning_built_ins() {
+    use naga::MathFunction as F;
+    let refused = [
+        F::FirstLeadingBit,
+        F::FirstTrailingBit,
+        F::CountLeadingZeros,
+        F::CountTrailingZeros,
+        F::ReverseBits,
+        F::ExtractBits,
+        F::InsertBits,
+    ];
+    each(|name, module| {
+        for function in functions(module) {
+            for (_, expression) in function.expressions.iter() {
+                if let Expression::Math { fun, .. } = expression {
+                    assert!(!refused.contains(fun), "{name}: {fun:?}");
+                }
+            }
+        }
+    });
+}

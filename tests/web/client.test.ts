@@ -1,0 +1,430 @@
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import type { TestContext } from 'node:test';
+import { RockFieldError } from '../../www/errors.ts';
+import type { Field } from '../../www/field.ts';
+import { CANCEL_MS, GeneratorClient, GRACE_MS, SILENCE_MS } from '../../www/generator/client.ts';
+import type { ClientOptions, WorkerLike } from '../../www/generator/client.ts';
+import type { FromWorker, StartMessage, ToWorker } from '../../www/generator/protocol.ts';
+import { defaultParams } from '../../www/params-flat.ts';
+
+/** A worker whose every word is written by the test. */
+class FakeWorker implements WorkerLike {
+  onmessage: WorkerLike['onmessage'] = null;
+  onerror: WorkerLike['onerror'] = null;
+  onmessageerror: WorkerLike['onmessageerror'] = null;
+  heard: ToWorker[] = [];
+  ended = false;
+
+  postMessage(message: ToWorker): void {
+    this.heard.push(structuredClone(message));
+  }
+
+  terminate(): void {
+    this.ended = true;
+  }
+
+  says(message: FromWorker): void {
+    this.onmessage?.({ data: message } as MessageEvent<FromWorker>);
+  }
+
+  dies(message = ''): void {
+    this.onerror?.({ message, preventDefault: () => {} } as ErrorEvent);
+  }
+
+  finishes(id: number): void {
+    this.says({ type: 'field', id, field: fieldOf(id) });
+  }
+
+  get starts(): StartMessage[] {
+    return this.heard.filter((message) => message.type === 'start');
+  }
+
+  get lastStart(): StartMessage {
+    return this.starts.at(-1) ?? assert.fail('nothing was started');
+  }
+}
+
+function fieldOf(id: number): Field {
+  return { stats: { rocks: id } } as Field;
+}
+
+/** A client, the workers it made, and what it gave out for display. */
+function setUp(options: ClientOptions = {}) {
+  const workers: FakeWorker[] = [];
+  const shown: [number, boolean][] = [];
+  const client = new GeneratorClient({
+    spawn: () => {
+      workers.push(new FakeWorker());
+      return workers.at(-1)!;
+    },
+    onField: (field, superseded) => shown.push([field.stats.rocks, superseded]),
+    ...options,
+  });
+  const worker = () => workers.at(-1) ?? assert.fail('no worker');
+  return { client, workers, shown, worker };
+}
+
+function params(seed: number) {
+  return { ...defaultParams(), seed };
+}
+
+function isAbort(error: unknown): boolean {
+  return error instanceof DOMException && error.name === 'AbortError';
+}
+
+function isNamed(name: string): (error: unknown) => boolean {
+  return (error) => error instanceof RockFieldError && error.name === name;
+}
+
+function mockTimers(t: TestContext) {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  return t.mock.timers;
+}
+
+/** For the microtasks of promises that have been settled. */
+const settle = () => new Promise((resolve) => setImmediate(resolve));
+
+test('a request is answered with its field, and no worker is made before the first', async () => {
+  const { client, workers, shown, worker } = setUp();
+  assert.equal(workers.length, 0);
+  const answer = client.generate(params(1));
+  assert(client.busy);
+  worker().says({ type: 'ready' });
+  const { id, request } = worker().lastStart;
+  assert.equal(request.params[0], 1);
+  assert.equal(request.imageWidth, 1024);
+  worker().finishes(id);
+  assert.equal((await answer).stats.rocks, id);
+  assert.deepEqual(shown, [[id, false]]);
+  assert(!client.busy);
+  client.dispose();
+});
+
+test('the latest request wins: the ones before it reject as aborted, and are shown when they finish first', async () => {
+  const { client, shown, worker } = setUp();
+  const first = client.generate(params(1));
+  const second = client.generate(params(2));
+  const third = client.generate(params(3));
+  await assert.rejects(first, isAbort);
+  await assert.rejects(second, isAbort);
+  const [a, b, c] = worker().starts.map(({ id }) => id);
+  worker().finishes(a!);
+  worker().says({ type: 'dropped', id: b! });
+  worker().finishes(c!);
+  assert.equal((await third).stats.rocks, c);
+  assert.deepEqual(shown, [[a, true], [c, false]]);
+  client.dispose();
+});
+
+test('an older result is never shown after a newer one', async () => {
+  const { client, shown, worker } = setUp();
+  client.generate(params(1)).catch(() => {});
+  const second = client.generate(params(2));
+  const [a, b] = worker().starts.map(({ id }) => id);
+  worker().finishes(b!);
+  worker().finishes(a!);
+  await second;
+  assert.deepEqual(shown, [[b, false]]);
+  client.dispose();
+});
+
+test('progress reaches the current request alone', async () => {
+  const { client, worker } = setUp();
+  const seen: string[] = [];
+  client.generate(params(1), { onProgress: () => seen.push('old') }).catch(() => {});
+  const current = client.generate(params(2), { onProgress: ({ stage, fraction }) => seen.push(`${stage} ${fraction}`) });
+  const [a, b] = worker().starts.map(({ id }) => id);
+  worker().says({ type: 'progress', id: a!, progress: { stage: 'sites', fraction: 0.1 } });
+  worker().says({ type: 'progress', id: b!, progress: { stage: 'cells', fraction: 0.5 } });
+  worker().finishes(b!);
+  await current;
+  assert.deepEqual(seen, ['cells 0.5']);
+  client.dispose();
+});
+
+test('a refused request rejects with key, value and bounds, and the worker stays', async () => {
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1), { maxBytes: 10 });
+  assert.equal(worker().lastStart.request.maxBytes, 10);
+  const error = { name: 'OverBudget', message: 'too much', key: 'imageWidth', value: 20, min: 0, max: 10, layer: undefined };
+  worker().says({ type: 'rejected', id: worker().lastStart.id, error });
+  await assert.rejects(answer, (thrown: RockFieldError) => {
+    assert.deepEqual([thrown.name, thrown.key, thrown.value, thrown.max], ['OverBudget', 'imageWidth', 20, 10]);
+    return isNamed('OverBudget')(thrown);
+  });
+  const next = client.generate(params(2));
+  worker().finishes(worker().lastStart.id);
+  await next;
+  assert.equal(workers.length, 1);
+  client.dispose();
+});
+
+test('cancel is soft when it is answered in time: the worker and its cache stay', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, shown, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  const { id } = worker().lastStart;
+  client.cancel();
+  await assert.rejects(answer, isAbort);
+  assert.deepEqual(worker().heard.at(-1), { type: 'cancel', id });
+  timers.tick(CANCEL_MS - 1);
+  worker().says({ type: 'dropped', id });
+  timers.tick(60_000);
+  assert(!worker().ended);
+  assert.deepEqual(shown, []);
+  const next = client.generate(params(2));
+  worker().finishes(worker().lastStart.id);
+  await next;
+  assert.equal(workers.length, 1);
+  client.dispose();
+});
+
+test('a result that crosses a cancel on its way is not shown', async () => {
+  const { client, shown, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  client.cancel();
+  await assert.rejects(answer, isAbort);
+  worker().finishes(worker().lastStart.id);
+  assert.deepEqual(shown, []);
+  client.dispose();
+});
+
+test('a cancel that is not answered in time ends the worker, and the next request makes a new one', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  client.cancel();
+  await assert.rejects(answer, isAbort);
+  timers.tick(CANCEL_MS);
+  assert(worker().ended);
+  assert.equal(workers.length, 1, 'respawned before it is needed');
+  const next = client.generate(params(2));
+  assert.equal(workers.length, 2);
+  worker().finishes(worker().lastStart.id);
+  await next;
+  client.dispose();
+});
+
+test('a request made while a cancel is unanswered moves to the new worker', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  client.generate(params(1)).catch(() => {});
+  worker().says({ type: 'ready' });
+  client.cancel();
+  const next = client.generate(params(2));
+  timers.tick(CANCEL_MS);
+  assert.equal(workers.length, 2);
+  assert.equal(worker().lastStart.request.params[0], 2);
+  worker().finishes(worker().lastStart.id);
+  await next;
+  client.dispose();
+});
+
+test('an aborted signal cancels its own request and no other', async () => {
+  const { client, worker } = setUp();
+  const [old, current] = [new AbortController(), new AbortController()];
+  client.generate(params(1), { signal: old.signal }).catch(() => {});
+  const answer = client.generate(params(2), { signal: current.signal });
+  old.abort();
+  assert(client.busy);
+  const reason = new Error('enough');
+  current.abort(reason);
+  await assert.rejects(answer, reason);
+  assert.deepEqual(worker().heard.at(-1), { type: 'cancel', id: worker().lastStart.id });
+  await assert.rejects(client.generate(params(3), { signal: current.signal }), reason);
+  client.dispose();
+});
+
+test('a trap rejects the request once and replaces the worker, but does not run the same parameters again', async () => {
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  worker().says({ type: 'crashed', id: worker().lastStart.id, error: { name: 'Internal', message: 'unreachable' } });
+  await assert.rejects(answer, isNamed('Internal'));
+  assert(workers[0]!.ended);
+  assert.equal(workers.length, 1);
+  const next = client.generate(params(2));
+  assert.equal(workers.length, 2);
+  worker().finishes(worker().lastStart.id);
+  await next;
+  client.dispose();
+});
+
+test('a trap of a superseded run moves the newer request to a new worker', async () => {
+  const { client, workers, worker } = setUp();
+  client.generate(params(1)).catch(() => {});
+  const second = client.generate(params(2));
+  worker().says({ type: 'ready' });
+  worker().says({ type: 'crashed', id: worker().starts[0]!.id, error: { name: 'Internal', message: 'unreachable' } });
+  assert.equal(workers.length, 2);
+  assert.equal(worker().lastStart.request.params[0], 2);
+  worker().finishes(worker().lastStart.id);
+  await second;
+  client.dispose();
+});
+
+test('a worker that dies in a run is replaced and the run goes on there', async () => {
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  worker().dies('killed');
+  assert.equal(workers.length, 2);
+  assert(workers[0]!.ended);
+  worker().says({ type: 'ready' });
+  worker().finishes(worker().lastStart.id);
+  await answer;
+  client.dispose();
+});
+
+test('a worker that vanishes without a word is asked, then replaced', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  timers.tick(SILENCE_MS);
+  assert.deepEqual(worker().heard.at(-1), { type: 'ping' });
+  assert.equal(workers.length, 1);
+  timers.tick(GRACE_MS);
+  assert.equal(workers.length, 2);
+  worker().says({ type: 'ready' });
+  worker().finishes(worker().lastStart.id);
+  await answer;
+  client.dispose();
+});
+
+test('a drag on a dead worker does not put its replacement off', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  client.generate(params(0)).catch(() => {});
+  worker().says({ type: 'ready' });
+  for (let time = 0; time <= SILENCE_MS + GRACE_MS; time += 16) {
+    client.generate(params(time)).catch(() => {});
+    timers.tick(16);
+  }
+  assert.equal(workers.length, 2);
+  client.dispose();
+});
+
+test('a worker that answers, however long it works, is left alone', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  for (let second = 0; second < 60; second += 1) {
+    timers.tick(SILENCE_MS);
+    worker().says({ type: 'pong' });
+  }
+  worker().finishes(worker().lastStart.id);
+  await answer;
+  assert.equal(workers.length, 1);
+  client.dispose();
+});
+
+test('a worker that is still loading is given all the time it needs', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  timers.tick(10 * 60_000);
+  assert.equal(workers.length, 1);
+  worker().says({ type: 'ready' });
+  worker().finishes(worker().lastStart.id);
+  await answer;
+  client.dispose();
+});
+
+test('two deaths over one request give it up with a readable message, and the page can go on', async () => {
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  worker().dies();
+  worker().says({ type: 'ready' });
+  worker().dies();
+  await assert.rejects(answer, isNamed('WorkerLost'));
+  assert.equal(workers.length, 2);
+  const next = client.generate(params(2));
+  worker().finishes(worker().lastStart.id);
+  await next;
+  assert.equal(workers.length, 3);
+  client.dispose();
+});
+
+test('a worker killed while idle is noticed at the next request', async () => {
+  const { client, workers, worker } = setUp();
+  const first = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  worker().finishes(worker().lastStart.id);
+  await first;
+  worker().dies();
+  assert.equal(workers.length, 1, 'respawned before it is needed');
+  const second = client.generate(params(2));
+  assert.equal(workers.length, 2);
+  worker().finishes(worker().lastStart.id);
+  await second;
+  client.dispose();
+});
+
+test('a missing worker script, a blocked worker and missing wasm are readable errors, and the next request tries again', async () => {
+  const { client, workers, worker } = setUp();
+  const missing = client.generate(params(1));
+  worker().dies();
+  await assert.rejects(missing, (error: Error) => isNamed('WorkerUnavailable')(error) && /worker\.js is missing or blocked/.test(error.message));
+  const noWasm = client.generate(params(2));
+  worker().says({ type: 'failed', error: { name: 'WasmUnavailable', message: 'generator_bg.wasm: 404' } });
+  await assert.rejects(noWasm, isNamed('WasmUnavailable'));
+  assert(workers.every(({ ended }) => ended));
+  assert.equal(workers.length, 2);
+  client.dispose();
+
+  const blocked = setUp({
+    spawn: () => {
+      throw new DOMException('refused by policy', 'SecurityError');
+    },
+  });
+  await assert.rejects(blocked.client.generate(params(1)), (error: Error) => isNamed('WorkerUnavailable')(error) && /refused by policy/.test(error.message));
+  await assert.rejects(blocked.client.freshSeed(), isNamed('WorkerUnavailable'));
+});
+
+test('seeds are answered beside runs, and by the new worker when the old one is lost', async () => {
+  const { client, workers, worker } = setUp();
+  client.generate(params(1)).catch(() => {});
+  const seed = client.freshSeed();
+  worker().says({ type: 'ready' });
+  worker().dies();
+  assert.equal(workers.length, 2);
+  const asked = worker().heard.find((message) => message.type === 'seed');
+  worker().says({ type: 'seed', id: asked!.id, seed: 123 });
+  assert.equal(await seed, 123);
+  client.dispose();
+});
+
+test('disposal ends the worker and aborts what is open; no timer is left', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  const seed = client.freshSeed();
+  worker().says({ type: 'ready' });
+  client.dispose();
+  await assert.rejects(answer, isAbort);
+  await assert.rejects(seed, isAbort);
+  assert(worker().ended);
+  timers.tick(60_000);
+  await settle();
+  assert.equal(workers.length, 1);
+  await assert.rejects(client.generate(params(2)), isAbort);
+});
+
+test('nothing is timed while nobody waits', async (t) => {
+  const { client, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  worker().finishes(worker().lastStart.id);
+  await answer;
+  const set = t.mock.method(globalThis, 'setTimeout');
+  await settle();
+  assert.equal(set.mock.callCount(), 0);
+  client.dispose();
+});

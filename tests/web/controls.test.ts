@@ -1,0 +1,133 @@
+// What the panel computes: slider places, notations, random fields, the store.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { embedCode } from '../../www/controls/clipboard.ts';
+import { inNotation } from '../../www/controls/notation.ts';
+import { randomParams } from '../../www/controls/randomise.ts';
+import { sliderScale } from '../../www/controls/slider-scale.ts';
+import { Store } from '../../www/controls/store.ts';
+import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/params.ts';
+import type { Layer, Notation, Params, ParamSpec } from '../../www/params.ts';
+import { boundsOf, defaultParams, presetParams, resolveParams } from '../../www/params-flat.ts';
+import { decodeLink } from '../../www/url-codec.ts';
+
+const SLIDERS: readonly ParamSpec[] = PARAMS.filter(({ kind, key }) => kind !== 'choice' && key !== 'seed');
+
+function store(link = ''): Store {
+  return new Store(decodeLink(link), { language: 'en', theme: 'auto' });
+}
+
+/** As `Params::layer_in_px` has it: the same operations in the same order. */
+function inPx({ layers, notation, imageWidth }: Params): Layer[] {
+  if (notation === 'px') return layers;
+  const unit = imageWidth / 100;
+  return layers.map((layer) => {
+    const radius = layer.radius * unit;
+    return { ...layer, radius, taper: layer.taper.map((c) => c * unit) as Layer['taper'], height: layer.height.map((c) => c * radius) as Layer['height'] };
+  });
+}
+
+for (const spec of SLIDERS) {
+  for (const notation of ['px', 'relative'] as const satisfies readonly Notation[]) {
+    test(`${spec.url} in ${notation}: an arrow key gets from end to end of the slider, every step to another value`, () => {
+      const { min, max, step, positionOf, valueAt } = sliderScale(spec, notation);
+      const { slider } = boundsOf(spec, notation);
+      assert.ok(Math.abs(valueAt(min, slider.max) - slider.min) < 1e-9 && Math.abs(valueAt(max, slider.min) - slider.max) < 1e-9);
+      let value = slider.min;
+      for (let presses = 0; value < slider.max; presses += 1) {
+        assert.ok(presses < 3000, `stuck at ${value}`);
+        // As the browser does it: the slider stands on its step nearest to the value.
+        const at = min + Math.round((positionOf(value) - min) / step) * step;
+        const next = valueAt(Math.min(max, Number((at + step).toFixed(6))), value);
+        assert.ok(next > value, `${value} → ${next}`);
+        value = next;
+      }
+    });
+  }
+}
+
+test('logarithmic sliders stop at powers of two', () => {
+  for (const spec of SLIDERS.filter(({ key }) => key === 'imageWidth' || key === 'radius')) {
+    const { positionOf, valueAt } = sliderScale(spec, 'px');
+    for (const value of [16, 32, 64, 128, 256, 512]) assert.equal(valueAt(Math.round(positionOf(value)), 0), value);
+  }
+});
+
+test('another notation, the same rocks, to the last bit or the one before', () => {
+  for (const { name } of PRESETS) {
+    for (const imageWidth of [1024, 1000, 777, 4001]) {
+      const params = { ...presetParams(name), imageWidth };
+      const other = inNotation(params, params.notation === 'px' ? 'relative' : 'px');
+      assert.equal(other.clamped, false);
+      resolveParams(other.params);
+      for (const [index, layer] of inPx(other.params).entries()) {
+        const original = inPx(params)[index];
+        assert.ok(original);
+        const numbers = ({ radius, taper, height }: Layer) => [radius, ...taper, ...height];
+        numbers(layer).forEach((value, at) => {
+          const wanted = numbers(original)[at] ?? NaN;
+          assert.ok(Math.abs(value - wanted) <= Math.abs(wanted) * 4e-16, `${name} ${imageWidth}: ${value} for ${wanted}`);
+        });
+      }
+    }
+  }
+  assert.deepEqual(inNotation(inNotation(defaultParams(), 'relative').params, 'px').params, defaultParams());
+});
+
+test('a notation in which a value has no room says so', () => {
+  const params = presetParams('conference-fig1');
+  params.layers[0]!.height[0] = 400;
+  const { params: moved, clamped } = inNotation(params, 'px');
+  assert.ok(clamped);
+  resolveParams(moved);
+});
+
+test('random fields are legal, and bounded in number', () => {
+  for (let seed = 0; seed < 500; seed += 1) {
+    for (const base of [defaultParams(), presetParams('conference-fig1'), { ...defaultParams(), imageWidth: 8192, imageHeight: 8192 }, { ...defaultParams(), imageWidth: 1, imageHeight: 16 }]) {
+      const params = randomParams(base, seed * 8_589_934);
+      assert.deepEqual(resolveParams(params), params);
+      assert.ok(params.layers.length >= 1 && params.layers.length <= 4);
+      const [width, height] = [base.imageWidth, base.imageHeight];
+      for (const { radius } of inPx(params)) assert.ok((width * height) / (radius * radius) < 60_000);
+    }
+  }
+});
+
+test('layers come and go, with ids that are never taken over', () => {
+  const page = store();
+  page.removeLayer(1);
+  page.duplicateLayer(0);
+  assert.deepEqual(page.params.layers.map(({ id }) => id), [0, 3, 2]);
+  while (page.params.layers.length < MAX_LAYERS) page.addLayer();
+  page.addLayer();
+  page.duplicateLayer(0);
+  assert.equal(page.params.layers.length, MAX_LAYERS);
+  assert.equal(new Set(page.params.layers.map(({ id }) => id)).size, MAX_LAYERS);
+  resolveParams(page.params);
+  for (let index = 0; index < MAX_LAYERS; index += 1) page.removeLayer(0);
+  assert.deepEqual(page.params.layers, []);
+  page.addLayer();
+  resolveParams(page.params);
+});
+
+test('the seed goes round, a preset keeps it, reset does not', () => {
+  const page = store('#seed=0');
+  page.setSeed(-1);
+  assert.equal(page.params.seed, 4_294_967_295);
+  page.setSeed(4_294_967_296);
+  assert.equal(page.params.seed, 0);
+  page.setSeed(5);
+  page.choosePreset('journal-fig12a');
+  assert.deepEqual(page.params, { ...presetParams('journal-fig12a'), seed: 5 });
+  page.reset();
+  assert.deepEqual(page.params, presetParams('journal-fig12a'));
+  page.undo();
+  assert.equal(page.params.seed, 5);
+});
+
+test('the embed code is safe HTML', () => {
+  const code = embedCode('v=1&preset=journal-fig1&seed=3', 'https://example.org/rocks/?x="><script>#seed=1');
+  assert.match(code, /<script type="module" src="https:\/\/example\.org\/rocks\/rock-field\.js"><\/script>/);
+  assert.match(code, /src="#v=1&amp;preset=journal-fig1&amp;seed=3"/);
+});

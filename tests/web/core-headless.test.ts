@@ -1,0 +1,123 @@
+// What the real wasm is not made to do: traps, and wasm that cannot be had.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { openGenerator, Realm } from '../../www/generator/headless.ts';
+import { loadGenerator } from '../../www/generator/wasm.ts';
+import type { GeneratorGlue } from '../../www/generator/wasm.ts';
+
+const TRAP_SEED = 666;
+
+/** A glue whose instance can be replaced; its generators trap at one seed and are void afterwards. */
+function fakeGlue({ canReset = true } = {}) {
+  const state = { instance: 0, poisoned: false, made: 0 };
+  class Generator {
+    #instance = state.instance;
+    #seed = 0;
+    constructor() {
+      state.made += 1;
+      assert(!state.poisoned, 'a poisoned instance was used');
+    }
+    #check() {
+      if (this.#instance !== state.instance) throw new Error('Invalid stale object from previous Wasm instance');
+      assert(!state.poisoned, 'a poisoned instance was used');
+    }
+    start(params: Float64Array) {
+      this.#check();
+      this.#seed = params[0]!;
+    }
+    step() {
+      if (this.#seed !== TRAP_SEED) return true;
+      state.poisoned = true;
+      throw new WebAssembly.RuntimeError('unreachable');
+    }
+    stage = () => 0;
+    progress = () => 0;
+    summary = () => Float64Array.of(this.#seed, 0, 0, 0);
+    positions = () => new Float32Array();
+    normals = () => new Float32Array();
+    indices = () => new Uint32Array();
+    rock_starts = () => new Uint32Array();
+    vertex_starts = () => new Uint32Array();
+    rock_layer = () => new Uint8Array();
+    free() {
+      this.#check();
+    }
+  }
+  const glue = {
+    Generator,
+    default: async () => {},
+    fresh_seed: () => 1,
+    memory_estimate: () => 1,
+    ...(canReset && {
+      __wbg_reset_state: () => {
+        state.instance += 1;
+        state.poisoned = false;
+      },
+    }),
+  };
+  return { glue: glue as unknown as GeneratorGlue, state };
+}
+
+test('after a trap the next run has a new instance, and other generators of the realm move to it', async () => {
+  const { glue, state } = fakeGlue();
+  const realm = new Realm(glue, () => new ArrayBuffer(0));
+  const [a, b] = [await openGenerator(realm), await openGenerator(realm)];
+  assert.equal((await b.generate({ seed: 1 })).stats.rocks, 1);
+  await assert.rejects(a.generate({ seed: TRAP_SEED }), { name: 'Internal' });
+  assert.equal((await a.generate({ seed: 2 })).stats.rocks, 2);
+  assert.equal((await b.generate({ seed: 3 })).stats.rocks, 3);
+  assert.equal(state.instance, 1);
+  a.dispose();
+  b.dispose();
+});
+
+test('a generator beside one that trapped does not run in the poisoned instance', async () => {
+  const { glue, state } = fakeGlue();
+  const realm = new Realm(glue, () => new ArrayBuffer(0));
+  const [a, b] = [await openGenerator(realm), await openGenerator(realm)];
+  await b.generate({ seed: 1 });
+  await assert.rejects(a.generate({ seed: TRAP_SEED }), { name: 'Internal' });
+  assert.equal((await b.generate({ seed: 3 })).stats.rocks, 3);
+  assert.equal(state.instance, 1);
+});
+
+test('where the instance cannot be replaced a trap is told at every further run', async () => {
+  const realm = new Realm(fakeGlue({ canReset: false }).glue, () => new ArrayBuffer(0));
+  const g = await openGenerator(realm);
+  await assert.rejects(g.generate({ seed: TRAP_SEED }), { name: 'Internal' });
+  await assert.rejects(g.generate({ seed: 1 }), /restart the process/);
+});
+
+/** What loading says when the server answers with this. */
+async function refusal(answer: () => Response | Promise<Response>): Promise<string> {
+  const fetch = globalThis.fetch;
+  globalThis.fetch = async () => answer();
+  try {
+    await loadGenerator(fakeGlue().glue, new URL('https://example.org/files/generator_bg.wasm?v=3'));
+    return '';
+  } catch (error) {
+    assert.equal((error as Error).name, 'WasmUnavailable');
+    return (error as Error).message;
+  } finally {
+    globalThis.fetch = fetch;
+  }
+}
+
+test('wasm that is missing, a page instead of wasm, or no network is said in words', async () => {
+  assert.match(await refusal(() => new Response('', { status: 404 })), /generator_bg\.wasm could not be fetched: the server answered 404/);
+  assert.match(await refusal(() => new Response('<!doctype html>', { headers: { 'Content-Type': 'text/html' } })), /generator_bg\.wasm is no wasm file: the server sent text\/html/);
+  assert.match(await refusal(() => Promise.reject(new TypeError('Failed to fetch'))), /generator_bg\.wasm could not be fetched \(Failed to fetch\)/);
+  assert.equal(await refusal(() => new Response(Uint8Array.of(0, 97, 115, 109), { headers: { 'Content-Type': 'application/octet-stream' } })), '');
+});
+
+test('a load that failed is tried again', async () => {
+  const { glue } = fakeGlue();
+  let tries = 0;
+  const realm = new Realm(glue, () => {
+    tries += 1;
+    return tries === 1 ? Promise.reject(new Error('ENOENT')) : new ArrayBuffer(0);
+  });
+  await assert.rejects(openGenerator(realm), { name: 'WasmUnavailable' });
+  const g = await openGenerator(realm);
+  assert.equal((await g.generate({ seed: 5 })).stats.rocks, 5);
+});

@@ -1,0 +1,59 @@
+// The catalogue: both languages say everything, and say it with the same slots.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { LAYER_ROWS } from '../../www/params-flat.ts';
+import { PARAMS, PRESETS } from '../../www/params.ts';
+import { LANGUAGES, STRINGS, errorText, noticeText, pickLanguage, presetLabel, translate } from '../../www/strings.ts';
+import { decodeLink } from '../../www/url-codec.ts';
+
+const slots = (text: string) => [...text.matchAll(/\{\w+\}/g)].map(([slot]) => slot).sort();
+
+test('every string exists in both languages, with the same slots', () => {
+  for (const [key, words] of Object.entries(STRINGS)) {
+    for (const language of LANGUAGES) assert.ok(words[language].trim(), `${key} ${language}`);
+    assert.deepEqual(slots(words.ja), slots(words.en), key);
+  }
+});
+
+test('every parameter has a label and a sentence in both languages', () => {
+  for (const spec of PARAMS) {
+    for (const language of LANGUAGES) assert.ok(spec.label[language] && spec.doc[language], spec.url);
+  }
+});
+
+test('slots are filled, and no slot is left open', () => {
+  assert.equal(translate('en', 'layer', { n: 3 }), 'Layer 3');
+  assert.equal(translate('ja', 'layer', { n: 3 }), '層 3');
+  const links = ['#v=2', '#preset=x', '#u=x', '#w=x', '#w=0', '#seed=1&seed=2', '#r=1&a=1,2', '#r=1,1,1,1,1,1,1,1,1', '#id=1,1,1', '#camera=x', '#zzz=1', `#${'x'.repeat(2e5)}`];
+  const seen = new Set<string>();
+  for (const notice of links.flatMap((link) => decodeLink(link).notices)) {
+    seen.add(notice.code);
+    assert.equal(notice.text, noticeText('en', notice));
+    for (const language of LANGUAGES) assert.doesNotMatch(noticeText(language, notice), /[{}]|undefined/);
+  }
+  assert.equal(seen.size, 12);
+});
+
+test('errors are put into words; an unknown one shows its own message', () => {
+  const budget = { name: 'OverBudget', key: 'radius', value: 3 * 2 ** 30, min: 0, max: 1.5 * 2 ** 30, message: 'too big' };
+  assert.match(errorText('en', budget), /3072 MiB.*1536 MiB/);
+  assert.match(errorText('ja', budget), /3072 MiB.*1536 MiB/);
+  assert.equal(errorText('ja', { name: 'SomethingNew', message: 'as it is' }), 'as it is');
+});
+
+test('each preset of a paper has a name of its own', () => {
+  const columns = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1) ?? '');
+  for (const paper of ['journal', 'conference']) {
+    const names = PRESETS.filter(({ name }) => name.startsWith(paper)).map((preset) => presetLabel('en', preset, columns));
+    assert.equal(new Set(names).size, names.length);
+    for (const name of names) assert.match(name, /^Fig\. \d+( \([a-f]\))? – ./);
+  }
+});
+
+test('the language follows the browser', () => {
+  assert.equal(pickLanguage(['ja-JP', 'en']), 'ja');
+  assert.equal(pickLanguage(['de', 'ja']), 'ja');
+  assert.equal(pickLanguage(['en-GB', 'ja']), 'en');
+  assert.equal(pickLanguage(['fr']), 'en');
+  assert.equal(pickLanguage([]), 'en');
+});
