@@ -76,10 +76,8 @@ fn diagram(params: &Params, sites: &[DVec2]) -> Vec<Vec<DVec2>> {
     let faces = triangulation.voronoi_faces().take(sites.len());
     faces
         .map(|face| {
-            // Clockwise, so turned round.
-            let mut cell: Vec<DVec2> =
-                face.adjacent_edges().filter_map(|edge| edge.from().position()).map(|p| DVec2::new(p.x, p.y)).collect();
-            cell.reverse();
+            let corners = face.adjacent_edges().filter_map(|edge| edge.from().position());
+            let mut cell: Vec<DVec2> = corners.map(|p| DVec2::new(p.x, p.y)).collect();
             cell = clip(&cell, |p| p.x);
             cell = clip(&cell, |p| width - p.x);
             cell = clip(&cell, |p| p.y);

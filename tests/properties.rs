@@ -161,15 +161,26 @@ fn large_cases() -> [Params; 12] {
             image_height: 500,
             ..rock_field::params::preset("conference-fig1").unwrap().params()
         },
-        Params { seed: 11, ..params(1024, 1024, (0..8).map(|k| layer(k, 256.0 / f64::from(1 << k) + 1.0, 0.3)).collect()) },
+        Params {
+            seed: 11,
+            ..params(1024, 1024, (0..8).map(|k| layer(k, 256.0 / f64::from(1 << k) + 1.0, 0.3)).collect())
+        },
         Params {
             seed: 12,
             border: Border::Drop,
             swing: Swing::Separate,
-            ..params(8192, 128, vec![
-                rock_field::params::Layer { cell_count: Some(40), taper: [-500.0, 400.0, 300.0], ..layer(7, 60.0, 0.0) },
-                rock_field::params::Layer { cell_count: Some(u32::MAX), height: [0.0; 3], ..layer(3, 12.0, 0.0) },
-            ])
+            ..params(
+                8192,
+                128,
+                vec![
+                    rock_field::params::Layer {
+                        cell_count: Some(40),
+                        taper: [-500.0, 400.0, 300.0],
+                        ..layer(7, 60.0, 0.0)
+                    },
+                    rock_field::params::Layer { cell_count: Some(u32::MAX), height: [0.0; 3], ..layer(3, 12.0, 0.0) },
+                ],
+            )
         },
     ]
 }
@@ -202,7 +213,8 @@ fn for_all(count: usize, check: impl Fn(usize) -> Result<(), String> + Sync) {
         failures.into_inner().unwrap()
     };
     #[cfg(target_arch = "wasm32")]
-    let failures: Vec<_> = (0..count).filter_map(|case| check(case).err().map(|message| (case, message))).take(1).collect();
+    let failures: Vec<_> =
+        (0..count).filter_map(|case| check(case).err().map(|message| (case, message))).take(1).collect();
     if let Some((case, message)) = failures.iter().min() {
         panic!("case {case} of {count}: {message}");
     }

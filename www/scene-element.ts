@@ -14,6 +14,7 @@ import { MessageBox } from './message-box.ts';
 import { OrbitControls } from './orbit-controls.ts';
 import { loadRenderer } from './renderer/load.ts';
 import type { Backend, CameraState, ColorMode, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
+import { sceneStyles } from './scene-styles.ts';
 
 export type Theme = 'auto' | 'light' | 'dark';
 
@@ -27,20 +28,6 @@ const MAX_PIXELS = 3840 * 2160;
 const MAX_LOSSES = 3;
 const LOSS_WINDOW_MS = 30_000;
 
-const STYLES = `
-:host { display: block; position: relative; contain: strict; width: 300px; height: 150px; background: var(--rock-field-background, transparent) }
-:host([hidden]) { display: none }
-.stage, canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block }
-.stage { outline: none; cursor: grab; user-select: none; -webkit-user-select: none }
-.stage:active { cursor: grabbing }
-.stage:focus-visible { outline: 2px solid var(--rock-field-accent, Highlight); outline-offset: -2px }
-.message {
-  position: absolute; inset-inline: 0; bottom: 0; box-sizing: border-box; max-height: 100%; overflow: auto; padding: .6em .9em;
-  font: .875rem/1.4 system-ui, sans-serif; color: #fff; background: rgb(20 20 24 / .82); overflow-wrap: anywhere; white-space: pre-line;
-}
-.message[hidden] { display: none }
-`;
-
 const WORDS = {
   noGpu: {
     en: 'This browser offers neither WebGPU nor WebGL2 here, so the plan is drawn instead of the rocks.',
@@ -51,17 +38,6 @@ const WORDS = {
 
 /** On a server there is no HTMLElement; importing must be silent there, and nobody makes an element. */
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
-
-let sheet: CSSStyleSheet | undefined;
-
-/** A constructed sheet, since a strict content security policy refuses `<style>`. */
-function styleSheet(): CSSStyleSheet {
-  if (!sheet) {
-    sheet = new CSSStyleSheet();
-    sheet.replaceSync(STYLES);
-  }
-  return sheet;
-}
 
 function errorText(thrown: unknown): string {
   return thrown instanceof Error ? thrown.message : String(thrown);
@@ -110,7 +86,7 @@ export abstract class SceneElement extends Base {
     // The fallback class of a server has no shadow root, and no document to build for.
     if (typeof this.attachShadow !== 'function') return;
     const root = this.attachShadow({ mode: 'open' });
-    root.adoptedStyleSheets = [styleSheet()];
+    root.adoptedStyleSheets = [sceneStyles()];
     this.#stage = document.createElement('div');
     this.#stage.className = 'stage';
     this.#stage.tabIndex = 0;

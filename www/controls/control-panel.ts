@@ -10,11 +10,11 @@ import { hasProblem, layerCard } from './layer-card.ts';
 import { fillNumberFields, numberField, paramControl, problemOf } from './param-control.ts';
 import { description, iconButton, segments } from './parts.ts';
 import { statistics, summary } from './statistics.ts';
-import { THEMES } from './store.ts';
+import { LIST_KEYS, THEMES } from './store.ts';
 import type { TemplateResult } from 'lit';
 import type { PresetName } from '../params.ts';
 import type { StringKey } from '../strings.ts';
-import type { Store } from './store.ts';
+import type { Problem, Store } from './store.ts';
 
 const SEED = PARAMS[0];
 /** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
@@ -40,6 +40,7 @@ export class ControlPanel extends LitElement {
   /** Ids of the layers whose cards are open. */
   readonly #openLayers = new Set<number>();
   #unsubscribe: (() => void) | undefined;
+  #seenProblem: Problem | null = null;
 
   constructor() {
     super();
@@ -70,6 +71,18 @@ export class ControlPanel extends LitElement {
   protected override updated(): void {
     fillNumberFields(this);
     this.classList.toggle('is-open', this.isOpen);
+    const { problem } = this.store;
+    if (problem && problem !== this.#seenProblem) this.#reveal();
+    this.#seenProblem = problem;
+  }
+
+  /** A message under a control that nobody sees is no message. */
+  #reveal(): void {
+    const line = this.querySelector('.control-problem');
+    if (!line) return;
+    line.closest('details')?.setAttribute('open', '');
+    this.isOpen = true;
+    void this.updateComplete.then(() => line.scrollIntoView({ block: 'nearest' }));
   }
 
   protected override render(): TemplateResult {
@@ -154,7 +167,7 @@ export class ControlPanel extends LitElement {
     const { store } = this;
     const { layers } = store.params;
     const { problem } = store;
-    const ofList = problem && (problem.key === 'layers' || problem.key === 'id') ? problem.text(store.language) : null;
+    const ofList = problem && LIST_KEYS.includes(problem.key) ? problem.text(store.language) : null;
     return html`
       <section class="section" aria-labelledby="layers-heading">
         <div class="section-head">

@@ -39,6 +39,9 @@ export type Change = 'params' | 'look' | 'camera' | 'preferences' | 'field' | 'p
 
 
 
+/** Keys of errors about the list of layers, not about one parameter. */
+export const LIST_KEYS: readonly string[] = ['layers', 'id'];
+
 const SEED = row('seed');
 const RADIUS = row('radius');
 
@@ -258,10 +261,21 @@ export class Store {
   /** An error of the element: under its control, or on the line for the page when it has none. */
   fail(error: ErrorInfo): void {
     const text = (language: Language) => errorText(language, error);
+    const { key = '', layer } = error;
+    const spec = PARAMS.find((candidate) => candidate.key === key);
     this.progress = null;
-    if (error.key === undefined) this.say(text);
-    else this.setProblem({ key: error.key, layer: error.layer ?? null, component: null, text });
+    if (spec || LIST_KEYS.includes(key)) {
+      this.setProblem({ key, layer: spec?.scope === 'layer' ? (layer ?? this.#finestLayer()) : null, component: null, text });
+    } else {
+      this.say(text);
+    }
     this.notify('progress');
+  }
+
+  /** Where an error of no particular layer belongs: what is too much for the memory is too many small rocks. */
+  #finestLayer(): number {
+    const radii = this.params.layers.map(({ radius }) => radius);
+    return radii.indexOf(Math.min(...radii));
   }
 
   say(message: Message): void {

@@ -1,6 +1,6 @@
 /**
- * The field from above on a plain 2D canvas, for devices without any GPU: whatever the view asked for,
- * the cells, the selected ones filled, and the sites.
+ * The field from above on a plain 2D canvas, for devices without any GPU: every diagram with its sites in
+ * the `diagrams` view, the selected cells with theirs in all others.
  */
 
 import { FOV_Y } from '../camera.ts';
@@ -11,9 +11,12 @@ import type { CameraState, SceneRenderer, SceneStyle } from './renderer.ts';
 const INK = ['#cd5e3c', '#e8b24a', '#4a8fbc', '#7ca450', '#986c9e', '#d6c8ac', '#707880', '#409e8e'];
 const GREY = '#9e9c98';
 const THEMES = {
-  light: { table: '#e0e4e6', paper: '#faf8f3', line: '#6e6860', ink: '#1e1a18' },
-  dark: { table: '#111214', paper: '#1b1d20', line: '#78766f', ink: '#0c0b0a' },
+  light: { table: '#e0e4e6', paper: '#faf8f3', line: '#6e6860' },
+  dark: { table: '#111214', paper: '#1b1d20', line: '#78766f' },
 } as const;
+/** Under and round the selected cells, as in Fig. 8 (d). */
+const GROUND = '#2e2925';
+const OUTLINE = '#1e1a18';
 /** Larger canvases fail silently in some browsers. */
 const MAX_SIDE = 8192;
 /** Below this many device pixels per cell, lines and sites would only darken the sheet. */
@@ -72,15 +75,14 @@ export class Canvas2dRenderer implements SceneRenderer {
     const scale = height / 2 / (this.#camera.distance * Math.tan(FOV_Y / 2));
     const [x, y] = this.#camera.target;
     context.setTransform(scale, 0, 0, -scale, width / 2 - x * scale, height / 2 + y * scale);
-    context.fillStyle = theme.paper;
+    const diagrams = this.#style.view === 'diagrams';
+    context.fillStyle = diagrams ? theme.paper : GROUND;
     context.fillRect(0, 0, field.imageWidth, field.imageHeight);
     const pixel = 1 / scale;
     const layers = [...field.layers].sort((a, b) => a.radius - b.radius);
-    if (this.#style.view !== 'diagrams') {
-      for (const layer of layers) this.#fillSelected(layer, theme.ink, pixel);
-    }
-    if (this.#style.view !== 'selection') {
-      for (const layer of layers) this.#drawDiagram(layer, pixel);
+    for (const layer of layers) {
+      if (diagrams) this.#drawDiagram(layer, pixel);
+      else this.#fillSelected(layer, pixel);
     }
     context.strokeStyle = theme.line;
     context.lineWidth = 1.5 * pixel;
@@ -103,16 +105,18 @@ export class Canvas2dRenderer implements SceneRenderer {
     if (to > from) this.#context.closePath();
   }
 
-  #fillSelected(layer: FieldLayer, outline: string, pixel: number): void {
+  #fillSelected(layer: FieldLayer, pixel: number): void {
     const context = this.#context;
     context.beginPath();
     for (const site of layer.selected) this.#trace(layer, site);
     context.fillStyle = this.#ink(layer);
     context.fill();
     if (layer.radius < MIN_CELL_PX * pixel) return;
-    context.strokeStyle = outline;
-    context.lineWidth = pixel;
+    context.strokeStyle = OUTLINE;
+    context.lineWidth = 1.2 * pixel;
     context.stroke();
+    context.fillStyle = OUTLINE;
+    for (const site of layer.selected) this.#dot(layer, site, pixel);
   }
 
   #drawDiagram(layer: FieldLayer, pixel: number): void {
@@ -125,11 +129,13 @@ export class Canvas2dRenderer implements SceneRenderer {
     context.beginPath();
     for (let i = 0; i + 1 < layer.cellStarts.length; i++) this.#trace(layer, i);
     context.stroke();
-    const dot = Math.min(3 * pixel, layer.radius / 4);
-    for (let i = 0; i + 1 < layer.sites.length; i += 2) {
-      const [x, y] = [layer.sites[i] ?? 0, layer.sites[i + 1] ?? 0];
-      context.fillRect(x - dot / 2, y - dot / 2, dot, dot);
-    }
+    for (let i = 0; 2 * i + 1 < layer.sites.length; i++) this.#dot(layer, i, pixel);
     context.globalAlpha = 1;
+  }
+
+  #dot(layer: FieldLayer, site: number, pixel: number): void {
+    const side = Math.min(2.5 * pixel, layer.radius / 4);
+    const [x, y] = [layer.sites[2 * site] ?? 0, layer.sites[2 * site + 1] ?? 0];
+    this.#context.fillRect(x - side / 2, y - side / 2, side, side);
   }
 }

@@ -119,17 +119,23 @@ function loadModule(backend: GpuBackend): Promise<RendererModule> {
 
 async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   const { load, wasm } = ARTEFACTS[backend];
-  const [module, source] = await Promise.all([
-    load() as Promise<RendererModule>,
-    fetchWasm(wasm()),
-  ]);
-  await module.default({ module_or_path: source });
+  const url = wasm();
+  const [module, source] = await Promise.all([load() as Promise<RendererModule>, fetchWasm(url)]);
+  try {
+    await module.default({ module_or_path: source });
+  } catch (error) {
+    throw new Error(`${fileName(url)} could not be started: ${String(error)}`);
+  }
   return module;
+}
+
+function fileName(url: URL): string {
+  return url.pathname.slice(url.pathname.lastIndexOf('/') + 1);
 }
 
 /** The bytes of a wasm file, or an Error that names it: servers answer missing files with pages. */
 async function fetchWasm(url: URL): Promise<Response | ArrayBuffer> {
-  const name = url.pathname.slice(url.pathname.lastIndexOf('/') + 1);
+  const name = fileName(url);
   let response: Response;
   try {
     response = await fetch(url);

@@ -1,0 +1,435 @@
+// The page in a real browser: first picture, every control, undo, links, bad links, keys, a phone, two languages.
+// Drawn by WebGL2 (software) unless said otherwise.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch, screenshotPath } from './browser.mjs';
+
+let session;
+
+before(async () => {
+  session = await launch();
+});
+
+after(() => session?.close());
+
+/** The page with its first picture. `options` are Playwright's context options. */
+async function open(address = '', options = {}, browser = session) {
+  const opened = await browser.open(address, { viewport: { width: 1280, height: 800 }, locale: 'en-US', colorScheme: 'light', ...options });
+  await opened.page.waitForFunction(() => document.querySelector('rock-field')?.ready.then(() => true), undefined, { timeout: 60_000 });
+  await opened.page.waitForSelector('.summary', { state: 'attached' });
+  return opened;
+}
+
+/** A hash (FNV-1a, by words) of the field of the present parameters, once it is finished. */
+function hash(page) {
+  return page.evaluate(async () => {
+    const { positions, indices, rockStarts, rockLayer } = await document.querySelector('rock-field').getField();
+    let state = 0x811c9dc5;
+    for (const array of [positions, indices, rockStarts, rockLayer]) {
+      const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+      for (let k = 0; k < bytes.length; k += 1) state = Math.imul(state ^ bytes[k], 0x01000193);
+    }
+    return (state >>> 0).toString(16).padStart(8, '0');
+  });
+}
+
+const stats = (page) => page.evaluate(async () => (await document.querySelector('rock-field').getField()).stats);
+const params = (page) => page.evaluate(() => document.querySelector('rock-field').params);
+const message = (page) => page.locator('.message p').first().textContent();
+/** The address follows within half a second. */
+const address = async (page, pattern) => {
+  await page.waitForURL(pattern, { timeout: 5000 });
+  return page.url();
+};
+
+async function closeClean({ errors, close }, known = []) {
+  assert.deepEqual(errors.filter((text) => !known.some((pattern) => pattern.test(text))), []);
+  await close();
+}
+
+for (const webgpu of [false, true]) {
+  test(`the first picture is journal Fig. 1, drawn with ${webgpu ? 'WebGPU' : 'WebGL2'}`, async () => {
+    const browser = webgpu ? await launch({ webgpu }) : session;
+    try {
+      const opened = await open('', {}, browser);
+      const { page } = opened;
+      assert.ok((await stats(page)).rocks > 2500);
+      assert.equal(await page.locator('[data-backend]').textContent(), webgpu ? 'WebGPU' : 'WebGL2');
+      assert.equal(await page.locator('.message').count(), 0);
+      assert.equal(await page.locator('.boot').count(), 0);
+      await page.screenshot({ path: screenshotPath(`page-${webgpu ? 'webgpu' : 'webgl'}`) });
+      await closeClean(opened);
+    } finally {
+      if (webgpu) await browser.close();
+    }
+  });
+}
+
+test('every slider moves something, and its number says so', async () => {
+  const opened = await open('#w=256&h=256&r=40,20,8');
+  const { page } = opened;
+  for (const closed of await page.locator('.layer-toggle[aria-expanded="false"]').all()) await closed.click();
+  // The lists above close nothing: all cards are open now.
+  for (const count of await page.locator('[data-param="fill-2"] input').all()) await count.check();
+  const ids = await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id));
+  assert.equal(ids.length, 3 + 3 * 8);
+  let last = await hash(page);
+  for (const id of ids) {
+    const slider = page.locator(`[id="${id}"]`);
+    const number = page.locator(`[id="${id}-number"]`);
+    const shown = await number.inputValue();
+    // From 0.55 on, c_d asks for more sites than there is room for.
+    const key = id === 'cd' ? 'Home' : 'ArrowRight';
+    await slider.press(key);
+    if (key !== 'Home') await slider.press('PageUp');
+    const next = await hash(page);
+    assert.notEqual(next, last, `${id}: the same rocks`);
+    assert.notEqual(await number.inputValue(), shown, `${id}: the same number`);
+    await page.keyboard.press('Control+z');
+    assert.equal(await hash(page), last, `${id}: undone`);
+    last = await hash(page);
+  }
+  await closeClean(opened);
+});
+
+test('a drag is one step of undo, and the picture follows it', async () => {
+  const opened = await open('#w=512&h=512');
+  const { page } = opened;
+  const before = await hash(page);
+  await page.evaluate(() => {
+    globalThis.shown = 0;
+    document.querySelector('rock-field').addEventListener('generate', () => (globalThis.shown += 1));
+  });
+  const slider = page.locator('[id="h1-0"]');
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  const at = (share) => [box.x + share * box.width, box.y + box.height / 2];
+  await page.mouse.move(...at(0.2));
+  await page.mouse.down();
+  for (let share = 0.2; share < 0.9; share += 0.05) {
+    await page.mouse.move(...at(share));
+    await page.waitForTimeout(60);
+  }
+  await page.mouse.up();
+  const dragged = await hash(page);
+  assert.notEqual(dragged, before);
+  assert.ok((await page.evaluate(() => globalThis.shown)) > 2, 'no picture while dragging');
+  await page.keyboard.press('Control+z');
+  assert.equal(await hash(page), before);
+  await page.keyboard.press('Control+Shift+z');
+  assert.equal(await hash(page), dragged);
+  await closeClean(opened);
+});
+
+test('a shared link shows the same rocks elsewhere', async () => {
+  const opened = await open('#seed=7&w=700&h=500', { permissions: ['clipboard-read', 'clipboard-write'] });
+  const { page } = opened;
+  await page.locator('[id="h2-0-number"]').fill('33.3');
+  await page.locator('[data-param="view"] input[value="wireframe"]').check();
+  await page.getByRole('button', { name: 'Share' }).click();
+  await page.waitForSelector('.toast.is-shown');
+  const link = await page.evaluate(() => navigator.clipboard.readText());
+  assert.equal(link, page.url());
+  assert.match(link, /#v=1&preset=journal-fig1&seed=7&w=700&h=500&h2=33\.3,5,2&view=wireframe$/);
+  const expected = await hash(page);
+  const other = await open(new URL(link).hash);
+  assert.equal(await hash(other.page), expected);
+  assert.ok(await other.page.locator('[data-param="view"] input[value="wireframe"]').isChecked());
+  await closeClean(other);
+  // The same link by the address bar of a page that is open already, and back.
+  await page.evaluate(() => (location.hash = '#seed=8&w=300'));
+  await page.waitForFunction(() => document.querySelector('rock-field').params.seed === 8);
+  assert.equal((await params(page)).imageHeight, 1024);
+  await page.keyboard.press('Control+z');
+  assert.equal(await hash(page), expected);
+  await closeClean(opened);
+});
+
+test('the embed code shows the same rocks', async () => {
+  const opened = await open('#seed=5&w=256&h=256', { permissions: ['clipboard-read', 'clipboard-write'] });
+  const { page } = opened;
+  await page.getByRole('button', { name: 'Copy embed code' }).click();
+  await page.waitForSelector('.toast.is-shown');
+  const code = await page.evaluate(() => navigator.clipboard.readText());
+  const expected = await hash(page);
+  const source = await page.evaluate((html) => new DOMParser().parseFromString(html, 'text/html').querySelector('rock-field').getAttribute('src'), code);
+  const shown = await page.evaluate(async (src) => {
+    const element = document.createElement('rock-field');
+    element.setAttribute('backend', 'null');
+    element.setAttribute('src', src);
+    document.body.append(element);
+    const { params } = element;
+    element.remove();
+    return params;
+  }, source);
+  assert.deepEqual(shown, await params(page));
+  assert.equal(await hash(page), expected);
+  assert.match(code, /<script type="module" src="http:\/\/[^"]+\/rock-field\.js"><\/script>/);
+  await closeClean(opened);
+});
+
+const BAD_LINKS = [
+  ['an unknown key', '#nonsense=1', /nonsense/],
+  ['text for a number', '#w=abc', /w: “abc”/],
+  ['NaN', '#seed=NaN', /seed: “NaN”/],
+  ['out of range', '#r=90,30,99999', /r: 99999 .* 8192/],
+  ['200 kB', `#w=256&${'x=1&'.repeat(50_000)}`, /20\d{4} characters/],
+  ['markup in a value', `#preset=${encodeURIComponent('<img src=x onerror="globalThis.injected=1">')}`, /<img src=x/],
+  ['an unknown version', '#v=99', /version 99/],
+  ['lists of different lengths', '#r=90,30&a=0.2', /r: 2, a: 1/],
+  ['too many layers', '#r=9,9,9,9,9,9,9,9,9', /9 layers/],
+];
+
+for (const [what, link, pattern] of BAD_LINKS) {
+  test(`a link with ${what}: one notice that names it, and the page works`, async () => {
+    const opened = await open(link);
+    const { page } = opened;
+    assert.equal(await page.locator('.message').count(), 1);
+    const notices = [await message(page)];
+    const count = /\/ (\d+)/.exec((await page.locator('.message').textContent()) ?? '')?.[1] ?? '1';
+    for (let k = 1; k < Number(count); k += 1) {
+      await page.locator('.message button').click();
+      notices.push(await message(page));
+    }
+    assert.equal(notices.filter((text) => pattern.test(text)).length, 1, notices.join('\n'));
+    await page.locator('.message button').click();
+    assert.equal(await page.locator('.message').count(), 0);
+    assert.equal(await page.evaluate(() => globalThis.injected), undefined);
+    assert.equal(await page.locator('img[src="x"]').count(), 0);
+    const before = await hash(page);
+    await page.getByRole('button', { name: 'Next seed' }).click();
+    assert.notEqual(await hash(page), before);
+    await closeClean(opened);
+  });
+}
+
+const DEGENERATE = ['#r=', '#r=8192', '#w=1&h=1', '#w=1024&h=1', '#w=64&h=64&r=1', '#a=0,0,0', '#a=1,1,1', '#cd=0', '#w1=-500,-500,-500', '#n=0,-,5'];
+
+for (const link of DEGENERATE) {
+  test(`${link} has a picture and no error`, async () => {
+    const opened = await open(link);
+    const { page } = opened;
+    assert.equal(await page.locator('.message, .control-problem').count(), 0);
+    const { coveredFraction } = await stats(page);
+    assert.ok(coveredFraction >= 0 && coveredFraction <= 1);
+    assert.doesNotMatch(await page.locator('.panel').innerText(), /NaN|undefined|-0\.0/);
+    await closeClean(opened);
+  });
+}
+
+test('what is too large for the memory is said under the parameter to change; the picture stays', async () => {
+  const opened = await open('#w=8192&h=8192&r=200');
+  const { page } = opened;
+  const before = await hash(page);
+  await page.locator('[id="r-0-number"]').fill('1');
+  const problem = page.locator('[data-param="r-0"] .control-problem');
+  await problem.waitFor();
+  assert.match(await problem.textContent(), /MiB.*MiB/);
+  assert.equal(await page.locator('[id="r-0-number"]').getAttribute('aria-invalid'), 'true');
+  await page.locator('[id="r-0-number"]').fill('200');
+  await problem.waitFor({ state: 'detached' });
+  assert.equal(await hash(page), before);
+  await closeClean(opened);
+});
+
+test('a number out of bounds is said while it is typed, and clamped when it is left', async () => {
+  const opened = await open('#w=256&h=256');
+  const { page } = opened;
+  const field = page.locator('[id="r-0-number"]');
+  await field.fill('99999');
+  assert.match(await page.locator('[data-param="r-0"] .control-problem').textContent(), /1 to 8192/);
+  assert.equal((await params(page)).layers[0].radius, 90);
+  await field.press('Tab');
+  await page.waitForFunction(() => document.querySelector('rock-field').params.layers[0].radius === 8192);
+  assert.equal(await field.inputValue(), '8192');
+  await field.fill('');
+  await field.press('Tab');
+  assert.equal(await field.inputValue(), '8192');
+  // A decimal point on its way is not taken away.
+  await field.fill('');
+  await field.pressSequentially('45.25');
+  assert.equal((await params(page)).layers[0].radius, 45.25);
+  await closeClean(opened);
+});
+
+test('a long run shows its progress and can be cancelled, back to what is shown', async () => {
+  const opened = await open('#w=4096&h=4096&r=300&a=0.1');
+  const { page } = opened;
+  const before = await hash(page);
+  await page.locator('[id="r-0-number"]').fill('3');
+  await page.locator('.progress').waitFor();
+  assert.match(await page.locator('.progress-text').textContent(), /Generating: \w+, \d+%/);
+  await page.getByRole('button', { name: 'Cancel' }).click();
+  await page.locator('.progress').waitFor({ state: 'detached' });
+  assert.equal((await params(page)).layers[0].radius, 300);
+  assert.equal(await hash(page), before);
+  assert.match(await message(page), /Cancelled/);
+  await closeClean(opened);
+});
+
+test('presets, seeds, reset and randomise', async () => {
+  const opened = await open('#w=300&seed=4');
+  const { page } = opened;
+  await page.locator('.select').selectOption('conference-fig11c');
+  await address(page, /preset=conference-fig11c&seed=4$/);
+  assert.equal((await params(page)).notation, 'relative');
+  assert.equal(await page.locator('.select option').count(), 26);
+  await page.getByRole('button', { name: 'Previous seed' }).click();
+  assert.equal((await params(page)).seed, 3);
+  await page.getByRole('button', { name: 'Fresh random seed' }).click();
+  await page.waitForFunction(() => document.querySelector('rock-field').params.seed > 3);
+  const seed = (await params(page)).seed;
+  await page.getByRole('button', { name: 'Randomise' }).click();
+  await page.waitForFunction((old) => document.querySelector('rock-field').params.seed !== old, seed);
+  const { rocks } = await stats(page);
+  assert.ok(rocks > 0 && rocks < 60_000);
+  await page.getByRole('button', { name: 'Reset to the preset' }).click();
+  await address(page, /#v=1&preset=conference-fig11c$/);
+  await closeClean(opened);
+});
+
+test('layers are added, duplicated, removed; a count takes the place of an area', async () => {
+  const opened = await open('#w=256&h=256');
+  const { page } = opened;
+  const before = await hash(page);
+  await page.locator('[data-param="fill-0"] input[value="count"]').check();
+  assert.equal(await hash(page), before, 'as many as there were');
+  await page.getByRole('button', { name: 'Duplicate layer 1' }).click();
+  assert.equal((await params(page)).layers.length, 4);
+  for (let k = 0; k < 4; k += 1) await page.getByRole('button', { name: 'Add layer' }).click();
+  assert.ok(await page.getByRole('button', { name: 'Add layer' }).isDisabled());
+  for (let k = 0; k < 8; k += 1) await page.getByRole('button', { name: 'Remove layer 1' }).click();
+  await address(page, /&r=$/);
+  assert.equal((await stats(page)).rocks, 0);
+  await closeClean(opened);
+});
+
+test('another notation, the same rocks', async () => {
+  const opened = await open('#w=512&h=512');
+  const { page } = opened;
+  const before = await hash(page);
+  await page.locator('[data-param="u"] input[value="relative"]').check();
+  assert.equal((await params(page)).layers[0].radius, 90 / 5.12);
+  assert.equal(await hash(page), before);
+  await page.locator('[data-param="u"] input[value="px"]').check();
+  assert.equal(await hash(page), before);
+  await closeClean(opened);
+});
+
+test('views and colours change the picture, not the rocks; the link tells them', async () => {
+  const opened = await open('#w=512&h=512');
+  const { page } = opened;
+  const before = await hash(page);
+  let last = await page.locator('rock-field').screenshot();
+  for (const [name, value] of [['view', 'wireframe'], ['view', 'diagrams'], ['view', 'selection'], ['view', '3d'], ['color', 'rock'], ['color', 'plain']]) {
+    await page.locator(`[data-param="${name}"] input[value="${value}"]`).check();
+    await page.waitForTimeout(700);
+    const next = await page.locator('rock-field').screenshot({ path: screenshotPath(`page-${name}-${value}`) });
+    assert.notDeepEqual(next, last, value);
+    last = next;
+  }
+  assert.equal(await hash(page), before);
+  await address(page, /&color=plain$/);
+  await closeClean(opened);
+});
+
+test('the page works by keyboard alone', async () => {
+  const opened = await open('#w=256&h=256');
+  const { page } = opened;
+  await page.keyboard.press('Tab');
+  assert.equal(await page.evaluate(() => document.activeElement?.className), 'skip-link');
+  await page.keyboard.press('Enter');
+  assert.ok(await page.evaluate(() => document.activeElement?.localName === 'control-panel'));
+  assert.doesNotMatch(page.url(), /#controls/);
+  // Everything that can be pressed or set is reached, in the order of the page, with a visible focus.
+  const reached = new Set();
+  for (let presses = 0; presses < 80; presses += 1) {
+    await page.keyboard.press('Tab');
+    const name = await page.evaluate(() => {
+      const { activeElement: element } = document;
+      if (!element || !element.closest('.panel')) return null;
+      return `${element.id || element.getAttribute('aria-label') || element.name || element.textContent.trim()}`;
+    });
+    if (name === null) break;
+    reached.add(name);
+  }
+  for (const name of ['Share', 'preset', 'seed-number', 'Fresh random seed', 'r-0', 'r-0-number', 'h3-0', 'w', 'cd-number', 'u', 'border', 'language', 'theme']) {
+    assert.ok([...reached].some((seen) => seen === name), `${name} is not reached: ${[...reached].join(', ')}`);
+  }
+  await page.locator('.stage').evaluate((stage) => stage.querySelector('rock-field').shadowRoot.querySelector('[tabindex]').focus());
+  await page.keyboard.press('ArrowLeft');
+  await address(page, /&camera=/);
+  await page.keyboard.press('f');
+  await page.waitForFunction(() => !location.hash.includes('camera'));
+  await page.keyboard.press('3');
+  await address(page, /&view=diagrams$/);
+  await page.keyboard.press(']');
+  assert.equal((await params(page)).seed, 1);
+  await page.keyboard.press('?');
+  await page.getByRole('dialog').waitFor();
+  await page.keyboard.press('Escape');
+  assert.equal(await page.getByRole('dialog').count(), 0);
+  await closeClean(opened);
+});
+
+for (const language of ['en', 'ja']) {
+  test(`a phone of 360 px in ${language}: nothing is cut off, the picture stays visible, targets are large`, async () => {
+    const opened = await open('', { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true, locale: language === 'ja' ? 'ja-JP' : 'en-US', colorScheme: language === 'ja' ? 'dark' : 'light' });
+    const { page } = opened;
+    assert.equal(await page.evaluate(() => document.documentElement.lang), language);
+    await page.screenshot({ path: screenshotPath(`page-phone-${language}`) });
+    await page.locator('.sheet-toggle').tap();
+    await page.screenshot({ path: screenshotPath(`page-phone-${language}-open`) });
+    const { wide, small, picture } = await page.evaluate(() => {
+      const targets = [...document.querySelectorAll('.panel button, .panel select, .panel .slider, .segment span, .on-picture')].filter((element) => element.checkVisibility());
+      const boxes = targets.map((element) => ({ name: element.className || element.id, box: element.getBoundingClientRect() }));
+      return {
+        wide: boxes.filter(({ box }) => box.left < 0 || box.right > innerWidth).map(({ name }) => name),
+        small: boxes.filter(({ box }) => box.height < 35.9 || box.width < 35.9).map(({ name, box }) => `${name} ${box.width}×${box.height}`),
+        picture: document.querySelector('rock-field').getBoundingClientRect().height,
+      };
+    });
+    assert.deepEqual(wide, []);
+    assert.deepEqual(small, []);
+    assert.ok(picture > 250, `${picture} px of picture`);
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
+    await closeClean(opened);
+  });
+}
+
+test('language and theme are switched in the panel and kept', async () => {
+  const opened = await open('#w=256&h=256');
+  const { page } = opened;
+  await page.locator('[data-param="language"] input[value="ja"]').check();
+  assert.equal(await page.evaluate(() => document.documentElement.lang), 'ja');
+  await page.getByRole('button', { name: '共有' }).waitFor();
+  await page.locator('[data-param="theme"] input[value="dark"]').check();
+  const background = await page.evaluate(() => getComputedStyle(document.querySelector('.panel')).backgroundColor);
+  assert.match(background, /^rgb\((\d|[1-5]\d), /);
+  assert.equal(await page.evaluate(() => document.querySelector('rock-field').theme), 'dark');
+  await page.reload();
+  await page.getByRole('button', { name: '共有' }).waitFor();
+  assert.equal(await page.evaluate(() => document.documentElement.dataset.theme), 'dark');
+  await closeClean(opened);
+});
+
+test('every control has a name, and what describes it exists', async () => {
+  const opened = await open('#w=256&h=256');
+  const { page } = opened;
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, select')].filter((element) => {
+      const name = element.getAttribute('aria-label') || element.textContent.trim() || [...(element.labels ?? [])].map(({ textContent }) => textContent.trim()).join('');
+      return !name;
+    }).map(({ outerHTML }) => outerHTML),
+  );
+  assert.deepEqual(nameless, []);
+  const dangling = await page.evaluate(() =>
+    [...document.querySelectorAll('[aria-describedby], [aria-labelledby], [aria-controls]')].flatMap((element) =>
+      ['aria-describedby', 'aria-labelledby', 'aria-controls'].flatMap((name) => (element.getAttribute(name) ?? '').split(' ').filter((id) => id && !document.getElementById(id))),
+    ),
+  );
+  assert.deepEqual(dangling, []);
+  const twice = await page.evaluate(() => [...document.querySelectorAll('[id]')].map(({ id }) => id).filter((id, index, all) => all.indexOf(id) !== index));
+  assert.deepEqual(twice, []);
+  await closeClean(opened);
+});
