@@ -1,8 +1,8 @@
 // Baseline (b): the rock method as a JavaScript developer would put it together from npm packages.
 //
 // Same method and same options as ours, hence about as many rocks: least distance r, the whole image as domain, layers in
-// descending order of mean cell area, cells in random order until A_s is reached, pixels by their centres. It keeps its
-// intermediate results in typed arrays, allocates nothing per pixel and computes no normals, which ours does.
+// descending order of mean cell area, cells in random order until A_s is reached, pixels by their centres; and the same
+// buffers for the renderer at the end. It keeps its results in typed arrays and allocates nothing per pixel.
 import FastPoissonDiskSampling from 'fast-2d-poisson-disk-sampling';
 import { Delaunay } from 'd3-delaunay';
 import Delaunator from 'delaunator';
@@ -10,7 +10,7 @@ import Delaunator from 'delaunator';
 /**
  * One field. `layers` are `{ radius, areaFraction, taper, height }` in px, as in `rock-field/core`.
  *
- * @returns positions, indices, rockStarts, and `ms`: milliseconds per stage
+ * @returns positions, normals, indices, rockStarts, and `ms`: milliseconds per stage
  */
 export function npmStack({ imageWidth: width, imageHeight: height, layers, seed }) {
   const random = mulberry32(seed);
@@ -162,6 +162,7 @@ function build(layers, cells, selected, random) {
     }
   }
   const positions = new Float32Array(3 * 2 * rim);
+  const normals = new Float32Array(3 * 2 * rim);
   // A convex polygon of n vertices with n points inside has 3n − 2 triangles; rounding may add a few slivers.
   const indices = new Uint32Array(3 * 3 * rim);
   const rockStarts = new Uint32Array(rocks + 1);
@@ -180,11 +181,13 @@ function build(layers, cells, selected, random) {
       const { triangles } = new Delaunator(points);
       for (let i = 0; i < triangles.length; i++) indices[index++] = vertex + triangles[i];
       displace(points, n, taper, height, random, positions, vertex);
+      sumNormals(positions, indices, index - triangles.length, index, normals);
       vertex += 2 * n;
       rockStarts[++rock] = index;
     }
   }
-  return { positions, indices: indices.subarray(0, index), rockStarts };
+  normalize(normals);
+  return { positions, normals, indices: indices.subarray(0, index), rockStarts };
 }
 
 /** Fills the second half of `points` with points uniform in the convex polygon that is the first half. */
@@ -232,5 +235,40 @@ function displace(points, n, taper, height, random, positions, vertex) {
     positions[at++] = points[2 * p] + scale * dx;
     positions[at++] = points[2 * p + 1] + scale * dy;
     positions[at++] = height[0] + height[1] * j1 + height[2] * j2;
+  }
+}
+
+/** Adds each triangle's normal, as long as the triangle is large, to its three vertices. */
+function sumNormals(positions, indices, from, to, normals) {
+  for (let i = from; i < to; i += 3) {
+    const a = 3 * indices[i];
+    const b = 3 * indices[i + 1];
+    const c = 3 * indices[i + 2];
+    const ux = positions[b] - positions[a];
+    const uy = positions[b + 1] - positions[a + 1];
+    const uz = positions[b + 2] - positions[a + 2];
+    const vx = positions[c] - positions[a];
+    const vy = positions[c + 1] - positions[a + 1];
+    const vz = positions[c + 2] - positions[a + 2];
+    // Delaunator's triangles run clockwise.
+    const nx = vy * uz - vz * uy;
+    const ny = vz * ux - vx * uz;
+    const nz = vx * uy - vy * ux;
+    for (let corner = 0; corner < 3; corner++) {
+      const at = 3 * indices[i + corner];
+      normals[at] += nx;
+      normals[at + 1] += ny;
+      normals[at + 2] += nz;
+    }
+  }
+}
+
+function normalize(normals) {
+  for (let i = 0; i < normals.length; i += 3) {
+    const length = Math.sqrt(normals[i] ** 2 + normals[i + 1] ** 2 + normals[i + 2] ** 2);
+    const scale = length > 0 ? 1 / length : 0;
+    normals[i] *= scale;
+    normals[i + 1] *= scale;
+    normals[i + 2] *= scale;
   }
 }

@@ -6,15 +6,20 @@ import { launch } from '../tests/e2e/browser.mjs';
 import { root } from './env.mjs';
 import { isMain, main, say } from './run.mjs';
 
-const CELL = { width: 240, height: 180 };
+const HEIGHT = 180;
 const PRESETS_PER_ROW = 4;
 /** Half the height of the picture at the target, over the distance: tan(18°), as in www/camera.ts. */
 const TAN = Math.tan(Math.PI / 10);
-const OBLIQUE = { azimuth: (30 * Math.PI) / 180, elevation: (35 * Math.PI) / 180 };
+/** Every preset is 1024 px wide and deep. */
+const SIDE = 1024;
+const VIEWS = [
+  { width: HEIGHT, camera: { azimuth: 0, elevation: Math.PI / 2, distance: (1.04 * SIDE) / 2 / TAN } },
+  { width: 300, camera: { azimuth: (30 * Math.PI) / 180, elevation: (35 * Math.PI) / 180, distance: 1.7 * SIDE } },
+];
 
 /** A page of nothing but the element. */
 const STUDIO = `<!doctype html><meta charset="utf-8"><title>figures</title><link rel="icon" href="data:,">
-<style>body { margin: 0 } rock-field { width: ${CELL.width}px; height: ${CELL.height}px }</style>
+<style>body { margin: 0 } rock-field { width: 100vw; height: 100vh }</style>
 <script type="module" src="./rock-field.js"></script><rock-field preset="journal-fig1" theme="light"></rock-field>`;
 
 /** Sets a preset and a camera and waits until it is painted. */
@@ -30,7 +35,7 @@ async function pose({ preset, camera }) {
   return `${stats.rocks.toLocaleString('en')} rocks · ${stats.triangles.toLocaleString('en')} triangles`;
 }
 
-async function shoot({ webgpu, names, onPicture }) {
+async function shoot({ webgpu, names, type, onPicture }) {
   const intercept = (request, response) => {
     if (!request.url.startsWith('/studio.html')) return false;
     response.writeHead(200, { 'content-type': 'text/html' }).end(STUDIO);
@@ -38,48 +43,44 @@ async function shoot({ webgpu, names, onPicture }) {
   };
   const session = await launch({ webgpu, intercept });
   try {
-    const { page, errors } = await session.open('studio.html', { viewport: CELL, deviceScaleFactor: 2, colorScheme: 'light' });
-    const size = 1024;
-    const views = [
-      { azimuth: 0, elevation: Math.PI / 2, distance: (1.04 * size) / 2 / TAN },
-      { ...OBLIQUE, distance: 1.72 * size },
-    ];
+    const { page, errors } = await session.open('studio.html', { viewport: { width: HEIGHT, height: HEIGHT }, deviceScaleFactor: 2, colorScheme: 'light' });
     const cells = [];
     for (const preset of names) {
       const pictures = [];
       let caption = '';
-      for (const camera of views) {
+      for (const { width, camera } of VIEWS) {
+        await page.setViewportSize({ width, height: HEIGHT });
         caption = await page.evaluate(pose, { preset, camera });
         pictures.push((await page.screenshot({ type: 'png' })).toString('base64'));
       }
       cells.push({ preset, caption, pictures });
-      onPicture?.(preset, caption);
+      onPicture(preset, caption);
     }
     if (errors.length > 0) throw new Error(errors.join('\n'));
-    return await compose(session, cells);
+    return await compose(session, cells, type);
   } finally {
     await session.close();
   }
 }
 
-async function compose(session, cells) {
+async function compose(session, cells, type) {
   const figures = cells.map(
     ({ preset, caption, pictures }) => `<figure>${pictures.map((data) => `<img src="data:image/png;base64,${data}" alt="">`).join('')}
       <figcaption><b>${preset}</b> ${caption}</figcaption></figure>`,
   );
   const gap = 12;
-  const width = PRESETS_PER_ROW * (2 * CELL.width + 2 + gap) + gap;
+  const width = PRESETS_PER_ROW * (VIEWS[0].width + VIEWS[1].width + 2 + gap) + gap;
   const html = `<!doctype html><meta charset="utf-8"><style>
     body { margin: 0; padding: ${gap}px; background: #fff; color: #222; font: 12px/1.3 system-ui, sans-serif }
     main { display: grid; grid-template-columns: repeat(${PRESETS_PER_ROW}, max-content); gap: ${gap}px }
     figure { margin: 0; display: grid; grid-template-columns: max-content max-content; gap: 2px }
-    img { width: ${CELL.width}px; height: ${CELL.height}px; display: block }
+    img { height: ${HEIGHT}px; display: block }
     figcaption { grid-column: 1 / -1; white-space: nowrap } b { font-weight: 600; margin-inline-end: .6em }
   </style><main>${figures.join('')}</main>`;
   const context = await session.browser.newContext({ viewport: { width, height: 800 } });
   const page = await context.newPage();
   await page.setContent(html, { waitUntil: 'load' });
-  return (type) => page.screenshot({ fullPage: true, type, ...(type === 'jpeg' ? { quality: 84 } : {}) });
+  return page.screenshot({ fullPage: true, type, ...(type === 'jpeg' ? { quality: 76 } : {}) });
 }
 
 if (isMain(import.meta)) {
@@ -92,9 +93,10 @@ if (isMain(import.meta)) {
     const sheet = await shoot({
       webgpu: !args.includes('--webgl'),
       names,
+      type: out.endsWith('.png') ? 'png' : 'jpeg',
       onPicture: (preset, caption) => say(`  ${preset}: ${caption}`),
     });
-    await writeFile(out, await sheet(out.endsWith('.png') ? 'png' : 'jpeg'));
+    await writeFile(out, sheet);
     say(`✓ ${path.relative(root, out)}`);
   });
 }

@@ -73,7 +73,7 @@ field_test! {
             for (width, height) in [(1, 1), (1, 300), (7, 36)] {
                 let narrow = params(width, height, vec![tiny.clone()]);
                 let field = field(&Params { notation: Notation::Relative, darts, ..narrow });
-                assert!(field.layers[0].sites.target > 100_000_000);
+                assert!(field.layers[0].sites.target > 10_000_000);
                 assert_eq!(field.mesh.rocks() as u32, width * height);
             }
         }
@@ -179,29 +179,25 @@ field_test! {
             let range = spec.range;
             for wrong in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY, range.max * 1.5 + 1.0, range.min - 1.0] {
                 let mut bad = params(200, 150, vec![layer(0, 12.0, 0.4), layer(1, 5.0, 0.4)]);
-                let layer_at = match spec.scope {
+                let (layer_at, given) = match spec.scope {
                     Scope::Field(get, set) => {
                         set(&mut bad, wrong);
-                        // Whole numbers live in integers, which hold no wrong value but one too large.
-                        if get(&bad) >= range.min && get(&bad) <= range.max {
-                            continue;
-                        }
-                        None
+                        (None, get(&bad))
                     }
                     Scope::Layer(get, set) => {
                         set(&mut bad.layers[1], wrong);
-                        let value = get(&bad.layers[1]);
-                        if value.is_nan() && range.default.is_nan() || value >= range.min && value <= range.max {
-                            continue;
-                        }
-                        Some(1)
+                        (Some(1), get(&bad.layers[1]))
                     }
                 };
+                // Whole numbers and choices live in types that cannot hold most wrong values; NaN is "no count".
+                if (range.min..=range.max).contains(&given) || (given.is_nan() && range.default.is_nan()) {
+                    continue;
+                }
                 assert_refused(&bad, u64::MAX, |error| {
                     let [value, min, max] = error.numbers();
                     error.code() == "OutOfRange"
                         && (error.key(), error.layer()) == (spec.key, layer_at)
-                        && (value == wrong || value.is_nan() == wrong.is_nan())
+                        && (value == given || (value.is_nan() && given.is_nan()))
                         && [min, max] == [range.min, range.max]
                 });
             }

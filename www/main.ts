@@ -69,14 +69,20 @@ function listen<K extends keyof RockFieldEventMap>(element: RockFieldElement, ty
   element.addEventListener(type, listener as EventListener);
 }
 
-listen(field, 'load', () => void keepOffline());
+listen(field, 'load', () => {
+  store.setBackend(field.backend);
+  void keepOffline();
+});
 listen(field, 'generate', ({ detail }) => {
-  store.backend = field.backend;
+  store.setBackend(field.backend);
   store.showField(detail.field, detail.superseded ? null : store.params);
 });
 listen(field, 'progress', ({ detail }) => store.setProgress(detail));
 listen(field, 'error', ({ detail }) => store.fail(detail.error));
-listen(field, 'restored', () => store.say((language) => translate(language, 'lostPicture')));
+listen(field, 'restored', () => {
+  store.setBackend(field.backend);
+  store.say((language) => translate(language, 'lostPicture'));
+});
 listen(field, 'notice', ({ detail }) => store.say(() => detail.message));
 listen(field, 'camera-change', ({ detail }) => {
   store.camera = detail.framed ? null : detail.camera;

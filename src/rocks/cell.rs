@@ -23,6 +23,8 @@ struct Edge {
     /// Start vertex, rounded; its exact place is the circumcentre of the site and two neighbours, this edge's and
     /// the previous one's.
     vertex: DVec2,
+    /// Its squared distance.
+    distance2: f64,
     /// Offset of the neighbour across this edge: whole numbers.
     g: DVec2,
     /// Index of the neighbour, or [`SIDES`] + side.
@@ -34,7 +36,8 @@ impl Edge {
     #[inline]
     fn after(previous: DVec2, g: DVec2, neighbor: u32) -> Self {
         let (n, d) = circumcentre(previous, g);
-        Edge { vertex: n / d, g, neighbor }
+        let vertex = n * (1.0 / d);
+        Edge { vertex, distance2: vertex.length_squared(), g, neighbor }
     }
 }
 
@@ -61,23 +64,21 @@ impl CellCutter {
     /// Starts with the whole image, seen from pixel (x, y).
     pub(crate) fn start(&mut self, width: u32, height: u32, x: u32, y: u32) {
         let [w, h, x, y] = [width, height, x, y].map(f64::from);
-        let mirrors = [
-            (SIDES + 2, DVec2::new(0.0, -2.0 * y - 1.0)),
-            (SIDES + 1, DVec2::new(2.0 * (w - x) - 1.0, 0.0)),
-            (SIDES + 3, DVec2::new(0.0, 2.0 * (h - y) - 1.0)),
-            (SIDES, DVec2::new(-2.0 * x - 1.0, 0.0)),
-        ];
+        let (left, right, bottom, top) = (-x - 0.5, w - x - 0.5, -y - 0.5, h - y - 0.5);
         self.edges.clear();
-        for k in 0..4 {
-            let (neighbor, g) = mirrors[k];
-            let (_, previous) = mirrors[(k + 3) % 4];
-            self.edges.push(Edge::after(previous, g, neighbor));
-        }
+        let mut side = |side, vertex: DVec2, g| {
+            self.edges.push(Edge { vertex, distance2: vertex.length_squared(), g, neighbor: SIDES + side });
+        };
+        // The mirror image across a side is twice as far as the side.
+        side(2, DVec2::new(left, bottom), DVec2::new(0.0, 2.0 * bottom));
+        side(1, DVec2::new(right, bottom), DVec2::new(2.0 * right, 0.0));
+        side(3, DVec2::new(right, top), DVec2::new(0.0, 2.0 * top));
+        side(0, DVec2::new(left, top), DVec2::new(2.0 * left, 0.0));
         self.update_reach();
     }
 
     fn update_reach(&mut self) {
-        let farthest = self.edges.iter().fold(0.0_f64, |far, edge| far.max(edge.vertex.length_squared()));
+        let farthest = self.edges.iter().fold(0.0_f64, |far, edge| far.max(edge.distance2));
         // A bisector lies half way to its site, so at a quarter of the squared distance.
         self.reach2 = 4.0 * farthest * (1.0 + 1e-12);
     }
@@ -202,7 +203,7 @@ impl CellCutter {
 fn to_lattice(coordinate: f64) -> Option<f64> {
     let shifted = coordinate * LATTICE + 0.5;
     let rounded = shifted.floor();
-    // The coordinate is off by at most two ulp: 2⁻¹⁸ of a step, for it is below 2¹⁴ px.
+    // The coordinate is off by at most two ulp: 2⁻¹⁸ of a step, for it is below 2¹³ px from its site.
     let fraction = shifted - rounded;
     (1.0e-5..=1.0 - 1.0e-5).contains(&fraction).then_some(rounded)
 }

@@ -48,7 +48,8 @@ impl FieldLayer {
 }
 
 pub(crate) fn area_reached(sites: &Sites, selection: &Selection) -> f64 {
-    selection.pixels as f64 / (f64::from(sites.width) * f64::from(sites.height))
+    // Before a run has reached the layer there is no image yet, and no pixel.
+    selection.pixels as f64 / (f64::from(sites.width) * f64::from(sites.height)).max(1.0)
 }
 
 /// Grows a field: a pure function of the parameters.

@@ -309,7 +309,7 @@ impl Generator {
         for (k, cache) in self.layers.iter().enumerate() {
             if !cache.shapes.is_current(&cache.selection.version) {
                 let id = cache.layer.as_ref()?.id;
-                let shaper = Shaper::new(&cache.cells.value, &cache.selection.value.selected, params.seed, id);
+                let shaper = Shaper::new(&cache.selection.value.selected, params.seed, id);
                 return Some(Task { layer: k, work: Work::Shapes(Box::new(shaper)) });
             }
         }

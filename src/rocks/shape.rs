@@ -50,20 +50,22 @@ impl Shapes {
 pub(crate) struct Shaper {
     shapes: Shapes,
     triangulator: Triangulator,
+    sampler: PolygonSampler,
     seed: u32,
     layer: u32,
 }
 
 impl Shaper {
-    pub(crate) fn new(cells: &Cells, selected: &[u32], seed: u32, layer: u32) -> Self {
-        let rim_vertices: usize = selected.iter().map(|&site| cells.polygon(site as usize).len()).sum::<usize>();
+    pub(crate) fn new(selected: &[u32], seed: u32, layer: u32) -> Self {
+        // Six cell vertices on average, and a little room; counting them would be a walk through all cells.
+        let rim_vertices = 6 * selected.len() + selected.len() / 8;
         let mut shapes = Shapes {
             starts: Vec::with_capacity(selected.len() + 1),
             top: Vec::with_capacity(rim_vertices),
-            triangles: Vec::with_capacity((3 * rim_vertices).saturating_sub(2 * selected.len())),
+            triangles: Vec::with_capacity(3 * rim_vertices),
         };
         shapes.starts.push(0);
-        Shaper { shapes, triangulator: Triangulator::default(), seed, layer }
+        Shaper { shapes, triangulator: Triangulator::default(), sampler: PolygonSampler::default(), seed, layer }
     }
 
     /// Shapes about `count` more rocks. True when all are done.
@@ -78,11 +80,12 @@ impl Shaper {
 
     fn add_rock(&mut self, rim: &[DVec2], site: u32) {
         let mut stream = Stream::new(self.seed, Purpose::TopPoints, self.layer, site);
-        let sampler = PolygonSampler::new(rim);
+        let sampler = &mut self.sampler;
+        sampler.start(rim);
         // A draw that rounding puts on the rim or on another point is drawn again; chances are below 1e-9.
-        while !self.triangulator.start(rim, sampler.draw(rim, &mut stream)) {}
+        while !self.triangulator.start(rim, sampler.draw(&mut stream)) {}
         for _ in 1..rim.len() {
-            while !self.triangulator.insert(sampler.draw(rim, &mut stream)) {}
+            while !self.triangulator.insert(sampler.draw(&mut stream)) {}
         }
         self.shapes.top.extend_from_slice(self.triangulator.inner(rim.len()));
         self.shapes.triangles.extend_from_slice(self.triangulator.triangles());
@@ -93,47 +96,58 @@ impl Shaper {
         self.shapes.len() as f64 / selected.len().max(1) as f64
     }
 
-    pub(crate) fn finish(self) -> Shapes {
+    pub(crate) fn finish(mut self) -> Shapes {
+        self.shapes.top.shrink_to_fit();
+        self.shapes.triangles.shrink_to_fit();
         self.shapes
     }
 }
 
-/// Draws points uniformly by area from a convex polygon (decision A12).
+/// Draws points uniformly by area from a convex polygon (decision A12), as a fan of triangles.
+#[derive(Debug, Default)]
 struct PolygonSampler {
-    /// Twice the area.
+    origin: DVec2,
+    /// Per triangle of the fan: two edge vectors, and the parallelogram's area.
+    fan: Vec<(DVec2, DVec2, f64)>,
     double_area: f64,
 }
 
 impl PolygonSampler {
-    fn new(polygon: &[DVec2]) -> Self {
-        PolygonSampler { double_area: fan(polygon).map(|(_, u, v)| u.perp_dot(v)).sum() }
+    fn start(&mut self, polygon: &[DVec2]) {
+        self.origin = polygon[0];
+        self.fan.clear();
+        self.double_area = 0.0;
+        let mut u = polygon[1] - self.origin;
+        for &vertex in &polygon[2..] {
+            let v = vertex - self.origin;
+            let area = u.perp_dot(v);
+            self.fan.push((u, v, area));
+            self.double_area += area;
+            u = v;
+        }
     }
 
-    /// A triangle of the fan by area, then a point of it: of a parallelogram's two halves, the far one is folded back.
-    fn draw(&self, polygon: &[DVec2], stream: &mut Stream) -> DVec2 {
+    /// A triangle by area, then a point of it: of a parallelogram's two halves, the far one is folded back.
+    #[inline]
+    fn draw(&self, stream: &mut Stream) -> DVec2 {
         let mut rest = stream.unit() * self.double_area;
         let mut t = stream.unit();
-        let last = polygon.len() - 3;
-        for (k, (origin, u, v)) in fan(polygon).enumerate() {
-            let area = u.perp_dot(v);
-            if rest < area || k == last {
-                // What is left of the first number is uniform too.
-                let mut s = (rest / area).min(1.0);
-                if s + t > 1.0 {
-                    (s, t) = (1.0 - s, 1.0 - t);
-                }
-                return origin + u * s + v * t;
+        let mut chosen = self.fan[0];
+        for &triangle in &self.fan {
+            chosen = triangle;
+            if rest < triangle.2 {
+                break;
             }
-            rest -= area;
+            rest -= triangle.2;
         }
-        polygon[0]
+        let (u, v, area) = chosen;
+        // What is left of the first number is uniform too; at the very end rounding can leave more than the area.
+        let mut s = (rest / area).min(1.0);
+        if s + t > 1.0 {
+            (s, t) = (1.0 - s, 1.0 - t);
+        }
+        self.origin + u * s + v * t
     }
-}
-
-/// The polygon as triangles: common origin and two edge vectors each.
-fn fan(polygon: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2, DVec2)> {
-    let origin = polygon[0];
-    polygon[1..].windows(2).map(move |pair| (origin, pair[0] - origin, pair[1] - origin))
 }
 
 /// The random numbers of Eqs 2 and 3 for one rock.

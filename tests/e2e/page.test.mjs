@@ -4,6 +4,9 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, screenshotPath } from './browser.mjs';
 
+/** Not the element's own, which is inside it. */
+const MESSAGE = 'stage-overlay > .message';
+
 let session;
 
 before(async () => {
@@ -35,7 +38,7 @@ function hash(page) {
 
 const stats = (page) => page.evaluate(async () => (await document.querySelector('rock-field').getField()).stats);
 const params = (page) => page.evaluate(() => document.querySelector('rock-field').params);
-const message = (page) => page.locator('.message p').first().textContent();
+const message = (page) => page.locator(`${MESSAGE} p`).first().textContent();
 /** The address follows within half a second. */
 const address = async (page, pattern) => {
   await page.waitForURL(pattern, { timeout: 5000 });
@@ -55,7 +58,7 @@ for (const webgpu of [false, true]) {
       const { page } = opened;
       assert.ok((await stats(page)).rocks > 2500);
       assert.equal(await page.locator('[data-backend]').textContent(), webgpu ? 'WebGPU' : 'WebGL2');
-      assert.equal(await page.locator('.message').count(), 0);
+      assert.equal(await page.locator(MESSAGE).count(), 0);
       assert.equal(await page.locator('.boot').count(), 0);
       await page.screenshot({ path: screenshotPath(`page-${webgpu ? 'webgpu' : 'webgl'}`) });
       await closeClean(opened);
@@ -68,9 +71,8 @@ for (const webgpu of [false, true]) {
 test('every slider moves something, and its number says so', async () => {
   const opened = await open('#w=256&h=256&r=40,20,8');
   const { page } = opened;
-  for (const closed of await page.locator('.layer-toggle[aria-expanded="false"]').all()) await closed.click();
-  // The lists above close nothing: all cards are open now.
-  for (const count of await page.locator('[data-param="fill-2"] input').all()) await count.check();
+  for (const name of ['Layer 2', 'Layer 3']) await page.getByRole('button', { name }).first().click();
+  await page.locator('[data-param="fill-2"] input[value="count"]').check();
   const ids = await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id));
   assert.equal(ids.length, 3 + 3 * 8);
   let last = await hash(page);
@@ -184,16 +186,16 @@ for (const [what, link, pattern] of BAD_LINKS) {
   test(`a link with ${what}: one notice that names it, and the page works`, async () => {
     const opened = await open(link);
     const { page } = opened;
-    assert.equal(await page.locator('.message').count(), 1);
+    assert.equal(await page.locator(MESSAGE).count(), 1);
     const notices = [await message(page)];
-    const count = /\/ (\d+)/.exec((await page.locator('.message').textContent()) ?? '')?.[1] ?? '1';
+    const count = /\/ (\d+)/.exec((await page.locator(MESSAGE).textContent()) ?? '')?.[1] ?? '1';
     for (let k = 1; k < Number(count); k += 1) {
-      await page.locator('.message button').click();
+      await page.locator(`${MESSAGE} button`).click();
       notices.push(await message(page));
     }
     assert.equal(notices.filter((text) => pattern.test(text)).length, 1, notices.join('\n'));
-    await page.locator('.message button').click();
-    assert.equal(await page.locator('.message').count(), 0);
+    await page.locator(`${MESSAGE} button`).click();
+    assert.equal(await page.locator(MESSAGE).count(), 0);
     assert.equal(await page.evaluate(() => globalThis.injected), undefined);
     assert.equal(await page.locator('img[src="x"]').count(), 0);
     const before = await hash(page);
@@ -209,7 +211,7 @@ for (const link of DEGENERATE) {
   test(`${link} has a picture and no error`, async () => {
     const opened = await open(link);
     const { page } = opened;
-    assert.equal(await page.locator('.message, .control-problem').count(), 0);
+    assert.equal(await page.locator(`${MESSAGE}, .control-problem`).count(), 0);
     const { coveredFraction } = await stats(page);
     assert.ok(coveredFraction >= 0 && coveredFraction <= 1);
     assert.doesNotMatch(await page.locator('.panel').innerText(), /NaN|undefined|-0\.0/);

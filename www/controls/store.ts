@@ -239,6 +239,12 @@ export class Store {
     this.notify('field');
   }
 
+  setBackend(backend: Backend | null): void {
+    if (backend === this.backend) return;
+    this.backend = backend;
+    this.notify('field');
+  }
+
   setProgress(progress: Progress | null): void {
     this.progress = progress;
     this.notify('progress');
