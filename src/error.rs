@@ -81,9 +81,7 @@ impl Error {
     /// Key of the parameter at fault.
     pub fn key(&self) -> &'static str {
         match self {
-            Error::OutOfRange { key, .. }
-            | Error::NotAnInteger { key, .. }
-            | Error::OverBudget { key, .. } => key,
+            Error::OutOfRange { key, .. } | Error::NotAnInteger { key, .. } | Error::OverBudget { key, .. } => key,
             Error::TooManyLayers { .. } => "layers",
             Error::DuplicateLayerId { .. } => "id",
             Error::UnknownPreset { .. } => "preset",
@@ -107,9 +105,7 @@ impl Error {
             Error::TooManyLayers { value, max } => [value as f64, 0.0, max as f64],
             Error::DuplicateLayerId { value } => [f64::from(value), f64::NAN, f64::NAN],
             Error::UnknownPreset { .. } => [f64::NAN; 3],
-            Error::MalformedRequest { value, expected } => {
-                [value as f64, expected as f64, expected as f64]
-            }
+            Error::MalformedRequest { value, expected } => [value as f64, expected as f64, expected as f64],
             Error::OverBudget { estimate, budget, .. } => [estimate as f64, 0.0, budget as f64],
         }
     }

@@ -1,17 +1,73 @@
-//! rock-field
-pub mod error;
-pub mod params;
-pub mod rocks;
-pub mod validate;
+//! Ground covered with rocks of various sizes, as a pure function of its parameters.
+//!
+//! The method is that of Sakurai & Miyata, *A Procedural Modeling of Various-Sized Rocks on the Ground*
+//! (journal version 2011; conference version, NICOGRAPH 2010). Per layer, that is per disc radius:
+//!
+//! 1. **sites** – dart throwing on a bitmap, until no pixel is free ([`rocks::Sites`]; §3.1, Fig. 4, Eq. 1);
+//! 2. **cells** – their Voronoi diagram, clipped to the image ([`rocks::Cells`]; §3.1);
+//! 3. **selection** – cells whose pixels are all free, largest layer first ([`rocks::Selection`]; §3.2, Fig. 7);
+//! 4. **shape** – as many random points in a cell as it has vertices, and their Delaunay triangulation
+//!    ([`rocks::Shapes`]; §3.3, Fig. 10);
+//! 5. **mesh** – the points moved outward and up (Eqs 2, 3), in flat buffers ([`Mesh`]).
+//!
+//! ```
+//! use rock_field::params::preset;
+//!
+//! let mut params = preset("journal-fig1").expect("a preset of the journal").params();
+//! (params.image_width, params.image_height, params.seed) = (256, 256, 7);
+//! let field = rock_field::rocks::generate(&params)?;
+//!
+//! // Rock k owns these indices; three per triangle, into positions of three numbers each.
+//! let mesh = &field.mesh;
+//! let rock = mesh.rock_starts[0] as usize..mesh.rock_starts[1] as usize;
+//! assert!(mesh.indices[rock].iter().all(|&v| 3 * (v as usize) + 2 < mesh.positions.len()));
+//! # Ok::<(), rock_field::Error>(())
+//! ```
+//!
+//! [`rocks::Generator`] does the same in bounded steps and keeps every stage, so that an edit re-runs only what it touches.
+//!
+//! # Conventions
+//!
+//! *Plane*: x right, y up, in pixels, `f64`; pixel (column, row) has its centre at (column + 0.5, row + 0.5), the origin
+//! is the image's corner, row 0 is the bottom row seen from above. *World*: right-handed, z up, plane (x, y) = world
+//! (x, y), the ground at z = 0. Polygons and triangles are counter-clockwise seen from above, indices `u32`.
+//! Errors name the parameter's key, its value and its bounds; degenerate but legal input has a result, never an error.
+//!
+//! # What a seed promises
+//!
+//! Equal parameters give equal bytes on every platform: one named portable generator per (seed, purpose, layer, item),
+//! f64 with + − × ÷ √ only, exact predicates, no iteration over hash maps. A change that gives other
+//! rocks for the same parameters is listed in the changelog.
+//!
+//! # Features
+//!
+//! | feature | adds |
+//! |---|---|
+//! | *(none)* | the generators: no clock, no global, no DOM, no GPU |
+//! | `generator` | wasm-bindgen exports of the generators, for workers and Node |
+//! | `renderer-webgpu`, `renderer-webgl` | a renderer on one backend; never both in one artefact |
+//! | `bench` | the papers' loops as they are written, for `npm run bench` |
+//!
+//! # Deviations and limits
+//!
+//! Where the papers are silent or ask for the impossible, the deciding item says so (*decision A1* …). The main ones:
+//! dart throwing ends when no pixel is free, which at c_d = 0.7 it always does (A1); j1 and j2 lie in \[0, 1\] (A10); the
+//! surface is open, without a bottom (A13); rocks of neighbouring cells may pass through each other when their tops
+//! are moved outward (A14). Images have sides of 1 to 8192 px, fields up to eight layers.
+
+mod bindings;
 mod bitmap;
+mod error;
 #[cfg(feature = "bench")]
 mod literal;
 mod memory;
 mod mesh;
-mod rng;
+pub mod params;
 #[cfg(feature = "renderer")]
 mod render;
-mod bindings;
+mod rng;
+pub mod rocks;
+pub mod validate;
 
 pub use error::Error;
 pub use memory::{MemoryEstimate, memory_estimate};

@@ -9,7 +9,8 @@ use crate::rocks::target_sites;
 pub struct MemoryEstimate {
     /// Bytes at the peak of a run, output included.
     pub bytes: u64,
-    /// The parameter to change: of raising the radius of one layer to twice and halving one side of the image, what saves more.
+    /// The parameter to change: what saves most of halving the image's longer side and
+    /// doubling the radius of one layer.
     pub key: &'static str,
 }
 
@@ -24,35 +25,38 @@ impl MemoryEstimate {
     }
 }
 
-/// Estimates the peak memory of a full run: the generator's own, and the buffers once more as they are copied out.
+/// Estimates the peak memory of a run: the generator's own, and the buffers once more as they are copied out to JavaScript.
 ///
-/// The estimate is meant to lie between the real peak and twice it; `tests/memory.rs` measures both. It is the largest of
-/// the stages' peaks, each with what the stages before it have left, for the number of sites and rocks one can expect:
+/// Meant to lie between the real peak and twice it, on a fresh generator as on one that has run before; `tests/memory.rs` measures
+/// both. It is the largest of the stages' peaks, each with what the stages before it have left, for the numbers of sites and
+/// rocks to be expected. In bytes, with 6 vertices to a cell:
 ///
-/// | | bytes |
-/// |---|---|
-/// | a site: pixel, cell of under 6 vertices and neighbours, bucket | 4 + 4 + 6·(16 + 4) + 16 |
-/// | a site beyond the reach of the grid, while spade triangulates | 300 |
-/// | a rock of 6 + 6 vertices and 16 triangles: p_add and triangles | 4 + 4 + 6·16 + 16·6 |
-/// | the same in the buffers | 12·(12 + 12) + 16·12 + 9 |
-/// | a pixel: one flag; while darts are thrown, 2–3 % of all pixels as a growing list | 1/8 + 0.2 |
-/// | copied out, a site and its cell; a rock | 8 + 4 + 6·8; 4 + the buffers |
+/// | | kept | beside it, while the stage runs |
+/// |---|---|---|
+/// | a pixel | – | 1/8 as a flag; 0.2 in a list of the last free ones |
+/// | a site | 4 | 8 while its list grows |
+/// | its cell: vertices, neighbours, bucket | 4 + 6·(16 + 4) + 16 | 6·16 + 8; 300 more in spade's triangulation |
+/// | a rock: p_add and 16 triangles | 8 + 6·16 + 16·6 | – |
+/// | its 12 vertices and 16 triangles in the buffers | 12·(12 + 12) + 16·12 + 9 | 12·12 while a buffer grows |
+/// | copied out | 8 + 4 + 6·8 a site, 4 + the buffers a rock | 6·8 a site |
 pub fn memory_estimate(params: &Params) -> MemoryEstimate {
     let bytes = peak_bytes(params);
-    let mut best = (bytes, "imageWidth");
-    let mut consider = |key, changed: Params| {
-        let less = peak_bytes(&changed);
-        if less < best.0 {
-            best = (less, key);
-        }
+    let [width, height] = [params.image_width, params.image_height];
+    // Halving the longer side.
+    let (key, changed) = if height > width {
+        ("imageHeight", Params { image_height: height.div_ceil(2), ..params.clone() })
+    } else {
+        ("imageWidth", Params { image_width: width.div_ceil(2), ..params.clone() })
     };
+    let mut best = (peak_bytes(&changed), key);
     for k in 0..params.layers.len() {
         let mut changed = params.clone();
         changed.layers[k].radius *= 2.0;
-        consider("radius", changed);
+        let bytes = peak_bytes(&changed);
+        if bytes < best.0 {
+            best = (bytes, "radius");
+        }
     }
-    consider("imageWidth", Params { image_width: params.image_width.div_ceil(2), ..params.clone() });
-    consider("imageHeight", Params { image_height: params.image_height.div_ceil(2), ..params.clone() });
     MemoryEstimate { bytes, key: best.1 }
 }
 
@@ -107,7 +111,6 @@ struct Expected {
 }
 
 fn expect(params: &Params) -> Vec<Expected> {
-    let pixels = params.pixels() as f64;
     let mut layers: Vec<(Layer, f64, bool)> = Vec::new();
     for layer in &params.layers {
         let layer = params.layer_in_px(layer);

@@ -4,9 +4,12 @@
 mod common;
 
 use common::{checked, field_test, layer, link, params};
-use rock_field::Error;
-use rock_field::params::{Border, Darts, Layer, MAX_LAYERS, Notation, PARAMS, Params, Scope, Swing};
+use rock_field::params::{Border, Darts, Layer, MAX_LAYERS, Notation, PARAMS, PRESETS, Params, Scope, Swing};
 use rock_field::rocks::{Field, Generator, generate};
+use rock_field::{Error, memory_estimate};
+
+/// Bytes a page may ask for; 512 MiB on devices that report 4 GB or less.
+const DEFAULT_BUDGET: u64 = 3 << 29;
 
 /// A checked field; checked means finite, too.
 fn field(params: &Params) -> Field {
@@ -215,12 +218,27 @@ field_test! {
 }
 
 field_test! {
-    fn a_request_over_the_budget_is_refused_with_the_numbers() {
-        let params = Params { image_width: 8192, image_height: 8192, ..Params::default() };
-        let needed = rock_field::memory_estimate(&params);
-        let budget = needed.bytes - 1;
-        let expected = Error::OverBudget { key: needed.key, estimate: needed.bytes, budget };
-        assert_refused(&params, budget, |error| *error == expected);
-        assert!(Generator::new().start(params, needed.bytes).is_ok());
+    fn a_request_over_the_budget_is_refused_with_the_numbers_and_what_saves_most() {
+        let dense = params(8192, 8192, vec![layer(0, 1.5, 1.0), layer(1, 90.0, 0.2)]);
+        let wide = params(8192, 64, vec![layer(0, 8000.0, 0.0)]);
+        let high = params(64, 8192, Vec::new());
+        for (params, key) in [(dense, "radius"), (wide, "imageWidth"), (high, "imageHeight")] {
+            let needed = memory_estimate(&params);
+            let budget = needed.bytes - 1;
+            let expected = Error::OverBudget { key, estimate: needed.bytes, budget };
+            assert_refused(&params, budget, |error| *error == expected);
+            assert_eq!(expected.numbers(), [needed.bytes as f64, 0.0, budget as f64]);
+            assert!(Generator::new().start(params, needed.bytes).is_ok());
+        }
+    }
+}
+
+field_test! {
+    fn every_preset_at_8192_fits_the_default_budget() {
+        for preset in PRESETS {
+            let large = Params { image_width: 8192, image_height: 8192, ..preset.params() };
+            let estimate = memory_estimate(&large);
+            assert_eq!(estimate.check(DEFAULT_BUDGET), Ok(()), "{}", preset.name);
+        }
     }
 }

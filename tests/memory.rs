@@ -1,4 +1,6 @@
 //! The estimate against what is really allocated.
+//!
+//! The only test of this file: whatever ran beside it would be counted too.
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
@@ -6,19 +8,17 @@ mod common;
 
 use std::fmt::Write;
 
-use common::{layer, link, params};
+use common::{layer, params};
 use peak_alloc::PeakAlloc;
-use rock_field::params::{Darts, Layer, Notation, Params, preset};
+use rock_field::memory_estimate;
+use rock_field::params::{Darts, Layer, Params, preset};
 use rock_field::rocks::Generator;
-use rock_field::{Error, memory_estimate};
 
 #[global_allocator]
 static ALLOCATED: PeakAlloc = PeakAlloc;
 
 /// A wasm instance before its first run: a stack of 1 MiB and static data. It is part of what a tab needs.
 const INSTANCE: usize = 1_150_000;
-
-const DEFAULT_BUDGET: u64 = 3 << 29;
 
 /// Peak of a run on a fresh generator, its output copied out, and of a second run with another seed.
 ///
@@ -66,10 +66,10 @@ fn the_estimate_lies_between_the_peak_and_twice_it() {
         ("r = 10, all", square(2048, vec![layer(0, 10.0, 1.0)])),
         ("r = 10, none", square(2048, vec![layer(0, 10.0, 0.0)])),
         ("r = 90, large image", square(4096, vec![layer(0, 90.0, 0.5)])),
-        ("r = 2", square(1024, vec![layer(0, 2.0, 0.7)])),
-        ("r = 1.2", square(700, vec![layer(0, 1.2, 0.4)])),
-        ("r = 1, unsaturated", square(512, vec![layer(0, 1.0, 0.5)])),
-        ("r = 1, every pixel", Params { packing: 1.0, ..square(512, vec![layer(0, 1.0, 1.0)]) }),
+        ("r = 2", square(700, vec![layer(0, 2.0, 0.7)])),
+        ("r = 1.2", square(500, vec![layer(0, 1.2, 0.4)])),
+        ("r = 1, unsaturated", square(300, vec![layer(0, 1.0, 0.5)])),
+        ("r = 1, every pixel", Params { packing: 1.0, ..square(300, vec![layer(0, 1.0, 1.0)]) }),
         ("low packing", Params { packing: 0.3, ..square(1500, vec![layer(0, 4.0, 0.3), layer(1, 20.0, 0.2)]) }),
         ("low packing, no rocks", Params { packing: 0.3, ..square(1500, vec![layer(0, 4.0, 0.0)]) }),
         ("attempts", Params { darts: Darts::Attempts, ..square(1500, vec![layer(0, 4.0, 0.4)]) }),
@@ -81,8 +81,8 @@ fn the_estimate_lies_between_the_peak_and_twice_it() {
     let mut failures = 0;
     for (name, params) in &cases {
         let estimate = memory_estimate(params).bytes;
-        let t=std::time::Instant::now();let ratios = measure(params).map(|real| estimate as f64 / real as f64);
-        println!("{name} {:?}",t.elapsed());let ok = ratios.iter().all(|ratio| (1.0..=2.0).contains(ratio));
+        let ratios = measure(params).map(|real| estimate as f64 / real as f64);
+        let ok = ratios.iter().all(|ratio| (1.0..=2.0).contains(ratio));
         failures += u32::from(!ok);
         let verdict = if ok { "" } else { "  <-- FAIL" };
         let megabytes = estimate as f64 / 1.0e6;

@@ -105,6 +105,34 @@ fn typescript_is_generated_from_the_table() {
     assert_generated("www/params.gen.ts", &typescript_table());
 }
 
+fn readme_table() -> String {
+    let mut out = String::from("| key | in links | range | default | |\n|---|---|---|---|---|\n");
+    for (spec, text) in PARAMS.iter().zip(TEXTS) {
+        let key = spec.component.map_or(format!("`{}`", spec.key), |c| format!("`{}[{c}]`", spec.key));
+        let range = match spec.kind {
+            Kind::Choice(words) => words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", "),
+            _ => format!("{} – {} {}", spec.range.min, spec.range.max, text.unit[0]),
+        };
+        let default = match spec.kind {
+            Kind::Choice(words) => format!("`{}`", words[spec.range.default as usize]),
+            _ if spec.range.default.is_nan() => "none".into(),
+            _ => spec.range.default.to_string(),
+        };
+        writeln!(out, "| {key} | `{}` | {} | {default} | {} |", spec.url, range.trim(), text.doc[0]).unwrap();
+    }
+    out
+}
+
+#[test]
+fn the_readme_lists_every_parameter() {
+    let path = format!("{}/README.md", env!("CARGO_MANIFEST_DIR"));
+    let readme = std::fs::read_to_string(path).unwrap().replace("\r\n", "\n");
+    let (before, rest) = readme.split_once("--test params` -->\n").unwrap();
+    let (_, after) = rest.split_once("<!-- /parameters -->").unwrap();
+    let content = format!("{before}--test params` -->\n{}<!-- /parameters -->{after}", readme_table());
+    assert_generated("README.md", &content);
+}
+
 #[test]
 fn every_row_has_words_and_a_default_within_its_bounds() {
     assert_eq!(PARAMS.len(), TEXTS.len());

@@ -5,6 +5,8 @@
 
 mod common;
 
+use std::ops::Range;
+
 use common::{
     Random, add_random_layer, checked, difference, field_test, layer, link, params, random_layer, random_packing,
     random_params,
@@ -18,34 +20,39 @@ const CASES: usize = if cfg!(target_arch = "wasm32") { 300 } else { 10_000 };
 /// Largest side of the random images, px.
 const SIDE: f64 = 384.0;
 
-/// The random numbers of one case, whatever the order in which cases are run.
-fn random(case: usize) -> Random {
-    Random(0x726f_636b_0000_0000 + case as u64)
-}
-
 field_test! {
     fn invariants_hold_and_cached_is_full_for_random_parameters() {
-        for_all(CASES, |case| {
-            let mut random = random(case);
-            let params = random_params(&mut random, SIDE);
-            let field = checked(&params)?;
-            if case % 4 == 0 {
-                local_is_global(&params, &field)?;
-            }
-            drop(field);
-            cached_is_full(&mut random, params)
-        });
+        for_all(0..CASES, random_case);
     }
+}
+
+#[test]
+#[cfg(not(target_arch = "wasm32"))]
+#[ignore = "takes ten minutes"]
+fn invariants_hold_and_cached_is_full_for_100_000_more() {
+    for_all(CASES..CASES + 100_000, random_case);
 }
 
 field_test! {
     fn invariants_hold_for_large_fields() {
         let cases = large_cases();
-        for_all(cases.len(), |case| {
+        for_all(0..cases.len(), |case| {
             let field = checked(&cases[case])?;
             local_is_global(&cases[case], &field)
         });
     }
+}
+
+fn random_case(case: usize) -> Result<(), String> {
+    // Each case has random numbers of its own, whatever the order in which cases are run.
+    let mut random = Random(0x726f_636b_0000_0000 + case as u64);
+    let params = random_params(&mut random, SIDE);
+    let field = checked(&params)?;
+    if case.is_multiple_of(4) {
+        local_is_global(&params, &field)?;
+    }
+    drop(field);
+    cached_is_full(&mut random, params)
 }
 
 /// The two ways of finding neighbours give the same diagram, bit for bit.
@@ -185,37 +192,37 @@ fn large_cases() -> [Params; 12] {
     ]
 }
 
-/// Runs cases 0 … n − 1, natively on all cores, and panics with the first that fails.
-fn for_all(count: usize, check: impl Fn(usize) -> Result<(), String> + Sync) {
+/// Runs the cases, natively on all cores, and panics with the first that fails.
+fn for_all(cases: Range<usize>, check: impl Fn(usize) -> Result<(), String> + Sync) {
     #[cfg(not(target_arch = "wasm32"))]
     let failures = {
         use std::panic::{AssertUnwindSafe, catch_unwind};
         use std::sync::Mutex;
         use std::sync::atomic::{AtomicUsize, Ordering};
-        let (next, failures) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
+        let (next, failures) = (AtomicUsize::new(cases.start), Mutex::new(Vec::new()));
+        let work = || {
+            loop {
+                let case = next.fetch_add(1, Ordering::Relaxed);
+                if case >= cases.end || !failures.lock().unwrap().is_empty() {
+                    break;
+                }
+                let result = catch_unwind(AssertUnwindSafe(|| check(case)))
+                    .unwrap_or_else(|_| Err("panicked; see above".to_string()));
+                if let Err(message) = result {
+                    failures.lock().unwrap().push((case, message));
+                }
+            }
+        };
         std::thread::scope(|scope| {
             for _ in 0..std::thread::available_parallelism().map_or(1, usize::from) {
-                scope.spawn(|| {
-                    loop {
-                        let case = next.fetch_add(1, Ordering::Relaxed);
-                        if case >= count || !failures.lock().unwrap().is_empty() {
-                            break;
-                        }
-                        let result = catch_unwind(AssertUnwindSafe(|| check(case)))
-                            .unwrap_or_else(|_| Err("panicked; see above".to_string()));
-                        if let Err(message) = result {
-                            failures.lock().unwrap().push((case, message));
-                        }
-                    }
-                });
+                scope.spawn(work);
             }
         });
         failures.into_inner().unwrap()
     };
     #[cfg(target_arch = "wasm32")]
-    let failures: Vec<_> =
-        (0..count).filter_map(|case| check(case).err().map(|message| (case, message))).take(1).collect();
+    let failures: Vec<_> = cases.filter_map(|case| check(case).err().map(|message| (case, message))).take(1).collect();
     if let Some((case, message)) = failures.iter().min() {
-        panic!("case {case} of {count}: {message}");
+        panic!("case {case}: {message}");
     }
 }

@@ -154,7 +154,9 @@ field_test! {
     fn removing_a_layer_keeps_the_sites_of_the_others() {
         let before = field(&fig1());
         for k in 0..3 {
-            let after = changed(|params| drop(params.layers.remove(k)));
+            let after = changed(|params| {
+                params.layers.remove(k);
+            });
             let others = before.layers.iter().enumerate().filter(|&(index, _)| index != k);
             for ((index, a), b) in others.zip(&after.layers) {
                 assert!(same_sites(a, b));

@@ -109,7 +109,7 @@ field_test! {
             let mut ties = 0;
             let mut without_ties = vec![0_u32; cells.len()];
             let mut owned = 0;
-            for i in 0..cells.len() {
+            for (i, unique) in without_ties.iter_mut().enumerate() {
                 for [x, y] in cell_pixels(&sites, &cells, i) {
                     let d2 = |site: &Pixel| site[0].abs_diff(x) as u32 * site[0].abs_diff(x) as u32
                         + site[1].abs_diff(y) as u32 * site[1].abs_diff(y) as u32;
@@ -118,7 +118,7 @@ field_test! {
                     assert_eq!(all[0], i, "pixel {x}, {y} is as near to {all:?}");
                     owned += 1;
                     match all.len() {
-                        1 => without_ties[i] += 1,
+                        1 => *unique += 1,
                         _ => ties += 1,
                     }
                 }

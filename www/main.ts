@@ -166,6 +166,7 @@ function cancel(): void {
 
 const panel = document.createElement('control-panel');
 panel.className = 'panel';
+panel.id = 'controls';
 panel.setAttribute('role', 'region');
 panel.tabIndex = -1;
 Object.assign(panel, { store, actions });

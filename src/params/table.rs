@@ -289,7 +289,8 @@ table! {
 impl Layer {
     /// A layer with the table's defaults for `notation`.
     pub fn with_defaults(id: u32, notation: Notation) -> Self {
-        let mut layer = Layer { id, radius: 0.0, area_fraction: 0.0, cell_count: None, taper: [0.0; 3], height: [0.0; 3] };
+        let mut layer =
+            Layer { id, radius: 0.0, area_fraction: 0.0, cell_count: None, taper: [0.0; 3], height: [0.0; 3] };
         for spec in PARAMS {
             if let Scope::Layer(_, set) = spec.scope {
                 set(&mut layer, spec.range(notation).default);

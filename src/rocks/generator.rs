@@ -359,14 +359,8 @@ impl Generator {
         for (index, cache) in self.layers.iter_mut().enumerate() {
             let layer = cache.layer.as_ref()?;
             let shapes = &cache.shapes.value;
-            let key = MeshKey {
-                shapes: cache.shapes.version,
-                taper: layer.taper,
-                height: layer.height,
-                swing,
-                index,
-                at,
-            };
+            let key =
+                MeshKey { shapes: cache.shapes.version, taper: layer.taper, height: layer.height, swing, index, at };
             // What stood elsewhere in the buffers may be overwritten by another layer from here on.
             if cache.mesh.as_ref() != Some(&key) {
                 cache.mesh = None;
@@ -411,8 +405,7 @@ impl Generator {
                 let shapes = &cache.shapes.value;
                 let Some(layer) = &cache.layer else { return true };
                 let to = (*rock + ROCKS_PER_STEP).min(shapes.len());
-                for k in *rock..to {
-                    let site = selected[k];
+                for (k, &site) in selected.iter().enumerate().take(to).skip(*rock) {
                     builder.start(cells.polygon(site as usize));
                     let mut swings = Swings::new(params.seed, layer.id, site, key.swing);
                     swings.displace(shapes.top_of(k), key.taper, key.height, |p| builder.points.push(p));

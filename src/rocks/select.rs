@@ -133,9 +133,10 @@ impl PixelSpans {
     /// Rows with at least one pixel: (row, first column, last column) in the image.
     pub(crate) fn spans(&self, [x, y]: Pixel) -> impl Iterator<Item = (u32, u32, u32)> + '_ {
         let (x, y) = (i32::from(x), i32::from(y));
-        (y + self.bottom..).zip(&self.rows).filter(|(_, [first, last])| first <= last).map(move |(row, &[first, last])| {
-            (row as u32, (x + first) as u32, (x + last) as u32)
-        })
+        (y + self.bottom..)
+            .zip(&self.rows)
+            .filter(|(_, [first, last])| first <= last)
+            .map(move |(row, &[first, last])| (row as u32, (x + first) as u32, (x + last) as u32))
     }
 }
 

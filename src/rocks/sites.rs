@@ -171,7 +171,8 @@ fn sort_by_bucket(sites: &mut Sites) {
 /// Throws at given pixels: which picks were accepted, and how many pixels stay free.
 pub fn accept_picks(width: u32, height: u32, radius: f64, picks: &[Pixel]) -> (Vec<usize>, u64) {
     let mut thrower = DartThrower::new(width, height, radius, 1.0, true, 0, 0);
-    let accepted = picks.iter().enumerate().filter(|&(_, &pick)| thrower.try_place(pick)).map(|(index, _)| index).collect();
+    let accepted =
+        picks.iter().enumerate().filter(|&(_, &pick)| thrower.try_place(pick)).map(|(index, _)| index).collect();
     let mut clear = Vec::new();
     thrower.bitmap.push_clear(&mut clear);
     (accepted, clear.len() as u64)

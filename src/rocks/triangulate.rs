@@ -135,7 +135,13 @@ impl Triangulator {
             // Triangle t = (a, b, p) and, across its edge k from a to b, u = (b, a, q).
             let (a, b, p) = (self.triangles[t][k], self.triangles[t][(k + 1) % 3], self.triangles[t][(k + 2) % 3]);
             let across = &self.neighbors[usize::from(u)];
-            let j = if across[0] == t as u16 { 0 } else if across[1] == t as u16 { 1 } else { 2 };
+            let j = if across[0] == t as u16 {
+                0
+            } else if across[1] == t as u16 {
+                1
+            } else {
+                2
+            };
             let q = self.triangles[usize::from(u)][(j + 2) % 3];
             if self.incircle(a, b, p, q) <= 0.0 {
                 continue;
@@ -184,11 +190,7 @@ impl Triangulator {
         let det = u.length_squared() * v.perp_dot(w)
             + v.length_squared() * w.perp_dot(u)
             + w.length_squared() * u.perp_dot(v);
-        if det.abs() > self.incircle_error {
-            det
-        } else {
-            robust::incircle(coord(a), coord(b), coord(c), coord(d))
-        }
+        if det.abs() > self.incircle_error { det } else { robust::incircle(coord(a), coord(b), coord(c), coord(d)) }
     }
 }
 

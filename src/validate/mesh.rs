@@ -121,3 +121,39 @@ fn check_rock(mesh: &Mesh, rock: usize, points: &[DVec3], triangles: &[[u16; 3]]
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rocks::generate;
+
+    #[test]
+    fn a_tampered_mesh_is_found_out() {
+        let params = Params { image_width: 200, image_height: 160, ..Params::default() };
+        let field = generate(&params).unwrap_or_default();
+        assert_eq!(check_mesh(&params, &field), Ok(()));
+        let message = |params: &Params, field: &Field| {
+            check_mesh(params, field).map_or_else(|violation| violation.to_string(), |()| String::new())
+        };
+        let with = |change: &dyn Fn(&mut Mesh)| {
+            let mut field = field.clone();
+            change(&mut field.mesh);
+            message(&params, &field)
+        };
+        for axis in 0..3 {
+            assert!(with(&|mesh| mesh.positions[30 + axis] += 0.01).contains("instead of"));
+            assert!(with(&|mesh| mesh.positions[axis] = f32::NAN).contains("instead of"));
+            assert!(with(&|mesh| mesh.normals[30 + axis] += 0.01).contains("normal"));
+            assert!(with(&|mesh| mesh.normals[axis] = f32::INFINITY).contains("normal"));
+        }
+        assert!(with(&|mesh| mesh.indices.swap(4, 5)).contains("index"));
+        assert!(with(&|mesh| mesh.rock_starts[1] += 3).contains("indices instead of"));
+        assert!(with(&|mesh| mesh.vertex_starts.swap(1, 2)).contains("do not increase"));
+        assert!(with(&|mesh| mesh.rock_layer[0] = 2).contains("is in layer"));
+        let mut other = params.clone();
+        other.seed += 1;
+        assert!(message(&other, &field).contains("instead of"));
+        other = Params { swing: Swing::Separate, ..params.clone() };
+        assert!(message(&other, &field).contains("instead of"));
+    }
+}

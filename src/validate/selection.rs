@@ -84,3 +84,49 @@ fn check_layer(border: Border, layer: &FieldLayer, owners: &[u32], taken: &mut [
     }
     Ok(())
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::params::Params;
+    use crate::rocks::{Field, generate};
+    use crate::validate::check_ownership;
+
+    fn check(params: &Params, field: &Field) -> Result<(), Violation> {
+        let owners: Result<Vec<_>, _> =
+            field.layers.iter().map(|layer| check_ownership(&layer.sites, &layer.cells)).collect();
+        check_selection(params.border, &field.layers, &owners?)
+    }
+
+    #[test]
+    fn a_tampered_selection_is_found_out() {
+        let params = Params { image_width: 300, image_height: 260, ..Params::default() };
+        let field = generate(&params).unwrap_or_default();
+        assert_eq!(check(&params, &field), Ok(()));
+        let with = |k: usize, change: &dyn Fn(&mut FieldLayer)| {
+            let mut field = field.clone();
+            change(&mut field.layers[k]);
+            check(&params, &field).map_or_else(|violation| violation.to_string(), |()| String::new())
+        };
+        let pixels = |k: usize, change: i64| {
+            with(k, &|layer| layer.selection.pixels = layer.selection.pixels.wrapping_add_signed(change))
+        };
+        assert!(pixels(0, 1).contains("pixels, not"));
+        assert!(with(1, &|layer| layer.selection.saturated ^= true).contains("saturated is"));
+        assert!(with(1, &|layer| layer.layer.area_fraction = 0.1).contains("one too many"));
+        assert!(with(2, &|layer| layer.selection.selected.push(u32::MAX)).contains("or is none"));
+        let twice = |layer: &mut FieldLayer| layer.selection.selected.extend(layer.selection.selected.first().copied());
+        assert!(with(2, &twice).contains("selected twice"));
+        // A cell of the finest layer left out although all its pixels are free …
+        let area = f64::from(params.image_width * params.image_height);
+        let unowned = |layer: &mut FieldLayer| {
+            let site = layer.selection.selected.pop().unwrap_or_default() as usize;
+            layer.selection.pixels -= crate::rocks::cell_pixels(&layer.sites, &layer.cells, site).len() as u64;
+            assert!((layer.selection.pixels as f64) < layer.layer.area_fraction * area);
+        };
+        assert!(with(2, &unowned).contains("was not selected"));
+        // … and one taken that lies under a coarser rock.
+        let any = |layer: &mut FieldLayer| layer.selection.selected = (0..layer.cells.len() as u32).collect();
+        assert!(with(2, &any).contains("is taken already"));
+    }
+}

@@ -46,7 +46,7 @@ export class ControlPanel extends LitElement {
     super();
     this.isOpen = false;
     // What is being pointed at, or has the focus, is explained in the line below.
-    this.addEventListener('pointerover', (event) => this.#explain(event));
+    this.addEventListener('pointerover', (event) => event.pointerType !== 'touch' && this.#explain(event));
     this.addEventListener('pointerleave', () => this.#explain(null));
     this.addEventListener('focusin', (event) => this.#explain(event));
   }

@@ -39,6 +39,11 @@ export type Change = 'params' | 'look' | 'camera' | 'preferences' | 'field' | 'p
 
 
 
+/** A layer that is added has no more than some 10,000 cells: the finest of Fig. 1 has r = 10 at 1024 px. */
+const FINEST_SHARE = 100;
+/** The first layer of a bare field is three times that: the middle one of Fig. 1. */
+const DEFAULT_SHARE = 3;
+
 /** Keys of errors about the list of layers, not about one parameter. */
 export const LIST_KEYS: readonly string[] = ['layers', 'id'];
 
@@ -151,12 +156,8 @@ export class Store {
   }
 
   addLayer(): void {
-    const { layers, notation } = this.params;
-    const last = layers.at(-1);
-    const layer = defaultLayer(freeId(layers), notation);
-    // A third of the smallest, as from size to size in the papers: something new is seen between the rocks that are there.
-    if (last) layer.radius = round(Math.max(boundsOf(RADIUS, notation).slider.min, Math.min(...layers.map(({ radius }) => radius)) / 3));
-    this.#setLayers([...layers, layer]);
+    const { layers } = this.params;
+    this.#setLayers([...layers, nextSize(this.params, freeId(layers))]);
   }
 
   duplicateLayer(index: number): void {
@@ -318,6 +319,20 @@ function messageOf(notice: Notice): Message {
 function freeId(layers: readonly Layer[]): number {
   // Past all that were ever seen here, so that a removed layer's rocks do not come back under another layer's name.
   return Math.max(-1, ...layers.map(({ id }) => id)) + 1;
+}
+
+/** The layer that an empty place asks for: a third of the smallest radius, as from size to size in the papers, and as steep as the table's defaults. */
+function nextSize({ layers, notation, imageWidth, imageHeight }: Params, id: number): Layer {
+  const layer = defaultLayer(id, notation);
+  const side = Math.sqrt(imageWidth * imageHeight);
+  const finest = notation === 'px' ? side / FINEST_SHARE : (100 * side) / imageWidth / FINEST_SHARE;
+  const { min } = boundsOf(RADIUS, notation).slider;
+  const smallest = Math.min(...layers.map(({ radius }) => radius));
+  const radius = round(Math.max(min, layers.length > 0 ? Math.max(finest, smallest / 3) : finest * DEFAULT_SHARE));
+  const scale = radius / layer.radius;
+  const scaled = (triple: Layer['taper']) => triple.map((value) => round(value * scale)) as Layer['taper'];
+  // In the conference's notation heights are multiples of the radius already.
+  return { ...layer, radius, taper: scaled(layer.taper), height: notation === 'px' ? scaled(layer.height) : layer.height };
 }
 
 function round(value: number): number {
