@@ -9,7 +9,7 @@ use std::ops::Range;
 
 use common::{
     Random, add_random_layer, checked, difference, field_test, layer, link, params, random_layer, random_packing,
-    random_params,
+    random_params, saturated,
 };
 use rock_field::params::{Border, Darts, Notation, Params, Swing};
 use rock_field::rocks::{Cells, Field, Generator, generate, voronoi};
@@ -58,7 +58,9 @@ fn random_case(case: usize) -> Result<(), String> {
 /// The two ways of finding neighbours give the same diagram, bit for bit.
 fn local_is_global(params: &Params, field: &Field) -> Result<(), String> {
     for (k, layer) in field.layers.iter().enumerate() {
-        let [local, global] = [true, false].map(|local| voronoi(&layer.sites, local));
+        let global = voronoi(&layer.sites, false);
+        let local =
+            if layer.sites.saturated { voronoi(&layer.sites, true) } else { voronoi(&saturated(&layer.sites), true) };
         let bits = |cells: &Cells| -> Vec<[u64; 2]> {
             cells.vertices.iter().map(|v| v.to_array().map(f64::to_bits)).collect()
         };

@@ -5,7 +5,7 @@ mod common;
 
 use std::collections::BTreeSet;
 
-use common::{field_test, sites_at};
+use common::{field_test, saturated, sites_at};
 use glam::{DVec2, DVec3};
 use rock_field::rocks::{
     Pixel, Sites, Threshold, accept_picks, cell_pixels, displace, select, target_sites, triangulate, voronoi,
@@ -43,8 +43,13 @@ fn points(value: &Value) -> Vec<DVec2> {
     value.as_array().unwrap().iter().map(|v| DVec2::new(number(&v[0]), number(&v[1]))).collect()
 }
 
+/// Sites as one finds them, or with the radius that the local diagram needs.
+fn sites_for(local: bool, vector: &Value, sites: &Value) -> Sites {
+    let sites = sites_of(vector, sites);
+    if local { saturated(&sites) } else { sites }
+}
+
 fn sites_of(vector: &Value, sites: &Value) -> Sites {
-    // The radius only sizes the buckets in which neighbours are looked up.
     sites_at(whole(&vector["W"]) as u32, whole(&vector["H"]) as u32, 6.0, pixels(sites))
 }
 
@@ -84,7 +89,7 @@ field_test! {
 field_test! {
     fn cells_are_the_given_polygons() {
         for (vector, local) in vectors("voronoi").iter().flat_map(|v| [(v, true), (v, false)]) {
-            let sites = sites_of(vector, &vector["sites"]);
+            let sites = sites_for(local, vector, &vector["sites"]);
             let cells = voronoi(&sites, local);
             assert_eq!(cells.len(), vector["cells"].as_array().unwrap().len());
             for (i, cell) in vector["cells"].as_array().unwrap().iter().enumerate() {
@@ -104,7 +109,7 @@ field_test! {
 field_test! {
     fn pixels_go_to_the_nearest_site_and_ties_to_the_lowest_index() {
         for (vector, local) in vectors("voronoi").iter().flat_map(|v| [(v, true), (v, false)]) {
-            let sites = sites_of(vector, &vector["sites"]);
+            let sites = sites_for(local, vector, &vector["sites"]);
             let cells = voronoi(&sites, local);
             let mut ties = 0;
             let mut without_ties = vec![0_u32; cells.len()];
@@ -134,7 +139,7 @@ field_test! {
     fn given_visiting_orders_take_the_given_cells() {
         for (vector, local) in vectors("selection").iter().flat_map(|v| [(v, true), (v, false)]) {
             let list = |key: &str| vector[key].as_array().unwrap().clone();
-            let sites: Vec<Sites> = list("sites").iter().map(|s| sites_of(vector, s)).collect();
+            let sites: Vec<Sites> = list("sites").iter().map(|s| sites_for(local, vector, s)).collect();
             let cells: Vec<_> = sites.iter().map(|s| voronoi(s, local)).collect();
             let layers: Vec<_> = sites.iter().zip(&cells).zip(list("orders").iter().zip(list("A_s")))
                 .map(|((sites, cells), (order, area))| (sites, cells, wholes(order), Threshold::Area(number(&area))))

@@ -3,7 +3,7 @@
 
 mod common;
 
-use common::{Random, field_test, sites_at};
+use common::{Random, field_test, saturated, sites_at};
 use glam::DVec2;
 use rock_field::rocks::{Cells, Pixel, Sites, voronoi};
 use rock_field::validate::{check_cells, check_ownership};
@@ -15,7 +15,7 @@ const ROUNDS: usize = if cfg!(target_arch = "wasm32") { 30 } else { 300 };
 
 /// The diagram both ways, checked.
 fn diagram(sites: &Sites) -> Cells {
-    let [local, global] = [true, false].map(|local| voronoi(sites, local));
+    let (local, global) = (voronoi(&saturated(sites), true), voronoi(sites, false));
     assert_eq!(local.starts, global.starts, "{sites:?}");
     assert_eq!(local.vertices, global.vertices, "{sites:?}");
     check_cells(sites, &local).unwrap_or_else(|violation| panic!("{violation}\n{sites:?}"));

@@ -1,9 +1,9 @@
-//! One Voronoi cell, cut out of the image by the bisectors of its neighbours, with exact decisions.
+//! One Voronoi cell of the image, wrapped around its site from neighbour to neighbour, with exact decisions.
 //!
 //! Sites are pixels, so everything relative to a site is a small integer: a neighbour's offset g, the
 //! squared distance |g|², and a cell vertex, which is the circumcentre of the site and two neighbours,
 //! a quotient of integers. Floating point decides where its error allows, and integers of
-//! 64 bits, enough for images up to 8192 px, where it does not: no tolerance decides what is cut.
+//! 64 bits, enough for images up to 8192 px, where it does not: no tolerance decides who is a neighbour.
 //!
 //! The image's border needs no code of its own: the bisector between a site and its mirror image
 //! across a side *is* that side, and the mirror image of a pixel is again at integer coordinates.
@@ -17,38 +17,20 @@ pub(crate) const SIDES: u32 = u32::MAX - 3;
 /// within 4.8e-7 px of their exact place and coarse enough for neighbours to share them bit for bit.
 pub(crate) const LATTICE: f64 = (1_u32 << 20) as f64;
 
-/// An edge of the cell, and the vertex it starts at (counter-clockwise). All relative to the site.
-#[derive(Debug, Clone, Copy)]
-struct Edge {
-    /// Start vertex, rounded; its exact place is the circumcentre of the site and two neighbours, this edge's and
-    /// the previous one's.
-    vertex: DVec2,
-    /// Its squared distance.
-    distance2: f64,
-    /// Offset of the neighbour across this edge: whole numbers.
-    g: DVec2,
-    /// Index of the neighbour, or [`SIDES`] + side.
-    neighbor: u32,
-}
-
-impl Edge {
-    /// The edge across from `g`, starting where it meets the edge across from `previous`.
-    #[inline]
-    fn after(previous: DVec2, g: DVec2, neighbor: u32) -> Self {
-        let (n, d) = circumcentre(previous, g);
-        let vertex = n * (1.0 / d);
-        Edge { vertex, distance2: vertex.length_squared(), g, neighbor }
-    }
-}
-
 /// The cell under construction; one is re-used for all sites.
 #[derive(Debug, Default)]
-pub(crate) struct CellCutter {
-    edges: Vec<Edge>,
-    spare: Vec<Edge>,
+pub(crate) struct CellWrapper {
+    /// Offsets of the sites that may be neighbours: whole numbers.
+    candidates: Vec<Candidate>,
+    /// Cell vertices in lattice steps relative to the site, each with the neighbour across the edge that starts there.
     corners: Vec<([f64; 2], u32)>,
-    /// Four times the squared distance to the farthest vertex, rounded up.
-    reach2: f64,
+}
+
+#[derive(Debug, Clone, Copy)]
+struct Candidate {
+    g: DVec2,
+    distance2: f64,
+    neighbor: u32,
 }
 
 /// Circumcentre of the origin and two points, the second counter-clockwise of the first: numerators and denominator.
@@ -60,103 +42,117 @@ fn circumcentre(a: DVec2, b: DVec2) -> (DVec2, f64) {
     (DVec2::new(aa * b.y - bb * a.y, bb * a.x - aa * b.x), 2.0 * a.perp_dot(b))
 }
 
-impl CellCutter {
-    /// Starts with the whole image, seen from pixel (x, y).
-    pub(crate) fn start(&mut self, width: u32, height: u32, x: u32, y: u32) {
+/// An integer that sorts like the number.
+#[inline]
+fn sortable(number: f64) -> i64 {
+    let bits = number.to_bits() as i64;
+    bits ^ ((bits >> 63) & i64::MAX)
+}
+
+/// The number again; of `i64::MAX`, not a number.
+#[inline]
+fn from_sortable(key: i64) -> f64 {
+    f64::from_bits((key ^ ((key >> 63) & i64::MAX)) as u64)
+}
+
+impl CellWrapper {
+    /// Starts a cell that only the image bounds, seen from pixel (x, y). Sides farther than half of √`reach2` are left out.
+    pub(crate) fn start(&mut self, width: u32, height: u32, x: u32, y: u32, reach2: f64) {
         let [w, h, x, y] = [width, height, x, y].map(f64::from);
-        let (left, right, bottom, top) = (-x - 0.5, w - x - 0.5, -y - 0.5, h - y - 0.5);
-        self.edges.clear();
-        let mut side = |side, vertex: DVec2, g| {
-            self.edges.push(Edge { vertex, distance2: vertex.length_squared(), g, neighbor: SIDES + side });
-        };
+        self.candidates.clear();
         // The mirror image across a side is twice as far as the side.
-        side(2, DVec2::new(left, bottom), DVec2::new(0.0, 2.0 * bottom));
-        side(1, DVec2::new(right, bottom), DVec2::new(2.0 * right, 0.0));
-        side(3, DVec2::new(right, top), DVec2::new(0.0, 2.0 * top));
-        side(0, DVec2::new(left, top), DVec2::new(2.0 * left, 0.0));
-        self.update_reach();
-    }
-
-    fn update_reach(&mut self) {
-        let farthest = self.edges.iter().fold(0.0_f64, |far, edge| far.max(edge.distance2));
-        // A bisector lies half way to its site, so at a quarter of the squared distance.
-        self.reach2 = 4.0 * farthest * (1.0 + 1e-12);
-    }
-
-    /// Whether a site at a squared distance of `d2` could still cut the cell.
-    #[inline]
-    pub(crate) fn is_reached_from(&self, d2: f64) -> bool {
-        d2 < self.reach2
-    }
-
-    /// Cuts off what is nearer to the neighbour at offset g than to the site.
-    #[inline]
-    pub(crate) fn cut(&mut self, g: DVec2, neighbor: u32) {
-        let gg = g.length_squared();
-        if !self.is_reached_from(gg) {
-            return;
+        let mirrors = [
+            DVec2::new(-2.0 * x - 1.0, 0.0),
+            DVec2::new(2.0 * (w - x) - 1.0, 0.0),
+            DVec2::new(0.0, -2.0 * y - 1.0),
+            DVec2::new(0.0, 2.0 * (h - y) - 1.0),
+        ];
+        for (side, g) in (0..).zip(mirrors) {
+            self.consider(g, SIDES + side, reach2);
         }
-        // A vertex v is cut off where v·g > |g|² / 2. Each side is off by a few ulp of |v| |g| ≤ (reach2 + |g|²) / 2 …
-        let half = 0.5 * gg;
-        let slack = 2.0e-15 * (self.reach2 + gg);
-        let mut farthest = f64::NEG_INFINITY;
-        let mut at = 0;
-        for (k, edge) in self.edges.iter().enumerate() {
-            let beyond = edge.vertex.dot(g) - half;
-            if beyond > farthest {
-                (farthest, at) = (beyond, k);
+    }
+
+    /// Adds a site at offset g unless it is farther than √`reach2`.
+    #[inline]
+    pub(crate) fn consider(&mut self, g: DVec2, neighbor: u32, reach2: f64) {
+        let distance2 = g.length_squared();
+        if distance2 <= reach2 {
+            self.candidates.push(Candidate { g, distance2, neighbor });
+        }
+    }
+
+    /// Walks around the cell counter-clockwise, beginning at the nearest neighbour, whose edge always has a length.
+    ///
+    /// The vertex at the end of the edge across from g is the circumcentre of the site, g and the next neighbour c: the
+    /// candidate to the left of g whose circumcentre comes first along the bisector, at
+    /// t = c·(c − g) / (g × c), in half lengths of g from the middle.
+    pub(crate) fn wrap(&mut self) {
+        self.corners.clear();
+        let nearest = |best: usize, k: usize| {
+            if self.candidates[k].distance2 < self.candidates[best].distance2 { k } else { best }
+        };
+        let start = (0..self.candidates.len()).fold(0, nearest);
+        let mut base = start;
+        // A cell has at most as many edges as there are candidates.
+        for _ in 0..self.candidates.len() {
+            let g = self.candidates[base].g;
+            let (mut best, mut second, mut next) = (i64::MAX, i64::MAX, start);
+            for (k, candidate) in self.candidates.iter().enumerate() {
+                let left = g.perp_dot(candidate.g);
+                let t = (candidate.distance2 - g.dot(candidate.g)) / left;
+                // Which side a candidate lies on is a coin toss: as integers, the choice takes no branch to mispredict.
+                let to_the_right = i64::from(left > 0.0) - 1;
+                let key = (sortable(t) & !to_the_right) | (i64::MAX & to_the_right);
+                second = second.min(best.max(key));
+                next = if key < best { k } else { next };
+                best = best.min(key);
+            }
+            // t is off by less than 2 ulp; cocircular sites come out equal or nearly so.
+            let [best, second] = [best, second].map(from_sortable);
+            if second - best <= 1e-12 * (1.0 + best.abs()) {
+                next = self.next_exactly(base, start);
+            }
+            let Candidate { g: c, neighbor, .. } = self.candidates[next];
+            let (n, d) = circumcentre(g, c);
+            let vertex = n * (1.0 / d);
+            let place = match vertex.to_array().map(to_lattice) {
+                [Some(x), Some(y)] => [x, y],
+                _ => n.to_array().map(|n| to_lattice_exactly(n as i64, d as i64)),
+            };
+            self.corners.push((place, neighbor));
+            if next == start {
+                break;
+            }
+            base = next;
+        }
+    }
+
+    /// The next neighbour after `base` in integers below 2⁶². Of several on one circle the walk takes the last, so that
+    /// no edge has length zero, but never goes past its start.
+    #[cold]
+    fn next_exactly(&self, base: usize, start: usize) -> usize {
+        let whole = |v: DVec2| [v.x as i64, v.y as i64];
+        let [gx, gy] = whole(self.candidates[base].g);
+        let mut best: Option<(i64, i64, [i64; 2], usize)> = None;
+        for (k, candidate) in self.candidates.iter().enumerate() {
+            let [cx, cy] = whole(candidate.g);
+            let d = gx * cy - gy * cx;
+            if d <= 0 {
+                continue;
+            }
+            let n = cx * cx + cy * cy - (gx * cx + gy * cy);
+            let is_better = best.is_none_or(|(best_n, best_d, [bx, by], b)| {
+                (n * best_d).cmp(&(best_n * d)).then_with(|| {
+                    // Equal: the start before all others, then the more counter-clockwise one.
+                    let is_later = k == start || (b != start && bx * cy - by * cx > 0);
+                    if is_later { core::cmp::Ordering::Less } else { core::cmp::Ordering::Greater }
+                }) == core::cmp::Ordering::Less
+            });
+            if is_better {
+                best = Some((n, d, [cx, cy], k));
             }
         }
-        if farthest > slack || (farthest >= -slack && self.is_cut(at, g, slack)) {
-            self.replace_cut_vertices(at, g, neighbor, slack);
-        }
-    }
-
-    /// Whether vertex k is strictly nearer to the neighbour at offset g. A vertex exactly on the bisector stays.
-    #[inline]
-    fn is_cut(&self, k: usize, g: DVec2, slack: f64) -> bool {
-        let beyond = self.edges[k].vertex.dot(g) - 0.5 * g.length_squared();
-        if beyond.abs() > slack { beyond > 0.0 } else { self.is_cut_exactly(k, g) }
-    }
-
-    /// … and where that leaves the sign open, integers below 2⁶³ decide.
-    #[cold]
-    fn is_cut_exactly(&self, k: usize, g: DVec2) -> bool {
-        let previous = if k == 0 { self.edges.len() - 1 } else { k - 1 };
-        let (n, d) = circumcentre(self.edges[previous].g, self.edges[k].g);
-        let [nx, ny, d, gx, gy] = [n.x, n.y, d, g.x, g.y].map(|whole| whole as i64);
-        2 * (nx * gx + ny * gy) > (gx * gx + gy * gy) * d
-    }
-
-    fn replace_cut_vertices(&mut self, some_cut: usize, g: DVec2, neighbor: u32, slack: f64) {
-        let count = self.edges.len();
-        let (previous, next) =
-            (|k: usize| if k == 0 { count - 1 } else { k - 1 }, |k: usize| if k + 1 == count { 0 } else { k + 1 });
-        // The cut vertices are consecutive, cyclically: first ..= last.
-        let mut first = some_cut;
-        while self.is_cut(previous(first), g, slack) {
-            first = previous(first);
-        }
-        let mut last = some_cut;
-        while self.is_cut(next(last), g, slack) {
-            last = next(last);
-        }
-        let before = self.edges[previous(first)];
-        let after = self.edges[last];
-        self.spare.clear();
-        // The new edge begins on the edge that leads to the first cut vertex …
-        self.spare.push(Edge::after(before.g, g, neighbor));
-        // … and ends on the edge that leaves the last one.
-        self.spare.push(Edge::after(g, after.g, after.neighbor));
-        let kept = next(last);
-        if kept <= first {
-            self.spare.extend_from_slice(&self.edges[kept..first]);
-        } else {
-            self.spare.extend_from_slice(&self.edges[kept..]);
-            self.spare.extend_from_slice(&self.edges[..first]);
-        }
-        core::mem::swap(&mut self.edges, &mut self.spare);
-        self.update_reach();
+        best.map_or(start, |(.., k)| k)
     }
 
     /// Emits the cell counter-clockwise from the lexicographically least vertex: its vertices in lattice steps relative
@@ -164,20 +160,6 @@ impl CellCutter {
     ///
     /// Vertices nearer than 1e-6 px are merged (decision A8): that is one lattice step.
     pub(crate) fn emit(&mut self, mut vertex: impl FnMut([f64; 2], u32)) {
-        self.corners.clear();
-        let mut previous = self.edges[self.edges.len() - 1].g;
-        for edge in &self.edges {
-            let place = edge.vertex.to_array().map(to_lattice);
-            let place = match place {
-                [Some(x), Some(y)] => [x, y],
-                _ => {
-                    let (n, d) = circumcentre(previous, edge.g);
-                    n.to_array().map(|n| to_lattice_exactly(n as i64, d as i64))
-                }
-            };
-            self.corners.push((place, edge.neighbor));
-            previous = edge.g;
-        }
         let corners = &mut self.corners[..];
         let least = (0..corners.len()).min_by(|&a, &b| {
             let (a, b) = (corners[a].0, corners[b].0);

@@ -51,57 +51,34 @@ impl Grid {
         &self.order[from..to]
     }
 
-    /// Calls `visit` with every site whose bucket lies at most one bucket from bucket (column, row).
+    /// Calls `visit` with every site whose bucket lies at most `rings` buckets from bucket (column, row).
     #[inline]
-    pub(crate) fn block(&self, column: u32, row: u32, mut visit: impl FnMut(u32)) {
-        let (left, right) = (column.saturating_sub(1), (column + 1).min(self.columns - 1));
-        for r in row.saturating_sub(1)..=(row + 1).min(self.rows - 1) {
+    pub(crate) fn block(&self, column: u32, row: u32, rings: u32, mut visit: impl FnMut(u32)) {
+        let (left, right) = (column.saturating_sub(rings), (column + rings).min(self.columns - 1));
+        for r in row.saturating_sub(rings)..=(row + rings).min(self.rows - 1) {
             self.run(r, left, right).iter().for_each(|&site| visit(site));
         }
-    }
-
-    /// Calls `visit` with every site whose bucket lies exactly `ring` ≥ 1 buckets from bucket (column, row).
-    /// False when no bucket of the image is that far away.
-    #[inline]
-    pub(crate) fn ring(&self, column: u32, row: u32, ring: u32, mut visit: impl FnMut(u32)) -> bool {
-        let (left, right) = (column.checked_sub(ring), Some(column + ring).filter(|&c| c < self.columns));
-        let (low, high) = (row.checked_sub(ring), Some(row + ring).filter(|&r| r < self.rows));
-        if left.is_none() && right.is_none() && low.is_none() && high.is_none() {
-            return false;
-        }
-        let columns = (left.unwrap_or(0), right.unwrap_or(self.columns - 1));
-        for edge in [low, high].into_iter().flatten() {
-            self.run(edge, columns.0, columns.1).iter().for_each(|&site| visit(site));
-        }
-        for r in low.map_or(0, |r| r + 1)..high.unwrap_or(self.rows) {
-            for edge in [left, right].into_iter().flatten() {
-                self.run(r, edge, edge).iter().for_each(|&site| visit(site));
-            }
-        }
-        true
     }
 
     /// The site that owns a pixel: the nearest one, ties to the lowest index (decision A9).
     pub(crate) fn owner(&self, pixels: &[Pixel], x: u32, y: u32) -> Option<u32> {
         let (column, row) = (x / self.side, y / self.side);
         let mut best: Option<(u64, u32)> = None;
-        let consider = |best: &mut Option<(u64, u32)>, site: u32| {
-            let [sx, sy] = pixels[site as usize].map(u32::from);
-            let d2 = u64::from(sx.abs_diff(x)).pow(2) + u64::from(sy.abs_diff(y)).pow(2);
-            if best.is_none_or(|nearest| (d2, site) < nearest) {
-                *best = Some((d2, site));
-            }
-        };
-        self.block(column, row, |site| consider(&mut best, site));
-        for ring in 2.. {
-            // A site `ring` buckets away is farther than (ring − 1) bucket sides.
-            let clear = u64::from(ring - 1) * u64::from(self.side);
-            if best.is_some_and(|(d2, _)| clear * clear > d2) {
+        let mut rings = 1;
+        loop {
+            self.block(column, row, rings, |site| {
+                let [sx, sy] = pixels[site as usize].map(u32::from);
+                let d2 = u64::from(sx.abs_diff(x)).pow(2) + u64::from(sy.abs_diff(y)).pow(2);
+                if best.is_none_or(|nearest| (d2, site) < nearest) {
+                    best = Some((d2, site));
+                }
+            });
+            // What lies beyond is farther than `rings` bucket sides.
+            let clear = u64::from(rings) * u64::from(self.side);
+            if best.is_some_and(|(d2, _)| d2 <= clear * clear) || rings >= self.columns.max(self.rows) {
                 break;
             }
-            if !self.ring(column, row, ring, |site| consider(&mut best, site)) {
-                break;
-            }
+            rings *= 2;
         }
         best.map(|(_, site)| site)
     }

@@ -25,6 +25,18 @@ pub struct Sites {
 }
 
 impl Sites {
+    /// How far the neighbours of a site can be, px, if the layer is saturated: every pixel's centre is nearer than r to a
+    /// site, so every point of the image is nearer than r + √½, and a neighbour is at most twice as far as a cell vertex.
+    pub(crate) fn neighbor_reach(&self) -> f64 {
+        2.0 * (self.radius + 0.7072)
+    }
+
+    /// Buckets in which two rings hold every neighbour of a saturated layer's site.
+    pub(crate) fn grid(&self) -> Grid {
+        let side = (self.radius + 2.0).min(f64::from(self.width.max(self.height)));
+        Grid::new(self.width, self.height, side as u32, &self.pixels)
+    }
+
     /// Positions as x, y, x, y …, px: exact, being multiples of ½ below 2¹⁴.
     pub fn positions(&self) -> Vec<f32> {
         self.pixels.iter().flatten().map(|&c| f32::from(c) + 0.5).collect()
@@ -163,8 +175,7 @@ impl DartThrower {
 /// A site's index is its place in this order: neighbours on the ground are neighbours in memory, and
 /// every later stage that walks the sites walks the image once.
 fn sort_by_bucket(sites: &mut Sites) {
-    let side = sites.radius.min(f64::from(sites.width.max(sites.height))) as u32;
-    let grid = Grid::new(sites.width, sites.height, side, &sites.pixels);
+    let grid = sites.grid();
     sites.pixels = grid.order().iter().map(|&index| sites.pixels[index as usize]).collect();
 }
 

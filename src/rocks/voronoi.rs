@@ -1,19 +1,19 @@
 //! Stage 2: one Voronoi diagram per layer, clipped to the image (journal §3.1).
 //!
-//! Every cell is cut out of the image by its neighbours' bisectors ([`CellCutter`]); the two ways below only
-//! differ in how a site's neighbours are found, so they give the same bytes:
+//! Every cell is wrapped around its site from a list of possible neighbours ([`CellWrapper`]); the two ways below only
+//! differ in how that list comes about, so they give the same bytes:
 //!
-//! * A *saturated* layer has no pixel farther than r from a site, hence no Voronoi vertex farther than
-//!   r + √½ px, and all neighbours lie within twice that: the surrounding buckets of a grid suffice.
+//! * In a *saturated* layer all neighbours lie within [`Sites::neighbor_reach`]: the buckets of a grid around the site
+//!   hold them, and the cost per cell is constant.
 //! * Otherwise the Delaunay triangulation of all sites ([`spade`]) names them.
 
 use glam::DVec2;
 use spade::handles::FixedVertexHandle;
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
-use super::cell::{CellCutter, LATTICE, SIDES};
+use super::cell::{CellWrapper, LATTICE, SIDES};
 use super::grid::Grid;
-use super::sites::{Pixel, Sites};
+use super::sites::Sites;
 
 /// The Voronoi diagram of one layer, clipped to the image.
 ///
@@ -63,7 +63,7 @@ impl Cells {
 /// How the neighbours of a site are found.
 #[derive(Debug)]
 enum Neighborhood {
-    /// By the grid, ring by ring.
+    /// The sites within reach.
     Local,
     /// By a Delaunay triangulation of all sites, under construction until it holds all of them.
     Global(Box<DelaunayTriangulation<Point2<f64>>>),
@@ -73,26 +73,32 @@ enum Neighborhood {
 #[derive(Debug)]
 pub(crate) struct VoronoiBuilder {
     cells: Cells,
-    cutter: CellCutter,
+    wrapper: CellWrapper,
     neighborhood: Neighborhood,
+    /// Square of how far a neighbour can be.
+    reach2: f64,
+    /// And in buckets.
+    rings: u32,
 }
 
 impl VoronoiBuilder {
-    /// `local`: look neighbours up in the grid. Right for every input, fast only where sites are evenly spread.
+    /// `local`: look no farther than [`Sites::neighbor_reach`], which is right for saturated layers.
     pub(crate) fn new(sites: &Sites, local: bool) -> Self {
         let count = sites.pixels.len();
-        let side = sites.radius.min(f64::from(sites.width.max(sites.height))) as u32;
+        let reach = if local { sites.neighbor_reach() } else { f64::INFINITY };
+        let grid = sites.grid();
+        let rings = if local { (reach / f64::from(grid.side)) as u32 + 1 } else { 0 };
         let mut cells = Cells {
             starts: Vec::with_capacity(count + 1),
             // Fewer than six vertices per cell on average (Euler), and four corners.
             vertices: Vec::with_capacity(6 * count + 4),
             neighbors: Vec::with_capacity(6 * count + 4),
-            grid: Grid::new(sites.width, sites.height, side, &sites.pixels),
+            grid,
         };
         cells.starts.push(0);
         let neighborhood =
             if local { Neighborhood::Local } else { Neighborhood::Global(Box::new(DelaunayTriangulation::new())) };
-        VoronoiBuilder { cells, cutter: CellCutter::default(), neighborhood }
+        VoronoiBuilder { cells, wrapper: CellWrapper::default(), neighborhood, reach2: reach * reach, rings }
     }
 
     /// Works on about `count` sites. True when the diagram is finished.
@@ -110,49 +116,39 @@ impl VoronoiBuilder {
         let from = self.cells.len();
         let to = (from + count).min(sites.pixels.len());
         for site in from..to {
-            self.cut_cell(sites, site);
+            self.wrap_cell(sites, site);
         }
         to == sites.pixels.len()
     }
 
-    fn cut_cell(&mut self, sites: &Sites, site: usize) {
+    fn wrap_cell(&mut self, sites: &Sites, site: usize) {
         let here = sites.pixels[site];
         let [x, y] = here.map(u32::from);
-        let (cutter, grid) = (&mut self.cutter, &self.cells.grid);
-        cutter.start(sites.width, sites.height, x, y);
         let origin = DVec2::new(f64::from(x), f64::from(y));
-        let offset = |[ox, oy]: Pixel| DVec2::new(f64::from(ox), f64::from(oy)) - origin;
+        let (wrapper, grid) = (&mut self.wrapper, &self.cells.grid);
+        wrapper.start(sites.width, sites.height, x, y, self.reach2);
+        let mut consider = |other: u32| {
+            let [ox, oy] = sites.pixels[other as usize].map(f64::from);
+            wrapper.consider(DVec2::new(ox, oy) - origin, other, self.reach2);
+        };
         match &self.neighborhood {
             Neighborhood::Local => {
                 let (column, row) = (x / grid.side, y / grid.side);
-                grid.block(column, row, |other| {
+                grid.block(column, row, self.rings, |other| {
                     if other as usize != site {
-                        cutter.cut(offset(sites.pixels[other as usize]), other);
+                        consider(other);
                     }
                 });
-                for ring in 2_u32.. {
-                    // Sites `ring` buckets away are farther than (ring − 1) bucket sides.
-                    let clear = f64::from(grid.side) * f64::from(ring - 1);
-                    if !cutter.is_reached_from(clear * clear) {
-                        break;
-                    }
-                    let visit = |other: u32| cutter.cut(offset(sites.pixels[other as usize]), other);
-                    if !grid.ring(column, row, ring, visit) {
-                        break;
-                    }
-                }
             }
             Neighborhood::Global(triangulation) => {
                 let vertex = triangulation.vertex(FixedVertexHandle::from_index(site));
-                for edge in vertex.out_edges() {
-                    let other = edge.to().fix().index();
-                    cutter.cut(offset(sites.pixels[other]), other as u32);
-                }
+                vertex.out_edges().for_each(|edge| consider(edge.to().fix().index() as u32));
             }
         }
+        wrapper.wrap();
         let (vertices, neighbors) = (&mut self.cells.vertices, &mut self.cells.neighbors);
         let centre = origin + 0.5;
-        cutter.emit(|[dx, dy], neighbor| {
+        wrapper.emit(|[dx, dy], neighbor| {
             // Exact: a multiple of 2⁻²⁰ below 2¹⁴.
             vertices.push(centre + DVec2::new(dx, dy) / LATTICE);
             neighbors.push(neighbor);

@@ -3,7 +3,7 @@
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 use rock_field::params::{Border, Darts, Kind, Layer, Notation, PARAMS, Params, Scope, Swing};
-use rock_field::rocks::{Field, Pixel, Sites, generate};
+use rock_field::rocks::{Field, Pixel, Sites, generate, voronoi};
 use rock_field::validate::check_field;
 
 /// Makes a function a native test and, for wasm32, one that runs in headless Node.
@@ -62,6 +62,20 @@ pub fn layer(id: u32, radius: f64, area_fraction: f64) -> Layer {
 /// Sites at given pixels, without a claim to be saturated.
 pub fn sites_at(width: u32, height: u32, radius: f64, pixels: Vec<Pixel>) -> Sites {
     Sites { width, height, radius, target: pixels.len() as u64, pixels, saturated: false }
+}
+
+/// The same sites with a radius at which they are saturated: then the neighbours of each lie close by, as the local way of
+/// building the diagram asks for.
+pub fn saturated(sites: &Sites) -> Sites {
+    let cells = voronoi(sites, false);
+    let farthest = |i: usize| {
+        let [x, y] = sites.pixels[i].map(|c| f64::from(c) + 0.5);
+        let distances = cells.polygon(i).iter().map(move |v| v.distance(glam::DVec2::new(x, y)));
+        distances.fold(1.0, f64::max)
+    };
+    // No pixel is farther from its site than the cell's farthest vertex.
+    let radius = (0..cells.len()).map(farthest).fold(1.0, f64::max) + 1.0e-3;
+    Sites { radius, saturated: true, ..sites.clone() }
 }
 
 /// What two fields that ought to be equal differ in, bit for bit.
