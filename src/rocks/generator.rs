@@ -191,6 +191,10 @@ impl Generator {
                 cache
             })
             .collect();
+        if self.layers.iter().all(|cache| cache.sites.key.is_none()) {
+            // Nothing of the old rocks will be used again, and holes where they stood would only fragment the heap.
+            self.mesh = Mesh::default();
+        }
         self.params = Some(params);
         Ok(())
     }
