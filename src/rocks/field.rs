@@ -36,7 +36,8 @@ pub struct FieldLayer {
 impl Field {
     /// Share of the image's pixels that the selected cells own (decision A9).
     pub fn covered_fraction(&self) -> f64 {
-        self.layers.iter().map(FieldLayer::area_reached).sum()
+        // Not sum(): that of nothing is −0.
+        self.layers.iter().fold(0.0, |sum, layer| sum + layer.area_reached())
     }
 }
 

@@ -266,7 +266,7 @@ impl Generator {
 
     /// Rocks, triangles, covered fraction, layers.
     pub fn summary(&self) -> [f64; 4] {
-        let covered = self.layers().map(|layer| layer.area_reached()).sum();
+        let covered = self.layers().fold(0.0, |sum, layer| sum + layer.area_reached());
         [self.mesh.rocks() as f64, self.mesh.triangles() as f64, covered, self.layers.len() as f64]
     }
 

@@ -16,7 +16,7 @@ pub struct Sites {
     pub height: u32,
     /// Disc radius r, px.
     pub radius: f64,
-    /// One pixel per site, bucket by bucket ([`sort_by_bucket`]).
+    /// One pixel per site, in buckets row by row, so that neighbours on the ground are neighbours in memory.
     pub pixels: Vec<Pixel>,
     /// N_p of Eq. 1, rounded down (decision A2).
     pub target: u64,

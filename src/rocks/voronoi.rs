@@ -172,7 +172,8 @@ impl VoronoiBuilder {
     }
 }
 
-/// The diagram of given sites; `local` as in [`VoronoiBuilder::new`].
+/// The diagram of given sites. `local` looks for neighbours only as far as a saturated layer has any, and needs one; it
+/// gives the same bytes.
 pub fn voronoi(sites: &Sites, local: bool) -> Cells {
     let mut builder = VoronoiBuilder::new(sites, local);
     while !builder.advance(sites, usize::MAX / 2) {}
