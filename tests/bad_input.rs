@@ -242,3 +242,18 @@ field_test! {
         }
     }
 }
+
+field_test! {
+    fn progress_begins_at_nothing_and_never_goes_back() {
+        let mut generator = Generator::new();
+        generator.start(Params { image_width: 300, image_height: 300, ..Params::default() }, u64::MAX).unwrap();
+        let mut last = generator.progress();
+        assert_eq!(last, 0.0);
+        while !generator.step() {
+            let now = generator.progress();
+            assert!((last..=1.0).contains(&now), "{last} → {now}");
+            last = now;
+        }
+        assert_eq!(generator.progress(), 1.0);
+    }
+}

@@ -159,22 +159,21 @@ impl CellWrapper {
     /// to the site, each with the neighbour across the edge that starts there.
     ///
     /// Vertices nearer than 1e-6 px are merged (decision A8): that is one lattice step.
-    pub(crate) fn emit(&mut self, mut vertex: impl FnMut([f64; 2], u32)) {
-        let corners = &mut self.corners[..];
-        let least = (0..corners.len()).min_by(|&a, &b| {
-            let (a, b) = (corners[a].0, corners[b].0);
-            a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1]))
-        });
-        let Some(least) = least else { return };
-        corners.rotate_left(least);
-        // Where several corners share the least place, the last of them has the edge that leaves it.
+    pub(crate) fn emit(&self, mut vertex: impl FnMut([f64; 2], u32)) {
+        let corners = &self.corners[..];
+        let least = (0..corners.len()).fold(0, |least, k| if corners[k].0 < corners[least].0 { k } else { least });
+        let at = |k: usize| corners[if least + k < corners.len() { least + k } else { least + k - corners.len() }];
+        // Where several corners share a place, the last of them has the edge that leaves it; of those that lead up to the
+        // first, none.
         let near = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).abs() + (a[1] - b[1]).abs() <= 1.0;
-        let wrapped = corners.iter().rev().take_while(|corner| near(corner.0, corners[0].0)).count();
-        let corners = &corners[..corners.len() - wrapped.min(corners.len() - 1)];
-        for (k, &(place, neighbor)) in corners.iter().enumerate() {
-            match corners.get(k + 1) {
-                Some(next) if near(place, next.0) => {}
-                _ => vertex(place, neighbor),
+        let mut count = corners.len();
+        while count > 1 && near(at(count - 1).0, at(0).0) {
+            count -= 1;
+        }
+        for k in 0..count {
+            let (place, neighbor) = at(k);
+            if k + 1 == count || !near(place, at(k + 1).0) {
+                vertex(place, neighbor);
             }
         }
     }

@@ -4,16 +4,17 @@
 //! whose key differs from the wanted one, and work on it. So an edit re-runs from the first stage it touches, a
 //! superseded run leaves its finished stages behind, and a cached result is the full result by construction.
 
-use super::field::{Field, FieldLayer, area_reached};
-use super::select::{Selection, Selector, Threshold, flag};
-use super::shape::{Shaper, Shapes, Swings};
-use super::sites::{DartThrower, Sites};
-use super::voronoi::{Cells, VoronoiBuilder};
+use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey};
+use super::field::{Field, FieldLayer};
+use super::select::{Selector, Threshold, flag};
+use super::shape::{Shaper, Swings};
+use super::sites::DartThrower;
+use super::voronoi::VoronoiBuilder;
 use crate::bitmap::Bitmap;
 use crate::error::Error;
 use crate::memory::memory_estimate;
 use crate::mesh::{Extent, Mesh, RockBuilder};
-use crate::params::{Border, Darts, Layer, Params, Stage, Swing};
+use crate::params::{Border, Darts, Layer, Params, Stage};
 
 /// Picks, cells or rocks that one step works on: one to three milliseconds in wasm.
 const PICKS_PER_STEP: u32 = 1 << 15;
@@ -31,71 +32,6 @@ pub struct Generator {
     /// Pixels taken by the coarser layers while a selection runs.
     taken: Option<Taken>,
     versions: u64,
-}
-
-/// The result of a stage and what it is a function of.
-#[derive(Debug)]
-struct Cached<K, V> {
-    key: Option<K>,
-    /// Changes exactly when the value does: the key of what is built on it.
-    version: u64,
-    value: V,
-}
-
-impl<K, V: Default> Default for Cached<K, V> {
-    fn default() -> Self {
-        Cached { key: None, version: 0, value: V::default() }
-    }
-}
-
-impl<K: PartialEq, V: Default> Cached<K, V> {
-    fn is_current(&self, key: &K) -> bool {
-        self.key.as_ref() == Some(key)
-    }
-
-    fn clear(&mut self) {
-        *self = Cached::default();
-    }
-}
-
-/// What the sites of a layer are a function of, besides its id. Floats compare as numbers: none of them is NaN.
-#[derive(Debug, Clone, PartialEq)]
-struct SitesKey {
-    seed: u32,
-    image: [u32; 2],
-    packing: f64,
-    darts: Darts,
-    radius: f64,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct SelectionKey {
-    cells: u64,
-    threshold: Threshold,
-    border: Border,
-    /// Versions of the selections that went before.
-    coarser: Vec<u64>,
-}
-
-#[derive(Debug, Clone, PartialEq)]
-struct MeshKey {
-    shapes: u64,
-    taper: [f64; 3],
-    height: [f64; 3],
-    swing: Swing,
-    index: usize,
-    at: Extent,
-}
-
-#[derive(Debug, Default)]
-struct LayerCache {
-    /// Lengths in px.
-    layer: Option<Layer>,
-    sites: Cached<SitesKey, Sites>,
-    cells: Cached<u64, Cells>,
-    selection: Cached<SelectionKey, Selection>,
-    shapes: Cached<u64, Shapes>,
-    mesh: Option<MeshKey>,
 }
 
 #[derive(Debug)]
@@ -122,39 +58,6 @@ enum Work {
     Shapes(Box<Shaper>),
     /// Writes the rocks of the layer, from this one on.
     Mesh(MeshKey, usize, Extent, Box<RockBuilder>),
-}
-
-/// One layer's results, borrowed.
-#[derive(Debug, Clone, Copy)]
-pub struct LayerView<'a> {
-    /// What was asked for, lengths in px.
-    pub layer: &'a Layer,
-    /// Stage 1.
-    pub sites: &'a Sites,
-    /// Stage 2.
-    pub cells: &'a Cells,
-    /// Stage 3.
-    pub selection: &'a Selection,
-}
-
-impl LayerView<'_> {
-    /// Share of the image's pixels that the selected cells own.
-    pub fn area_reached(&self) -> f64 {
-        area_reached(self.sites, self.selection)
-    }
-
-    /// Id, radius (px), N_p, sites saturated, A_s asked and reached, selection saturated.
-    pub fn summary(&self) -> [f64; 7] {
-        [
-            f64::from(self.layer.id),
-            self.layer.radius,
-            self.sites.target as f64,
-            f64::from(self.sites.saturated),
-            self.layer.area_fraction,
-            self.area_reached(),
-            f64::from(self.selection.saturated),
-        ]
-    }
 }
 
 impl Generator {
@@ -196,14 +99,12 @@ impl Generator {
             self.mesh = Mesh::default();
         }
         self.params = Some(params);
+        self.task = self.next_task();
         Ok(())
     }
 
     /// Does a bounded piece of work. True when the run is finished.
     pub fn step(&mut self) -> bool {
-        if self.task.is_none() {
-            self.task = self.next_task();
-        }
         let Some(mut task) = self.task.take() else { return true };
         if self.advance(&mut task) {
             self.complete(task);
@@ -222,7 +123,6 @@ impl Generator {
             Some(Work::Flag(..) | Work::Selection(..)) => Stage::Selection,
             Some(Work::Shapes(..)) => Stage::Shape,
             Some(Work::Mesh(..)) => Stage::Mesh,
-            None if self.mesh.rock_starts.is_empty() => Stage::Sites,
             None => Stage::Mesh,
         }
     }
@@ -452,18 +352,6 @@ impl Generator {
                 cache.shapes = Cached { key: Some(cache.selection.version), version, value: shaper.finish() };
             }
             Work::Mesh(key, ..) => cache.mesh = Some(key),
-        }
-    }
-}
-
-impl SitesKey {
-    fn new(params: &Params, layer: &Layer) -> Self {
-        SitesKey {
-            seed: params.seed,
-            image: [params.image_width, params.image_height],
-            packing: params.packing,
-            darts: params.darts,
-            radius: layer.radius,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! The rock method: sites → cells → selection → shape → mesh.
 
+mod cache;
 mod cell;
 mod field;
 mod generator;
@@ -10,8 +11,9 @@ mod sites;
 mod triangulate;
 mod voronoi;
 
+pub use cache::LayerView;
 pub use field::{Field, FieldLayer, generate};
-pub use generator::{Generator, LayerView};
+pub use generator::Generator;
 pub use select::{Selection, Threshold, cell_pixels, select};
 pub use shape::{Shapes, displace};
 pub use sites::{Pixel, Sites, accept_picks, target_sites};

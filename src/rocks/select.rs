@@ -104,12 +104,12 @@ impl PixelSpans {
     fn settle_ties_at_vertices(&mut self, sites: &Sites, cells: &Cells, i: usize) {
         let [x, y] = sites.pixels[i].map(i32::from);
         for vertex in cells.polygon(i) {
-            let (px, py) = (vertex.x - 0.5, vertex.y - 0.5);
-            let (column, row) = (px.round(), py.round());
-            if (px - column).abs().max((py - row).abs()) > VERTEX_SLACK {
+            // The pixel that holds the vertex, and how far its centre is.
+            let pixel = vertex.floor();
+            if (*vertex - pixel - 0.5).abs().max_element() > VERTEX_SLACK {
                 continue;
             }
-            let (column, row) = (column as i32, row as i32);
+            let (column, row) = (pixel.x as i32, pixel.y as i32);
             let Some(span) = self.rows.get_mut((row - y - self.bottom) as usize) else { continue };
             let here = column - x;
             if (span[0]..=span[1]).contains(&here)

@@ -73,6 +73,24 @@ pub(crate) struct DartThrower {
     picks_left: Option<u64>,
     /// Clear pixels, some of them stale; present from the second phase on.
     free: Option<Vec<Pixel>>,
+    batch: Batch,
+}
+
+/// The picks of a batch whose pixels were free when it was drawn.
+#[derive(Debug)]
+struct Batch {
+    pixels: [Pixel; BATCH as usize],
+    count: usize,
+}
+
+impl Batch {
+    /// Appends the pixel if it is free, without a branch on what is a coin toss.
+    #[inline]
+    fn sift(&mut self, bitmap: &Bitmap, pixel: Pixel) {
+        let [x, y] = pixel.map(u32::from);
+        self.pixels[self.count] = pixel;
+        self.count += usize::from(!bitmap.get(x, y));
+    }
 }
 
 impl DartThrower {
@@ -93,49 +111,63 @@ impl DartThrower {
             stream: Stream::new(seed, Purpose::Darts, layer, 0),
             picks_left: attempts.then_some(target),
             free: None,
+            batch: Batch { pixels: [[0; 2]; BATCH as usize], count: 0 },
         }
     }
 
     /// Makes at least one and about `picks` picks. True when the layer is finished.
+    ///
+    /// Picks are drawn and sifted by the batch: what is taken when the batch is drawn stays taken, and looking up
+    /// many scattered flags at once lets the memory accesses overlap.
     pub(crate) fn advance(&mut self, mut picks: u32) -> bool {
         while !self.is_finished() {
             if picks == 0 {
                 return false;
             }
-            if let Some(free) = &mut self.free {
-                if free.is_empty() {
+            let limit = self.picks_left.map_or(BATCH, |left| left.min(u64::from(BATCH)) as u32);
+            let drawn = match &mut self.free {
+                None => {
+                    for _ in 0..limit {
+                        let pixel = self.stream.pixel(self.sites.width, self.sites.height);
+                        self.batch.sift(&self.bitmap, pixel);
+                    }
+                    limit
+                }
+                Some(free) if free.is_empty() => {
                     self.sites.saturated = true;
                     continue;
                 }
                 // Every entry is drawn at most once, so this ends without ever compacting the list.
-                let index = self.stream.below(free.len() as u32);
-                let pixel = free.swap_remove(index as usize);
-                self.try_place(pixel);
-                picks -= 1;
-            } else {
-                let batch = self.picks_left.map_or(BATCH, |left| left.min(u64::from(BATCH)) as u32);
-                let mut hits = 0;
-                for _ in 0..batch {
-                    let pixel = self.stream.pixel(self.sites.width, self.sites.height);
-                    hits += u32::from(self.try_place(pixel));
-                    if self.is_finished() {
-                        break;
+                Some(free) => {
+                    let drawn = limit.min(free.len() as u32);
+                    for _ in 0..drawn {
+                        let index = self.stream.below(free.len() as u32);
+                        self.batch.sift(&self.bitmap, free.swap_remove(index as usize));
                     }
+                    drawn
                 }
-                picks = picks.saturating_sub(batch);
-                match &mut self.picks_left {
-                    Some(left) => {
-                        *left -= u64::from(batch);
-                        // Below a pixel N_p grows without bound; once every pixel is a site no pick can hit any more.
-                        self.sites.saturated = self.sites.pixels.len() as u64 == self.bitmap.pixels();
-                    }
-                    None if hits < FEW_HITS => {
-                        let mut free = Vec::new();
-                        self.bitmap.push_clear(&mut free);
-                        self.free = Some(free);
-                    }
-                    None => {}
+            };
+            let mut hits = 0;
+            for k in 0..core::mem::take(&mut self.batch.count) {
+                let pixel = self.batch.pixels[k];
+                hits += u32::from(self.try_place(pixel));
+                if self.is_finished() {
+                    break;
                 }
+            }
+            picks = picks.saturating_sub(drawn);
+            match &mut self.picks_left {
+                Some(left) => {
+                    *left -= u64::from(drawn);
+                    // Below a pixel N_p grows without bound; once every pixel is a site no pick can hit any more.
+                    self.sites.saturated = self.sites.pixels.len() as u64 == self.bitmap.pixels();
+                }
+                None if self.free.is_none() && hits < FEW_HITS => {
+                    let mut free = Vec::new();
+                    self.bitmap.push_clear(&mut free);
+                    self.free = Some(free);
+                }
+                None => {}
             }
         }
         true
