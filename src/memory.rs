@@ -35,7 +35,7 @@ impl MemoryEstimate {
 /// |---|---|---|
 /// | a pixel | – | 1/8 as a flag; 0.2 in a list of the last free ones |
 /// | a site | 4 | 8 while its list grows |
-/// | its cell: vertices, neighbours, bucket | 4 + 6·(16 + 4) + 16 | 6·16 + 8; 260 more in spade's triangulation |
+/// | its cell: vertices, neighbours, bucket | 4 + 6·(16 + 4) + 16 | 6·16 + 8 |
 /// | a rock: p_add and 16 triangles | 8 + 6·16 + 16·6 | – |
 /// | its 12 vertices and 16 triangles in the buffers | 12·(12 + 12) + 16·12 + 9 | 12·12 while a buffer grows |
 /// | copied out | 8 + 4 + 6·8 a site, 4 + the buffers a rock | 6·8 a site |
@@ -92,9 +92,8 @@ fn peak_bytes(params: &Params) -> u64 {
         kept += layer.sites * SITE;
     }
     for layer in &layers {
-        let spade = if layer.jams { 0.0 } else { 260.0 * layer.sites };
         // Shrinking the list of vertices to what is needed may copy it.
-        peak = peak.max(kept + layer.sites * (CELL + VERTICES * 16.0 + 8.0) + spade);
+        peak = peak.max(kept + layer.sites * (CELL + VERTICES * 16.0 + 8.0));
         kept += layer.sites * CELL;
     }
     peak = peak.max(kept + flags + most_sites * 8.0);

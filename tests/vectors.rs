@@ -43,10 +43,10 @@ fn points(value: &Value) -> Vec<DVec2> {
     value.as_array().unwrap().iter().map(|v| DVec2::new(number(&v[0]), number(&v[1]))).collect()
 }
 
-/// Sites as one finds them, or with the radius that the local diagram needs.
-fn sites_for(local: bool, vector: &Value, sites: &Value) -> Sites {
+/// Sites as one finds them, or with the radius at which they are saturated.
+fn sites_for(jammed: bool, vector: &Value, sites: &Value) -> Sites {
     let sites = sites_of(vector, sites);
-    if local { saturated(&sites) } else { sites }
+    if jammed { saturated(&sites) } else { sites }
 }
 
 fn sites_of(vector: &Value, sites: &Value) -> Sites {
@@ -88,13 +88,13 @@ field_test! {
 
 field_test! {
     fn cells_are_the_given_polygons() {
-        for (vector, local) in vectors("voronoi").iter().flat_map(|v| [(v, true), (v, false)]) {
-            let sites = sites_for(local, vector, &vector["sites"]);
-            let cells = voronoi(&sites, local);
+        for (vector, jammed) in vectors("voronoi").iter().flat_map(|v| [(v, true), (v, false)]) {
+            let sites = sites_for(jammed, vector, &vector["sites"]);
+            let cells = voronoi(&sites);
             assert_eq!(cells.len(), vector["cells"].as_array().unwrap().len());
             for (i, cell) in vector["cells"].as_array().unwrap().iter().enumerate() {
                 let (ours, theirs) = (cells.polygon(i), points(&cell["poly"]));
-                let place = format!("cell {i}, local {local}: {ours:?} instead of {theirs:?}");
+                let place = format!("cell {i}, jammed {jammed}: {ours:?} instead of {theirs:?}");
                 assert_eq!(ours.len(), theirs.len(), "{place}");
                 assert!(ours.iter().zip(&theirs).all(|(a, b)| (*a - *b).abs().max_element() < PX), "{place}");
                 let area: f64 =
@@ -108,9 +108,9 @@ field_test! {
 
 field_test! {
     fn pixels_go_to_the_nearest_site_and_ties_to_the_lowest_index() {
-        for (vector, local) in vectors("voronoi").iter().flat_map(|v| [(v, true), (v, false)]) {
-            let sites = sites_for(local, vector, &vector["sites"]);
-            let cells = voronoi(&sites, local);
+        for (vector, jammed) in vectors("voronoi").iter().flat_map(|v| [(v, true), (v, false)]) {
+            let sites = sites_for(jammed, vector, &vector["sites"]);
+            let cells = voronoi(&sites);
             let mut ties = 0;
             let mut without_ties = vec![0_u32; cells.len()];
             let mut owned = 0;
@@ -137,10 +137,10 @@ field_test! {
 
 field_test! {
     fn given_visiting_orders_take_the_given_cells() {
-        for (vector, local) in vectors("selection").iter().flat_map(|v| [(v, true), (v, false)]) {
+        for (vector, jammed) in vectors("selection").iter().flat_map(|v| [(v, true), (v, false)]) {
             let list = |key: &str| vector[key].as_array().unwrap().clone();
-            let sites: Vec<Sites> = list("sites").iter().map(|s| sites_for(local, vector, s)).collect();
-            let cells: Vec<_> = sites.iter().map(|s| voronoi(s, local)).collect();
+            let sites: Vec<Sites> = list("sites").iter().map(|s| sites_for(jammed, vector, s)).collect();
+            let cells: Vec<_> = sites.iter().map(|s| voronoi(s)).collect();
             let layers: Vec<_> = sites.iter().zip(&cells).zip(list("orders").iter().zip(list("A_s")))
                 .map(|((sites, cells), (order, area))| (sites, cells, wholes(order), Threshold::Area(number(&area))))
                 .collect();

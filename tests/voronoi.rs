@@ -15,7 +15,7 @@ const ROUNDS: usize = if cfg!(target_arch = "wasm32") { 30 } else { 300 };
 
 /// The diagram both ways, checked.
 fn diagram(sites: &Sites) -> Cells {
-    let (local, global) = (voronoi(&saturated(sites), true), voronoi(sites, false));
+    let (local, global) = (voronoi(&saturated(sites)), voronoi(sites));
     assert_eq!(local.starts, global.starts, "{sites:?}");
     assert_eq!(local.vertices, global.vertices, "{sites:?}");
     check_cells(sites, &local).unwrap_or_else(|violation| panic!("{violation}\n{sites:?}"));

@@ -24,6 +24,8 @@ pub(crate) struct CellWrapper {
     candidates: Vec<Candidate>,
     /// Cell vertices in lattice steps relative to the site, each with the neighbour across the edge that starts there.
     corners: Vec<([f64; 2], u32)>,
+    /// Squared distance of the farthest one.
+    farthest2: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -82,12 +84,14 @@ impl CellWrapper {
     }
 
     /// Walks around the cell counter-clockwise, beginning at the nearest neighbour, whose edge always has a length.
+    /// False where the candidates leave the cell open.
     ///
     /// The vertex at the end of the edge across from g is the circumcentre of the site, g and the next neighbour c: the
     /// candidate to the left of g whose circumcentre comes first along the bisector, at
     /// t = c·(c − g) / (g × c), in half lengths of g from the middle.
-    pub(crate) fn wrap(&mut self) {
+    pub(crate) fn wrap(&mut self) -> bool {
         self.corners.clear();
+        self.farthest2 = 0.0;
         let nearest = |best: usize, k: usize| {
             if self.candidates[k].distance2 < self.candidates[best].distance2 { k } else { best }
         };
@@ -107,6 +111,9 @@ impl CellWrapper {
                 next = if key < best { k } else { next };
                 best = best.min(key);
             }
+            if best == i64::MAX {
+                return false;
+            }
             // t is off by less than 2 ulp; cocircular sites come out equal or nearly so.
             let [best, second] = [best, second].map(from_sortable);
             if second - best <= 1e-12 * (1.0 + best.abs()) {
@@ -120,11 +127,18 @@ impl CellWrapper {
                 _ => n.to_array().map(|n| to_lattice_exactly(n as i64, d as i64)),
             };
             self.corners.push((place, neighbor));
+            self.farthest2 = self.farthest2.max(vertex.length_squared());
             if next == start {
-                break;
+                return true;
             }
             base = next;
         }
+        false
+    }
+
+    /// Whether no site farther than √`reach2` can have a part in the cell: a neighbour is at most twice as far as a vertex.
+    pub(crate) fn is_within(&self, reach2: f64) -> bool {
+        4.0 * self.farthest2 * (1.0 + 1e-9) <= reach2
     }
 
     /// The next neighbour after `base` in integers below 2⁶². Of several on one circle the walk takes the last, so that

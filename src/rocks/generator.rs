@@ -201,7 +201,7 @@ impl Generator {
         for (k, cache) in self.layers.iter().enumerate() {
             if !cache.cells.is_current(&cache.sites.version) {
                 let sites = &cache.sites.value;
-                let builder = VoronoiBuilder::new(sites, sites.saturated);
+                let builder = VoronoiBuilder::new(sites);
                 return Some(Task { layer: k, work: Work::Cells(Box::new(builder)) });
             }
         }

@@ -1,15 +1,12 @@
 //! Stage 2: one Voronoi diagram per layer, clipped to the image (journal §3.1).
 //!
-//! Every cell is wrapped around its site from a list of possible neighbours ([`CellWrapper`]); the two ways below only
-//! differ in how that list comes about, so they give the same bytes:
-//!
-//! * In a *saturated* layer all neighbours lie within [`Sites::neighbor_reach`]: the buckets of a grid around the site
-//!   hold them, and the cost per cell is constant.
-//! * Otherwise the Delaunay triangulation of all sites ([`spade`]) names them.
+//! Every cell is wrapped around its site from a list of possible neighbours ([`CellWrapper`]): the sites within a reach.
+//! A cell none of whose vertices is farther than half the reach is final, for a neighbour is at most twice as far
+//! as a vertex; otherwise the reach is doubled. In a saturated layer every point is nearer than r + √½ px to a site, so
+//! the first reach always does and the cost per cell is constant; darts that stopped at N_p leave a few
+//! larger cells. `tests/voronoi.rs` holds the diagrams equal to those of spade.
 
 use glam::DVec2;
-use spade::handles::FixedVertexHandle;
-use spade::{DelaunayTriangulation, Point2, Triangulation};
 
 use super::cell::{CellWrapper, LATTICE, SIDES};
 use super::grid::Grid;
@@ -60,34 +57,22 @@ impl Cells {
     }
 }
 
-/// How the neighbours of a site are found.
-#[derive(Debug)]
-enum Neighborhood {
-    /// The sites within reach.
-    Local,
-    /// By a Delaunay triangulation of all sites, under construction until it holds all of them.
-    Global(Box<DelaunayTriangulation<Point2<f64>>>),
-}
-
 /// Builds a layer's diagram in pieces.
 #[derive(Debug)]
 pub(crate) struct VoronoiBuilder {
     cells: Cells,
     wrapper: CellWrapper,
-    neighborhood: Neighborhood,
-    /// Square of how far a neighbour can be.
-    reach2: f64,
-    /// And in buckets.
-    rings: u32,
+    /// How far to look for neighbours at first, px.
+    reach: f64,
 }
 
 impl VoronoiBuilder {
-    /// `local`: look no farther than [`Sites::neighbor_reach`], which is right for saturated layers.
-    pub(crate) fn new(sites: &Sites, local: bool) -> Self {
+    pub(crate) fn new(sites: &Sites) -> Self {
         let count = sites.pixels.len();
-        let reach = if local { sites.neighbor_reach() } else { f64::INFINITY };
         let grid = sites.grid();
-        let rings = if local { (reach / f64::from(grid.side)) as u32 + 1 } else { 0 };
+        // Where darts stopped early the sites are sparser than r tells, and so is the grid.
+        let sparse = if sites.saturated { 0.0 } else { 2.0 * f64::from(grid.side) };
+        let reach = sites.neighbor_reach().max(sparse);
         let mut cells = Cells {
             starts: Vec::with_capacity(count + 1),
             // Fewer than six vertices per cell on average (Euler), and four corners.
@@ -96,23 +81,11 @@ impl VoronoiBuilder {
             grid,
         };
         cells.starts.push(0);
-        let neighborhood =
-            if local { Neighborhood::Local } else { Neighborhood::Global(Box::new(DelaunayTriangulation::new())) };
-        VoronoiBuilder { cells, wrapper: CellWrapper::default(), neighborhood, reach2: reach * reach, rings }
+        VoronoiBuilder { cells, wrapper: CellWrapper::default(), reach }
     }
 
     /// Works on about `count` sites. True when the diagram is finished.
     pub(crate) fn advance(&mut self, sites: &Sites, count: usize) -> bool {
-        if let Neighborhood::Global(triangulation) = &mut self.neighborhood {
-            let done = triangulation.num_vertices();
-            if done < sites.pixels.len() {
-                for &[x, y] in sites.pixels.iter().skip(done).take(count) {
-                    // Sites are distinct pixels with coordinates far from spade's limits: insertion cannot fail.
-                    let _ = triangulation.insert(Point2::new(f64::from(x), f64::from(y)));
-                }
-                return false;
-            }
-        }
         let from = self.cells.len();
         let to = (from + count).min(sites.pixels.len());
         for site in from..to {
@@ -122,30 +95,27 @@ impl VoronoiBuilder {
     }
 
     fn wrap_cell(&mut self, sites: &Sites, site: usize) {
-        let here = sites.pixels[site];
-        let [x, y] = here.map(u32::from);
+        let [x, y] = sites.pixels[site].map(u32::from);
         let origin = DVec2::new(f64::from(x), f64::from(y));
         let (wrapper, grid) = (&mut self.wrapper, &self.cells.grid);
-        wrapper.start(sites.width, sites.height, x, y, self.reach2);
-        let mut consider = |other: u32| {
-            let [ox, oy] = sites.pixels[other as usize].map(f64::from);
-            wrapper.consider(DVec2::new(ox, oy) - origin, other, self.reach2);
-        };
-        match &self.neighborhood {
-            Neighborhood::Local => {
-                let (column, row) = (x / grid.side, y / grid.side);
-                grid.block(column, row, self.rings, |other| {
-                    if other as usize != site {
-                        consider(other);
-                    }
-                });
+        let mut reach = self.reach;
+        loop {
+            let reach2 = reach * reach;
+            wrapper.start(sites.width, sites.height, x, y, reach2);
+            // Sites `rings` + 1 buckets away are farther than `rings` bucket sides.
+            let rings = (reach / f64::from(grid.side)) as u32 + 1;
+            grid.block(x / grid.side, y / grid.side, rings, |other| {
+                if other as usize != site {
+                    let [ox, oy] = sites.pixels[other as usize].map(f64::from);
+                    wrapper.consider(DVec2::new(ox, oy) - origin, other, reach2);
+                }
+            });
+            // The image's own sides close every cell at the latest.
+            if wrapper.wrap() && wrapper.is_within(reach2) {
+                break;
             }
-            Neighborhood::Global(triangulation) => {
-                let vertex = triangulation.vertex(FixedVertexHandle::from_index(site));
-                vertex.out_edges().for_each(|edge| consider(edge.to().fix().index() as u32));
-            }
+            reach *= 2.0;
         }
-        wrapper.wrap();
         let (vertices, neighbors) = (&mut self.cells.vertices, &mut self.cells.neighbors);
         let centre = origin + 0.5;
         wrapper.emit(|[dx, dy], neighbor| {
@@ -158,11 +128,7 @@ impl VoronoiBuilder {
 
     /// 0 … 1.
     pub(crate) fn progress(&self, sites: &Sites) -> f64 {
-        let total = sites.pixels.len().max(1) as f64;
-        match &self.neighborhood {
-            Neighborhood::Local => self.cells.len() as f64 / total,
-            Neighborhood::Global(t) => (t.num_vertices() + self.cells.len()) as f64 / (2.0 * total),
-        }
+        self.cells.len() as f64 / sites.pixels.len().max(1) as f64
     }
 
     pub(crate) fn finish(mut self) -> Cells {
@@ -172,10 +138,9 @@ impl VoronoiBuilder {
     }
 }
 
-/// The diagram of given sites. `local` looks for neighbours only as far as a saturated layer has any, and needs one; it
-/// gives the same bytes.
-pub fn voronoi(sites: &Sites, local: bool) -> Cells {
-    let mut builder = VoronoiBuilder::new(sites, local);
+/// The diagram of given sites.
+pub fn voronoi(sites: &Sites) -> Cells {
+    let mut builder = VoronoiBuilder::new(sites);
     while !builder.advance(sites, usize::MAX / 2) {}
     builder.finish()
 }

@@ -205,7 +205,7 @@ mod tests {
     fn sample() -> (Sites, Cells) {
         let pixels = vec![[2, 2], [9, 1], [5, 7], [12, 6]];
         let sites = Sites { width: 15, height: 9, radius: 4.0, pixels, target: 9, saturated: false };
-        let cells = voronoi(&sites, false);
+        let cells = voronoi(&sites);
         (sites, cells)
     }
 

@@ -64,10 +64,10 @@ pub fn sites_at(width: u32, height: u32, radius: f64, pixels: Vec<Pixel>) -> Sit
     Sites { width, height, radius, target: pixels.len() as u64, pixels, saturated: false }
 }
 
-/// The same sites with a radius at which they are saturated: then the neighbours of each lie close by, as the local way of
-/// building the diagram asks for.
+/// The same sites with the radius at which they are saturated: the diagram is the same, but found with another reach and on
+/// another grid.
 pub fn saturated(sites: &Sites) -> Sites {
-    let cells = voronoi(sites, false);
+    let cells = voronoi(sites);
     let farthest = |i: usize| {
         let [x, y] = sites.pixels[i].map(|c| f64::from(c) + 0.5);
         let distances = cells.polygon(i).iter().map(move |v| v.distance(glam::DVec2::new(x, y)));
