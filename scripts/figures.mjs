@@ -14,7 +14,7 @@ const TAN = Math.tan(Math.PI / 10);
 const SIDE = 1024;
 const VIEWS = [
   { width: HEIGHT, camera: { azimuth: 0, elevation: Math.PI / 2, distance: (1.04 * SIDE) / 2 / TAN } },
-  { width: 300, camera: { azimuth: (30 * Math.PI) / 180, elevation: (35 * Math.PI) / 180, distance: 1.7 * SIDE } },
+  { width: 300, camera: { azimuth: (30 * Math.PI) / 180, elevation: (35 * Math.PI) / 180, distance: 1.46 * SIDE } },
 ];
 
 /** A page of nothing but the element. */
