@@ -140,7 +140,7 @@ field_test! {
         for (vector, jammed) in vectors("selection").iter().flat_map(|v| [(v, true), (v, false)]) {
             let list = |key: &str| vector[key].as_array().unwrap().clone();
             let sites: Vec<Sites> = list("sites").iter().map(|s| sites_for(jammed, vector, s)).collect();
-            let cells: Vec<_> = sites.iter().map(|s| voronoi(s)).collect();
+            let cells: Vec<_> = sites.iter().map(voronoi).collect();
             let layers: Vec<_> = sites.iter().zip(&cells).zip(list("orders").iter().zip(list("A_s")))
                 .map(|((sites, cells), (order, area))| (sites, cells, wholes(order), Threshold::Area(number(&area))))
                 .collect();
