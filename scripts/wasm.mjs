@@ -15,8 +15,8 @@ export const artefacts = [
   { feature: 'renderer-webgl', profile: 'renderer', optimise: '-Oz', expected: '2–6 min the first time' },
 ];
 
-// What rustc's default wasm target uses, which is what every browser of the last years has.
-const WASM_FEATURES = ['bulk-memory', 'bulk-memory-opt', 'multivalue', 'mutable-globals', 'nontrapping-float-to-int', 'reference-types', 'sign-ext'];
+// What rustc's default wasm target uses, and SIMD (.cargo/config.toml): what every browser of the last years has.
+const WASM_FEATURES = ['bulk-memory', 'bulk-memory-opt', 'multivalue', 'mutable-globals', 'nontrapping-float-to-int', 'reference-types', 'sign-ext', 'simd'];
 
 export async function buildWasm() {
   mkdirSync(pkg, { recursive: true });

@@ -45,10 +45,13 @@ impl Bitmap {
     /// Whether any of the pixels x0 … x1 (inclusive, within the image) of row y is flagged.
     #[inline]
     pub(crate) fn any_in_span(&self, y: u32, x0: u32, x1: u32) -> bool {
-        (x0 / STRIP..=x1 / STRIP).any(|strip| {
+        let is_taken = |strip: u32| {
             let word = strip as usize * self.height as usize + y as usize;
             self.words[word] & strip_mask(strip, x0, x1) != 0
-        })
+        };
+        // Most spans lie in one strip or two.
+        let (first, last) = (x0 / STRIP, x1 / STRIP);
+        is_taken(first) || (first < last && (first + 1..=last).any(is_taken))
     }
 
     /// Flags every pixel of the image nearer to pixel (cx, cy) than the disc's radius.

@@ -31,10 +31,7 @@ fn same_sites(a: &FieldLayer, b: &FieldLayer) -> bool {
 }
 
 fn same_shapes(a: &FieldLayer, b: &FieldLayer) -> bool {
-    a.selection == b.selection
-        && a.shapes.starts == b.shapes.starts
-        && a.shapes.top == b.shapes.top
-        && a.shapes.triangles == b.shapes.triangles
+    a.selection == b.selection && a.shapes == b.shapes
 }
 
 /// Position of every vertex of every rock of a layer, by site.

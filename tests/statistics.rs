@@ -169,7 +169,7 @@ fn measure(field: &Field) -> Measures {
         add("step max", steps.max());
         add("top radius before", before.mean());
         add("after", after.mean());
-        add("triangles", layer.shapes.triangles.len() as f64);
+        add("triangles", layer.shapes.triangles() as f64);
         tops.append(&mut heights.values);
     }
     let tops = Sample { values: tops };

@@ -8,7 +8,10 @@
 //! The image's border needs no code of its own: the bisector between a site and its mirror image
 //! across a side *is* that side, and the mirror image of a pixel is again at integer coordinates.
 
-use glam::DVec2;
+use glam::{DVec2, Vec2};
+
+use super::sites::Sites;
+use super::wrap::{Apex, WrapSet};
 
 /// The four sides of the image as neighbours of a cell: left, right, bottom, top.
 pub(crate) const SIDES: u32 = u32::MAX - 3;
@@ -17,22 +20,13 @@ pub(crate) const SIDES: u32 = u32::MAX - 3;
 /// within 4.8e-7 px of their exact place and coarse enough for neighbours to share them bit for bit.
 pub(crate) const LATTICE: f64 = (1_u32 << 20) as f64;
 
-/// The cell under construction; one is re-used for all sites.
+/// The cell under construction; re-used from site to site.
 #[derive(Debug, Default)]
 pub(crate) struct CellWrapper {
-    /// Offsets of the sites that may be neighbours: whole numbers.
-    candidates: Vec<Candidate>,
+    /// Offsets of the sites that may be neighbours: whole numbers below 2¹⁴ + 1, exact in single precision.
+    candidates: WrapSet,
     /// Cell vertices in lattice steps relative to the site, each with the neighbour across the edge that starts there.
     corners: Vec<([f64; 2], u32)>,
-    /// Squared distance of the farthest one.
-    farthest2: f64,
-}
-
-#[derive(Debug, Clone, Copy)]
-struct Candidate {
-    g: DVec2,
-    distance2: f64,
-    neighbor: u32,
 }
 
 /// Circumcentre of the origin and two points, the second counter-clockwise of the first: numerators and denominator.
@@ -44,112 +38,86 @@ fn circumcentre(a: DVec2, b: DVec2) -> (DVec2, f64) {
     (DVec2::new(aa * b.y - bb * a.y, bb * a.x - aa * b.x), 2.0 * a.perp_dot(b))
 }
 
-/// An integer that sorts like the number.
-#[inline]
-fn sortable(number: f64) -> i64 {
-    let bits = number.to_bits() as i64;
-    bits ^ ((bits >> 63) & i64::MAX)
-}
-
-/// The number again; of `i64::MAX`, not a number.
-#[inline]
-fn from_sortable(key: i64) -> f64 {
-    f64::from_bits((key ^ ((key >> 63) & i64::MAX)) as u64)
-}
-
 impl CellWrapper {
-    /// Starts a cell that only the image bounds, seen from pixel (x, y). Sides farther than half of √`reach2` are left out.
-    pub(crate) fn start(&mut self, width: u32, height: u32, x: u32, y: u32, reach2: f64) {
-        let [w, h, x, y] = [width, height, x, y].map(f64::from);
-        self.candidates.clear();
-        // The mirror image across a side is twice as far as the side.
-        let mirrors = [
-            DVec2::new(-2.0 * x - 1.0, 0.0),
-            DVec2::new(2.0 * (w - x) - 1.0, 0.0),
-            DVec2::new(0.0, -2.0 * y - 1.0),
-            DVec2::new(0.0, 2.0 * (h - y) - 1.0),
-        ];
-        for (side, g) in (0..).zip(mirrors) {
-            self.consider(g, SIDES + side, reach2);
-        }
-    }
-
-    /// Adds a site at offset g unless it is farther than √`reach2`.
-    #[inline]
-    pub(crate) fn consider(&mut self, g: DVec2, neighbor: u32, reach2: f64) {
-        let distance2 = g.length_squared();
-        if distance2 <= reach2 {
-            self.candidates.push(Candidate { g, distance2, neighbor });
-        }
-    }
-
-    /// Walks around the cell counter-clockwise, beginning at the nearest neighbour, whose edge always has a length.
-    /// False where the candidates leave the cell open.
-    ///
-    /// The vertex at the end of the edge across from g is the circumcentre of the site, g and the next neighbour c: the
-    /// candidate to the left of g whose circumcentre comes first along the bisector, at
-    /// t = c·(c − g) / (g × c), in half lengths of g from the middle.
-    pub(crate) fn wrap(&mut self) -> bool {
+    /// Wraps the cell of a site with those of the sites around, and of the image's sides as mirrored sites, that are nearer
+    /// than `reach`. False where others might have a part in the cell.
+    pub(crate) fn wrap(&mut self, sites: &Sites, site: usize, around: &WrapSet, reach: f64) -> bool {
+        let reach2 = (reach * reach) as f32;
+        self.gather(sites, site, around, reach2);
+        // Sums of two products of at most 2·reach²: whole numbers below 2²⁴ are exact, and only the quotient is rounded.
+        let is_exact = reach2 <= (1 << 22) as f32;
+        let error = 2.0 * f32::EPSILON * reach2;
         self.corners.clear();
-        self.farthest2 = 0.0;
-        let nearest = |best: usize, k: usize| {
-            if self.candidates[k].distance2 < self.candidates[best].distance2 { k } else { best }
-        };
-        let start = (0..self.candidates.len()).fold(0, nearest);
+        // Positive numbers sort like their bits, and those without a branch.
+        let mut farthest2 = 0_u64;
+        // The nearest neighbour's edge always has a length.
+        let start = self.nearest();
         let mut base = start;
         // A cell has at most as many edges as there are candidates.
         for _ in 0..self.candidates.len() {
-            let g = self.candidates[base].g;
-            let (mut best, mut second, mut next) = (i64::MAX, i64::MAX, start);
-            for (k, candidate) in self.candidates.iter().enumerate() {
-                let left = g.perp_dot(candidate.g);
-                let t = (candidate.distance2 - g.dot(candidate.g)) / left;
-                // Which side a candidate lies on is a coin toss: as integers, the choice takes no branch to mispredict.
-                let to_the_right = i64::from(left > 0.0) - 1;
-                let key = (sortable(t) & !to_the_right) | (i64::MAX & to_the_right);
-                second = second.min(best.max(key));
-                next = if key < best { k } else { next };
-                best = best.min(key);
-            }
-            if best == i64::MAX {
-                return false;
-            }
-            // t is off by less than 2 ulp; cocircular sites come out equal or nearly so.
-            let [best, second] = [best, second].map(from_sortable);
-            if second - best <= 1e-12 * (1.0 + best.abs()) {
-                next = self.next_exactly(base, start);
-            }
-            let Candidate { g: c, neighbor, .. } = self.candidates[next];
-            let (n, d) = circumcentre(g, c);
-            let vertex = n * (1.0 / d);
-            let place = match vertex.to_array().map(to_lattice) {
-                [Some(x), Some(y)] => [x, y],
-                _ => n.to_array().map(|n| to_lattice_exactly(n as i64, d as i64)),
+            // The vertex at the end of the edge across from g is the circumcentre of the site, g and the next neighbour.
+            let g = self.candidates.get(base);
+            let apex = if is_exact { self.candidates.apex(Vec2::ZERO, g, error) } else { Apex::Unsure };
+            let next = match apex {
+                Apex::Point(next) => next,
+                // Cocircular sites come out equal or nearly so.
+                Apex::Unsure => match self.next_exactly(base, start) {
+                    Some(next) => next,
+                    None => return false,
+                },
+                Apex::Missing => return false,
             };
-            self.corners.push((place, neighbor));
-            self.farthest2 = self.farthest2.max(vertex.length_squared());
+            let (n, d) = circumcentre(g.as_dvec2(), self.candidates.get(next).as_dvec2());
+            let vertex = n * (1.0 / d);
+            self.corners.push((to_lattice(vertex, n, d), self.candidates.label(next)));
+            farthest2 = farthest2.max(vertex.length_squared().to_bits());
             if next == start {
-                return true;
+                // A neighbour is at most twice as far as a vertex.
+                return 4.0 * f64::from_bits(farthest2) * (1.0 + 1e-6) <= f64::from(reach2);
             }
             base = next;
         }
         false
     }
 
-    /// Whether no site farther than √`reach2` can have a part in the cell: a neighbour is at most twice as far as a vertex.
-    pub(crate) fn is_within(&self, reach2: f64) -> bool {
-        4.0 * self.farthest2 * (1.0 + 1e-9) <= reach2
+    fn gather(&mut self, sites: &Sites, site: usize, around: &WrapSet, reach2: f32) {
+        let [x, y] = sites.pixels[site].map(f32::from);
+        let [w, h] = [sites.width, sites.height].map(|side| side as f32);
+        // The mirror image across a side is twice as far as the side.
+        let mirrors = [
+            Vec2::new(-2.0 * x - 1.0, 0.0),
+            Vec2::new(2.0 * (w - x) - 1.0, 0.0),
+            Vec2::new(0.0, -2.0 * y - 1.0),
+            Vec2::new(0.0, 2.0 * (h - y) - 1.0),
+        ];
+        self.candidates.clear();
+        for (side, g) in (0..).zip(mirrors) {
+            if g.length_squared() <= reach2 {
+                self.candidates.push(g, SIDES + side);
+            }
+        }
+        self.candidates.extend_near(around, Vec2::new(x, y), reach2);
+        self.candidates.seal();
+    }
+
+    /// The candidate nearest to the site, without a branch: positive numbers sort like their bits, and squares of whole
+    /// distances, being below 2³¹, leave the lowest 22 of them to the index.
+    fn nearest(&self) -> usize {
+        const INDEX: u64 = (1 << 22) - 1;
+        let distance2 = |k| self.candidates.get(k).as_dvec2().length_squared();
+        let keys = (0..self.candidates.len()).map(|k| distance2(k).to_bits() | k as u64);
+        keys.min().map_or(0, |key| (key & INDEX) as usize)
     }
 
     /// The next neighbour after `base` in integers below 2⁶². Of several on one circle the walk takes the last, so that
     /// no edge has length zero, but never goes past its start.
     #[cold]
-    fn next_exactly(&self, base: usize, start: usize) -> usize {
-        let whole = |v: DVec2| [v.x as i64, v.y as i64];
-        let [gx, gy] = whole(self.candidates[base].g);
+    fn next_exactly(&self, base: usize, start: usize) -> Option<usize> {
+        let whole = |k| self.candidates.get(k).to_array().map(|c| c as i64);
+        let [gx, gy] = whole(base);
         let mut best: Option<(i64, i64, [i64; 2], usize)> = None;
-        for (k, candidate) in self.candidates.iter().enumerate() {
-            let [cx, cy] = whole(candidate.g);
+        for k in 0..self.candidates.len() {
+            let [cx, cy] = whole(k);
             let d = gx * cy - gy * cx;
             if d <= 0 {
                 continue;
@@ -166,7 +134,23 @@ impl CellWrapper {
                 best = Some((n, d, [cx, cy], k));
             }
         }
-        best.map_or(start, |(.., k)| k)
+        best.map(|(.., k)| k)
+    }
+
+    /// The lexicographically least corner: by x, without a branch, and by y where several have that x.
+    fn least_corner(&self) -> usize {
+        let (mut least, mut least_x, mut ties) = (0, i64::MAX, 0);
+        for (k, &([x, _], _)) in self.corners.iter().enumerate() {
+            let x = x as i64;
+            ties = if x < least_x { 0 } else { ties + u32::from(x == least_x) };
+            least = if x < least_x { k } else { least };
+            least_x = least_x.min(x);
+        }
+        if ties > 0 {
+            let place = |k: usize| self.corners[k].0;
+            least = (0..self.corners.len()).fold(0, |least, k| if place(k) < place(least) { k } else { least });
+        }
+        least
     }
 
     /// Emits the cell counter-clockwise from the lexicographically least vertex: its vertices in lattice steps relative
@@ -175,7 +159,7 @@ impl CellWrapper {
     /// Vertices nearer than 1e-6 px are merged (decision A8): that is one lattice step.
     pub(crate) fn emit(&self, mut vertex: impl FnMut([f64; 2], u32)) {
         let corners = &self.corners[..];
-        let least = (0..corners.len()).fold(0, |least, k| if corners[k].0 < corners[least].0 { k } else { least });
+        let least = self.least_corner();
         let at = |k: usize| corners[if least + k < corners.len() { least + k } else { least + k - corners.len() }];
         // Where several corners share a place, the last of them has the edge that leaves it; of those that lead up to the
         // first, none.
@@ -193,14 +177,19 @@ impl CellWrapper {
     }
 }
 
-/// A coordinate in lattice steps, rounded to the nearest, halves up; `None` where its own rounding could tip that.
+/// A cell vertex, which is n / d, in lattice steps, rounded to the nearest.
 #[inline]
-fn to_lattice(coordinate: f64) -> Option<f64> {
-    let shifted = coordinate * LATTICE + 0.5;
-    let rounded = shifted.floor();
-    // The coordinate is off by at most two ulp: 2⁻¹⁸ of a step, for it is below 2¹³ px from its site.
-    let fraction = shifted - rounded;
-    (1.0e-5..=1.0 - 1.0e-5).contains(&fraction).then_some(rounded)
+fn to_lattice(vertex: DVec2, n: DVec2, d: f64) -> [f64; 2] {
+    // Between 2⁵² and 2⁵³ there are only whole numbers.
+    const SHIFT: f64 = 1.5 * (1_u64 << 52) as f64;
+    let exact = vertex * LATTICE;
+    let rounded = (exact + SHIFT) - SHIFT;
+    // A coordinate is off by at most two ulp: 2⁻¹⁸ of a step, for it is below 2¹³ px from its site. Can that tip it?
+    let doubt = (exact - rounded).abs() - (0.5 - 1.0e-5);
+    if (doubt.x > 0.0) | (doubt.y > 0.0) {
+        return n.to_array().map(|n| to_lattice_exactly(n as i64, d as i64));
+    }
+    rounded.to_array()
 }
 
 /// n / d in lattice steps, rounded to the nearest (halves up), so that it does not depend on which of a vertex's

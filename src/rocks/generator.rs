@@ -4,6 +4,8 @@
 //! whose key differs from the wanted one, and work on it. So an edit re-runs from the first stage it touches, a
 //! superseded run leaves its finished stages behind, and a cached result is the full result by construction.
 
+use glam::DVec2;
+
 use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey};
 use super::field::{Field, FieldLayer};
 use super::select::{Selector, Threshold, flag};
@@ -139,7 +141,7 @@ impl Generator {
             Work::Cells(builder) => builder.progress(&cache.sites.value),
             Work::Flag(_) => 0.0,
             Work::Selection(_, selector) => selector.progress(),
-            Work::Shapes(shaper) => shaper.progress(&cache.selection.value.selected),
+            Work::Shapes(shaper) => shaper.progress(),
             Work::Mesh(_, rock, ..) => *rock as f64 / cache.shapes.value.len().max(1) as f64,
         };
         /// Where each stage begins and ends on the bar: its share of the time for Fig. 1.
@@ -213,7 +215,7 @@ impl Generator {
         for (k, cache) in self.layers.iter().enumerate() {
             if !cache.shapes.is_current(&cache.selection.version) {
                 let id = cache.layer.as_ref()?.id;
-                let shaper = Shaper::new(&cache.selection.value.selected, params.seed, id);
+                let shaper = Shaper::new(&cache.selection.value.selected, cache.cells.value.len(), params.seed, id);
                 return Some(Task { layer: k, work: Work::Shapes(Box::new(shaper)) });
             }
         }
@@ -271,8 +273,8 @@ impl Generator {
             }
             keys.push(key);
             at.rocks += shapes.len();
-            at.vertices += 2 * shapes.top.len();
-            at.triangles += shapes.triangles.len();
+            at.vertices += 2 * shapes.top_vertices();
+            at.triangles += shapes.triangles();
         }
         if self.mesh.rock_starts.len() != at.rocks + 1
             || self.mesh.positions.len() != 3 * at.vertices
@@ -309,13 +311,22 @@ impl Generator {
                 let shapes = &cache.shapes.value;
                 let Some(layer) = &cache.layer else { return true };
                 let to = (*rock + ROCKS_PER_STEP).min(shapes.len());
-                for (k, &site) in selected.iter().enumerate().take(to).skip(*rock) {
-                    builder.start(cells.polygon(site as usize));
-                    let mut swings = Swings::new(params.seed, layer.id, site, key.swing);
-                    swings.displace(shapes.top_of(k), key.taper, key.height, |p| builder.points.push(p));
-                    let triangles = shapes.triangles_of(k);
-                    builder.finish(triangles);
-                    self.mesh.write_rock(at, key.index as u8, builder, triangles);
+                for from in (*rock..to).step_by(ROCKS_AHEAD) {
+                    let group = from..(from + ROCKS_AHEAD).min(to);
+                    read_ahead(
+                        group
+                            .clone()
+                            .map(|k| (cells.polygon(selected[k] as usize), shapes.top_of(k), shapes.triangles_of(k))),
+                    );
+                    for k in group {
+                        let site = selected[k];
+                        builder.start(cells.polygon(site as usize));
+                        let mut swings = Swings::new(params.seed, layer.id, site, key.swing);
+                        swings.displace(shapes.top_of(k), key.taper, key.height, |p| builder.points.push(p));
+                        let triangles = shapes.triangles_of(k);
+                        builder.finish(triangles);
+                        self.mesh.write_rock(at, key.index as u8, builder, triangles);
+                    }
                 }
                 *rock = to;
                 to == shapes.len()
@@ -341,7 +352,7 @@ impl Generator {
                 }
             }
             Work::Selection(key, selector) => {
-                let value = selector.finish(&cache.sites.value);
+                let value = selector.finish();
                 // A selection that came out the same keeps its version, and with it all that is built on it.
                 let same = cache.selection.key.as_ref().is_some_and(|old| old.cells == key.cells)
                     && cache.selection.value == value;
@@ -354,6 +365,19 @@ impl Generator {
             Work::Mesh(key, ..) => cache.mesh = Some(key),
         }
     }
+}
+
+/// Rocks whose shapes are on their way from memory while others are written.
+const ROCKS_AHEAD: usize = 16;
+
+/// Touches what is about to be needed. Rocks come in the order of the selection, scattered over a field that may be larger than
+/// any cache: one after the other, each would wait for its own lines; like this they come together.
+fn read_ahead<'a>(rocks: impl Iterator<Item = (&'a [DVec2], &'a [DVec2], &'a [[u16; 3]])>) {
+    let touched = rocks.fold(0, |sum, (rim, top, triangles)| {
+        let ends = [rim, top].map(|list| list[0].x.to_bits() ^ list[list.len() - 1].x.to_bits());
+        sum ^ ends[0] ^ ends[1] ^ u64::from(triangles[0][0] ^ triangles[triangles.len() - 1][0])
+    });
+    core::hint::black_box(touched);
 }
 
 /// Stands in for a layer before the first run.

@@ -15,8 +15,8 @@ pub(crate) struct Grid {
 impl Grid {
     /// Buckets of `side` px (raised where that would mean more buckets than sites).
     pub(crate) fn new(width: u32, height: u32, side: u32, pixels: &[Pixel]) -> Self {
-        // Far more buckets than sites only cost memory and empty visits.
-        let roomy = (0.5 * f64::from(width) * f64::from(height) / pixels.len().max(1) as f64).sqrt() as u32;
+        // More buckets than sites only cost memory and empty visits.
+        let roomy = (2.0 * f64::from(width) * f64::from(height) / pixels.len().max(1) as f64).sqrt() as u32;
         let side = side.max(roomy).max(1);
         let (columns, rows) = (width.div_ceil(side), height.div_ceil(side));
         let mut starts = vec![0_u32; (columns * rows) as usize + 1];

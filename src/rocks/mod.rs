@@ -10,6 +10,7 @@ mod shape;
 mod sites;
 mod triangulate;
 mod voronoi;
+mod wrap;
 
 pub use cache::LayerView;
 pub use field::{Field, FieldLayer, generate};

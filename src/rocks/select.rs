@@ -1,5 +1,7 @@
 //! Stage 3: exclusive selection (journal §3.2, Fig. 7).
 
+use glam::Vec4;
+
 use super::cell::SIDES;
 use super::sites::{Pixel, Sites};
 use super::voronoi::Cells;
@@ -28,75 +30,103 @@ pub struct Selection {
 
 /// The pixels of a cell, row by row.
 ///
-/// A pixel belongs to the cell of the nearest site, ties to the lowest site index (decision A9). Per row, each edge
-/// bounds x by an exact integer inequality: relative to the site, pixel p is not nearer to the neighbour at
-/// offset g exactly if p·g ≤ ⌊|g|² / 2⌋, or ⌊(|g|² − 1) / 2⌋ where a tie goes to the neighbour.
+/// A pixel belongs to the cell of the nearest site, ties to the lowest site index (decision A9). Relative to the site, pixel
+/// p is not nearer to the neighbour at offset g exactly if p·g ≤ ⌊|g|² / 2⌋, or ⌊(|g|² − 1) / 2⌋ where a tie
+/// goes to the neighbour: so in every row each neighbour bounds x by an exact integer inequality. The cell is
+/// convex, so every neighbour's bound may be applied to every row, four rows at a time.
 #[derive(Debug, Default)]
 pub(crate) struct PixelSpans {
-    /// Lowest row.
+    /// Lowest row, relative to the site.
     bottom: i32,
-    /// First and last column per row, relative to the site; empty where first > last.
-    rows: Vec<[i32; 2]>,
+    rows: usize,
+    /// First and last column per row, relative to the site, as whole numbers; empty where first > last. Padded to vectors.
+    first: Vec<[f32; LANES]>,
+    last: Vec<[f32; LANES]>,
 }
+
+/// Rows per vector.
+const LANES: usize = 4;
 
 impl PixelSpans {
     /// Computes the spans of cell `i`.
     pub(crate) fn compute(&mut self, sites: &Sites, cells: &Cells, i: usize) {
         let here = sites.pixels[i];
         let [x, y] = here.map(i32::from);
-        let centre = here.map(|c| f64::from(c) + 0.5);
-        let polygon = cells.polygon(i);
-        let neighbors = cells.neighbors_of(i);
-        let (low, high) = polygon.iter().fold((f64::MAX, f64::MIN), |(lo, hi), v| (lo.min(v.y), hi.max(v.y)));
-        self.bottom = first_row(low - centre[1]).max(-y);
-        let top = last_row(high - centre[1]).min(sites.height as i32 - 1 - y);
-        self.rows.clear();
-        self.rows.resize((top - self.bottom + 1).max(0) as usize, [-x, sites.width as i32 - 1 - x]);
+        // Positive numbers sort like their bits, and those without a branch.
+        let heights = cells.polygon(i).iter().map(|vertex| vertex.y.max(0.0).to_bits());
+        let (low, high) = heights.fold((u64::MAX, 0), |(low, high), bits| (low.min(bits), high.max(bits)));
+        let centre = f64::from(here[1]) + 0.5;
+        self.bottom = round(f64::from_bits(low) - VERTEX_SLACK + 0.5 - centre).max(-y);
+        let top = round(f64::from_bits(high) + VERTEX_SLACK - 0.5 - centre).min(sites.height as i32 - 1 - y);
+        self.rows = (top - self.bottom + 1).max(0) as usize;
+        let vectors = self.rows.div_ceil(LANES);
+        self.first.clear();
+        self.first.resize(vectors, [-x as f32; LANES]);
+        self.last.clear();
+        self.last.resize(vectors, [(sites.width as i32 - 1 - x) as f32; LANES]);
 
-        let mut previous = polygon[polygon.len() - 1].y - centre[1];
-        let mut previous_neighbor = neighbors[neighbors.len() - 1];
-        for (vertex, &next_neighbor) in polygon.iter().zip(neighbors) {
-            let end = vertex.y - centre[1];
-            let (start, neighbor) = (previous, previous_neighbor);
-            (previous, previous_neighbor) = (end, next_neighbor);
+        for &neighbor in cells.neighbors_of(i) {
             if neighbor >= SIDES {
                 continue; // rows and columns are within the image already
             }
-            let [gx, gy] = {
-                let [ox, oy] = sites.pixels[neighbor as usize].map(i32::from);
-                [ox - x, oy - y]
-            };
+            let [ox, oy] = sites.pixels[neighbor as usize].map(i32::from);
+            let (gx, gy) = (ox - x, oy - y);
             let tie_is_lost = i32::from((neighbor as usize) < i);
             let bound = (gx * gx + gy * gy - tie_is_lost) >> 1;
-            let from = (first_row(start.min(end)).max(self.bottom) - self.bottom) as usize;
-            let to = (last_row(start.max(end)).min(top) - self.bottom + 1).max(0) as usize;
-            let Some(rows) = self.rows.get_mut(from..to) else { continue };
-            let mut room = bound - (self.bottom + from as i32) * gy;
-            if gx == 0 {
-                // A horizontal edge: it admits or refuses whole rows.
-                for row in rows {
-                    if room < 0 {
-                        *row = [1, 0];
-                    }
-                    room -= gy;
-                }
+            // Of row 0: what x·gx may be.
+            let room = bound - self.bottom * gy;
+            let largest = room.abs().max((room - (self.rows as i32 + LANES as i32) * gy).abs());
+            if largest < EXACT_ROOM {
+                self.bound_rows(gx as f32, gy as f32, room as f32);
             } else {
-                // ⌊room / |gx|⌋: the half keeps the quotient clear of whole numbers, so that rounding cannot tip it.
-                let inverse = 1.0 / f64::from(gx.abs());
-                if gx > 0 {
-                    for row in rows {
-                        row[1] = row[1].min(((f64::from(room) + 0.5) * inverse).floor() as i32);
-                        room -= gy;
-                    }
-                } else {
-                    for row in rows {
-                        row[0] = row[0].max(-((f64::from(room) + 0.5) * inverse).floor() as i32);
-                        room -= gy;
-                    }
-                }
+                self.bound_rows_exactly(gx, gy, room);
             }
         }
         self.settle_ties_at_vertices(sites, cells, i);
+    }
+
+    /// Applies x·gx ≤ room − row·gy to every row.
+    #[inline]
+    fn bound_rows(&mut self, gx: f32, gy: f32, room: f32) {
+        let mut room = Vec4::splat(room) - Vec4::new(0.0, 1.0, 2.0, 3.0) * gy;
+        let step = Vec4::splat(LANES as f32 * gy);
+        if gx == 0.0 {
+            // A horizontal edge: it admits or refuses whole rows.
+            for last in &mut self.last {
+                let refused = Vec4::select(room.cmplt(Vec4::ZERO), Vec4::NEG_INFINITY, Vec4::INFINITY);
+                *last = Vec4::from(*last).min(refused).to_array();
+                room -= step;
+            }
+            return;
+        }
+        // ⌊room / |gx|⌋: half a step keeps the quotient clear of whole numbers, so that rounding cannot tip it.
+        let inverse = Vec4::splat(1.0 / gx.abs());
+        let half = Vec4::splat(0.5);
+        if gx > 0.0 {
+            for last in &mut self.last {
+                *last = Vec4::from(*last).min(((room + half) * inverse).floor()).to_array();
+                room -= step;
+            }
+        } else {
+            for first in &mut self.first {
+                *first = Vec4::from(*first).max(-((room + half) * inverse).floor()).to_array();
+                room -= step;
+            }
+        }
+    }
+
+    /// The same for numbers beyond single precision.
+    fn bound_rows_exactly(&mut self, gx: i32, gy: i32, room: i32) {
+        let rows = self.first.as_flattened_mut().iter_mut().zip(self.last.as_flattened_mut());
+        for (row, (first, last)) in (0..).zip(rows) {
+            let room = room - row * gy;
+            match gx.signum() {
+                1 => *last = last.min(room.div_euclid(gx) as f32),
+                -1 => *first = first.max(-room.div_euclid(-gx) as f32),
+                _ if room < 0 => *last = f32::NEG_INFINITY,
+                _ => {}
+            }
+        }
     }
 
     /// Where a cell vertex lies on a pixel's centre, the pixel may also be claimed by a cell that touches this one in
@@ -110,61 +140,81 @@ impl PixelSpans {
                 continue;
             }
             let (column, row) = (pixel.x as i32, pixel.y as i32);
-            let Some(span) = self.rows.get_mut((row - y - self.bottom) as usize) else { continue };
             let here = column - x;
-            if (span[0]..=span[1]).contains(&here)
+            let Some(k) = usize::try_from(row - y - self.bottom).ok().filter(|&k| k < self.rows) else { continue };
+            let (first, last) = self.span(k);
+            if (first..=last).contains(&here)
                 && cells.grid.owner(&sites.pixels, column as u32, row as u32) != Some(i as u32)
             {
                 // A vertex is a corner of the cell, so the pixel ends its row.
-                if here == span[0] {
-                    span[0] += 1;
+                if here == first {
+                    self.first[k / LANES][k % LANES] += 1.0;
                 } else {
-                    span[1] = here - 1;
+                    self.last[k / LANES][k % LANES] = (here - 1) as f32;
                 }
             }
         }
     }
 
-    /// Number of pixels.
-    pub(crate) fn count(&self) -> u64 {
-        self.rows.iter().map(|&[first, last]| (last - first + 1).max(0) as u64).sum()
+    /// First and last column of row `k`, relative to the site.
+    fn span(&self, k: usize) -> (i32, i32) {
+        (self.first[k / LANES][k % LANES] as i32, self.last[k / LANES][k % LANES] as i32)
+    }
+
+    /// Number of pixels; 0 where one of them is taken.
+    fn free_pixels(&self, site: Pixel, taken: &Bitmap) -> u32 {
+        let mut count = 0;
+        for (row, first, last) in self.spans(site) {
+            if taken.any_in_span(row, first, last) {
+                return 0;
+            }
+            count += last - first + 1;
+        }
+        count
     }
 
     /// Rows with at least one pixel: (row, first column, last column) in the image.
     pub(crate) fn spans(&self, [x, y]: Pixel) -> impl Iterator<Item = (u32, u32, u32)> + '_ {
         let (x, y) = (i32::from(x), i32::from(y));
-        (y + self.bottom..)
-            .zip(&self.rows)
-            .filter(|(_, [first, last])| first <= last)
-            .map(move |(row, &[first, last])| (row as u32, (x + first) as u32, (x + last) as u32))
+        let (first, last) = (self.first.as_flattened(), self.last.as_flattened());
+        let rows = (y + self.bottom..).zip(first.iter().zip(last)).take(self.rows);
+        rows.filter(|(_, (first, last))| first <= last)
+            .map(move |(row, (&first, &last))| (row as u32, (x + first as i32) as u32, (x + last as i32) as u32))
     }
 }
+
+/// Below this, x·gx and its half are exact in single precision, and a quotient's error is too small to tip it.
+const EXACT_ROOM: i32 = 1 << 20;
 
 /// Cell vertices are rounded to 2⁻²¹ px and merged within 1e-6 px.
 const VERTEX_SLACK: f64 = 2.0e-6;
 
-/// First row whose pixel centres are not below y.
-fn first_row(y: f64) -> i32 {
-    (y - VERTEX_SLACK).ceil() as i32
-}
-
-/// Last row whose pixel centres are not above y.
-fn last_row(y: f64) -> i32 {
-    (y + VERTEX_SLACK).floor() as i32
+/// The nearest whole number, below 2³¹: adding 1.5·2⁵² leaves it in the lowest bits. Nothing here is near a half.
+#[inline]
+fn round(value: f64) -> i32 {
+    (value + 1.5 * (1_u64 << 52) as f64).to_bits() as i32
 }
 
 /// Selects cells of one layer whose pixels are all free, in random order, until the threshold is reached.
 ///
-/// Within a layer cells share no pixel, so whether a cell is free does not depend on the visiting order: one scan in
-/// memory order finds the free cells, and the order only decides where the threshold cuts.
+/// Within a layer cells share no pixel, so whether a cell is free does not depend on the visiting order, which only decides
+/// where the threshold cuts. Hence cells are looked at in batches, each in the order of memory.
 #[derive(Debug)]
 pub(crate) struct Selector {
     order: Vec<u32>,
     threshold: Threshold,
     drop_border: bool,
     spans: PixelSpans,
-    /// Pixels of every cell, 0 where it is not free.
+    /// Cells of the visiting order that have been granted or refused.
+    decided: usize,
+    /// Where in the visiting order the cells end that are looked at now.
+    batch_end: usize,
+    /// One bit per cell that is to be looked at next, and the word to go on with.
+    batch: Vec<u64>,
+    word: usize,
+    /// Pixels of the cells that have been looked at, 0 where one is not free.
     free_pixels: Vec<u32>,
+    selection: Selection,
 }
 
 impl Selector {
@@ -173,19 +223,78 @@ impl Selector {
     }
 
     pub(crate) fn with_order(cells: &Cells, threshold: Threshold, drop_border: bool, order: Vec<u32>) -> Self {
-        let free_pixels = Vec::with_capacity(cells.len());
-        Selector { order, threshold, drop_border, spans: PixelSpans::default(), free_pixels }
+        let words = cells.len().div_ceil(64);
+        Selector {
+            order,
+            threshold,
+            drop_border,
+            spans: PixelSpans::default(),
+            decided: 0,
+            batch_end: 0,
+            batch: vec![0; words],
+            word: words,
+            free_pixels: vec![0; cells.len()],
+            selection: Selection::default(),
+        }
     }
 
-    /// Looks at about `count` more cells. True when all have been looked at.
-    pub(crate) fn advance(&mut self, sites: &Sites, cells: &Cells, taken: &Bitmap, count: usize) -> bool {
-        let from = self.free_pixels.len();
-        let to = (from + count).min(cells.len());
-        for i in from..to {
-            let pixels = self.free_pixels_of(sites, cells, taken, i);
-            self.free_pixels.push(pixels);
+    /// Chooses the cells to be looked at and decided next: an eighth, then as many as it will probably take.
+    fn mark_batch(&mut self, area: f64) {
+        let (all, left) = (self.order.len(), self.order.len() - self.decided);
+        let wanted = if self.decided == 0 {
+            all.div_ceil(8)
+        } else {
+            let per_cell = self.granted() / self.decided as f64;
+            // Infinite where nothing has been granted yet.
+            ((1.02 * (self.wanted(area) - self.granted()) / per_cell) as usize).saturating_add(16)
+        };
+        self.batch_end = self.decided + wanted.min(left);
+        for &site in &self.order[self.decided..self.batch_end] {
+            self.batch[site as usize / 64] |= 1 << (site % 64);
         }
-        to == cells.len()
+        self.word = 0;
+    }
+
+    /// What the threshold asks for: pixels, or cells.
+    fn wanted(&self, area: f64) -> f64 {
+        match self.threshold {
+            Threshold::Area(fraction) => fraction * area,
+            Threshold::Count(count) => f64::from(count),
+        }
+    }
+
+    /// What has been granted of it.
+    fn granted(&self) -> f64 {
+        match self.threshold {
+            Threshold::Area(_) => self.selection.pixels as f64,
+            Threshold::Count(_) => self.selection.selected.len() as f64,
+        }
+    }
+
+    /// Looks at about `count` more cells. True when all have been looked at, or the threshold is reached.
+    pub(crate) fn advance(&mut self, sites: &Sites, cells: &Cells, taken: &Bitmap, count: usize) -> bool {
+        let mut looked_at = 0;
+        loop {
+            while let Some(&bits) = self.batch.get(self.word) {
+                if looked_at >= count {
+                    return false;
+                }
+                let mut bits = bits;
+                looked_at += bits.count_ones() as usize;
+                while bits != 0 {
+                    let site = 64 * self.word + bits.trailing_zeros() as usize;
+                    bits &= bits - 1;
+                    self.free_pixels[site] = self.free_pixels_of(sites, cells, taken, site);
+                }
+                self.batch[self.word] = 0;
+                self.word += 1;
+            }
+            let area = f64::from(sites.width) * f64::from(sites.height);
+            if self.decide(area) {
+                return true;
+            }
+            self.mark_batch(area);
+        }
     }
 
     fn free_pixels_of(&mut self, sites: &Sites, cells: &Cells, taken: &Bitmap, i: usize) -> u32 {
@@ -195,37 +304,39 @@ impl Selector {
             return 0;
         }
         self.spans.compute(sites, cells, i);
-        if self.spans.spans(pixel).any(|(row, first, last)| taken.any_in_span(row, first, last)) {
-            return 0;
+        self.spans.free_pixels(pixel, taken)
+    }
+
+    /// Grants the cells that have been looked at, in visiting order. True when that was the last of it.
+    fn decide(&mut self, area: f64) -> bool {
+        loop {
+            // The test comes before each cell and the last one is taken whole (decision A7).
+            if self.granted() >= self.wanted(area) {
+                return true;
+            }
+            if self.decided == self.order.len() {
+                self.selection.saturated = true;
+                return true;
+            }
+            if self.decided == self.batch_end {
+                return false;
+            }
+            let site = self.order[self.decided];
+            self.decided += 1;
+            let pixels = self.free_pixels[site as usize];
+            if pixels > 0 {
+                self.selection.selected.push(site);
+                self.selection.pixels += u64::from(pixels);
+            }
         }
-        self.spans.count() as u32
     }
 
     pub(crate) fn progress(&self) -> f64 {
-        self.free_pixels.len() as f64 / self.order.len().max(1) as f64
+        self.decided as f64 / self.order.len().max(1) as f64
     }
 
-    /// Cuts at the threshold.
-    pub(crate) fn finish(self, sites: &Sites) -> Selection {
-        let area = f64::from(sites.width) * f64::from(sites.height);
-        let mut selection = Selection::default();
-        let is_reached = |selection: &Selection| match self.threshold {
-            Threshold::Area(fraction) => selection.pixels as f64 >= fraction * area,
-            Threshold::Count(count) => selection.selected.len() as u64 >= u64::from(count),
-        };
-        // The test comes before each cell and the last one is taken whole (decision A7).
-        for &site in &self.order {
-            if is_reached(&selection) {
-                break;
-            }
-            let pixels = self.free_pixels[site as usize];
-            if pixels > 0 {
-                selection.selected.push(site);
-                selection.pixels += u64::from(pixels);
-            }
-        }
-        selection.saturated = !is_reached(&selection);
-        selection
+    pub(crate) fn finish(self) -> Selection {
+        self.selection
     }
 }
 
@@ -259,7 +370,7 @@ pub fn select(layers: &[(&Sites, &Cells, Vec<u32>, Threshold)]) -> Vec<Selection
         .map(|(sites, cells, order, threshold)| {
             let mut selector = Selector::with_order(cells, *threshold, false, order.clone());
             selector.advance(sites, cells, &taken, usize::MAX / 2);
-            let selection = selector.finish(sites);
+            let selection = selector.finish();
             flag(sites, cells, &selection.selected, &mut taken);
             selection
         })
@@ -274,4 +385,38 @@ pub fn cell_pixels(sites: &Sites, cells: &Cells, i: usize) -> Vec<Pixel> {
         .spans(sites.pixels[i])
         .flat_map(|(row, first, last)| (first..=last).map(move |column| [column as u16, row as u16]))
         .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::rng::{Purpose, Stream};
+
+    #[test]
+    fn rows_bounded_in_single_precision_equal_those_bounded_in_integers() {
+        let mut stream = Stream::new(2, Purpose::Darts, 0, 0);
+        let mut compared = 0;
+        for round in 0..20_000 {
+            let reach = 1 << (2 + round % 9);
+            let mut offset = || stream.below(2 * reach + 1) as i32 - reach as i32;
+            let (gx, gy) = (offset(), if round % 7 == 0 { 0 } else { offset() });
+            let vectors = 1 + round as usize % 9;
+            let room = ((gx * gx + gy * gy) >> 1) + offset() * gy;
+            if room.abs().max((room - gy * (LANES * vectors) as i32).abs()) >= EXACT_ROOM {
+                continue;
+            }
+            compared += 1;
+            let blank = || PixelSpans {
+                rows: LANES * vectors,
+                first: vec![[-9000.0; LANES]; vectors],
+                last: vec![[9000.0; LANES]; vectors],
+                ..PixelSpans::default()
+            };
+            let (mut fast, mut exact) = (blank(), blank());
+            fast.bound_rows(gx as f32, gy as f32, room as f32);
+            exact.bound_rows_exactly(gx, gy, room);
+            assert_eq!((&fast.first, &fast.last), (&exact.first, &exact.last), "g {gx}, {gy}, room {room}");
+        }
+        assert!(compared > 15_000, "{compared}");
+    }
 }

@@ -7,41 +7,53 @@ use super::voronoi::Cells;
 use crate::params::Swing;
 use crate::rng::{Purpose, Stream};
 
-/// The undisplaced rocks of one layer, in the order of the selection.
+/// The undisplaced rocks of one layer.
 ///
-/// Rock k has n = `starts[k + 1] - starts[k]` rim vertices (the cell's) and as many top vertices,
-/// `top[starts[k] .. starts[k + 1]]`. Its 3n − 2 triangles begin at triangle 3·`starts[k]` − 2·k, as indices
-/// into rim (0 … n − 1) and top (n … 2n − 1), counter-clockwise seen from above.
-#[derive(Debug, Clone, Default)]
+/// Rock k of the selection has n rim vertices (the cell's) and as many top vertices. Its 3n − 2 triangles are indices into
+/// rim (0 … n − 1) and top (n … 2n − 1), counter-clockwise seen from above. The lists below are in the order of the
+/// rocks' sites, so that neighbours on the ground are neighbours in memory.
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Shapes {
-    /// rocks + 1 offsets.
-    pub starts: Vec<u32>,
-    /// p_add, px.
-    pub top: Vec<DVec2>,
-    /// Local indices.
-    pub triangles: Vec<[u16; 3]>,
+    /// Per rock its place in the lists.
+    places: Vec<u32>,
+    /// rocks + 1 offsets into `top`; three of them less two per rock, into `triangles`.
+    starts: Vec<u32>,
+    top: Vec<DVec2>,
+    triangles: Vec<[u16; 3]>,
 }
 
 impl Shapes {
     /// Number of rocks.
     pub fn len(&self) -> usize {
-        self.starts.len().saturating_sub(1)
+        self.places.len()
     }
 
-    /// Whether there is no rock.
+    /// Whether there is none.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// p_add of rock `k`.
+    /// Top vertices of all rocks together.
+    pub fn top_vertices(&self) -> usize {
+        self.top.len()
+    }
+
+    /// Triangles of all rocks together.
+    pub fn triangles(&self) -> usize {
+        self.triangles.len()
+    }
+
+    /// p_add of rock `k`, px.
     pub fn top_of(&self, k: usize) -> &[DVec2] {
-        &self.top[self.starts[k] as usize..self.starts[k + 1] as usize]
+        let place = self.places[k] as usize;
+        &self.top[self.starts[place] as usize..self.starts[place + 1] as usize]
     }
 
     /// Triangles of rock `k`.
     pub fn triangles_of(&self, k: usize) -> &[[u16; 3]] {
-        let first = |k: usize| 3 * self.starts[k] as usize - 2 * k;
-        &self.triangles[first(k)..first(k + 1)]
+        let place = self.places[k] as usize;
+        let first = |place: usize| 3 * self.starts[place] as usize - 2 * place;
+        &self.triangles[first(place)..first(place + 1)]
     }
 }
 
@@ -49,6 +61,8 @@ impl Shapes {
 #[derive(Debug)]
 pub(crate) struct Shaper {
     shapes: Shapes,
+    /// The rocks by ascending site.
+    rocks: Vec<u32>,
     triangulator: Triangulator,
     sampler: PolygonSampler,
     seed: u32,
@@ -56,23 +70,27 @@ pub(crate) struct Shaper {
 }
 
 impl Shaper {
-    pub(crate) fn new(selected: &[u32], seed: u32, layer: u32) -> Self {
+    /// `sites` is the number of sites in the layer.
+    pub(crate) fn new(selected: &[u32], sites: usize, seed: u32, layer: u32) -> Self {
         // Six cell vertices on average, and a little room; counting them would be a walk through all cells.
         let rim_vertices = 6 * selected.len() + selected.len() / 8;
         let mut shapes = Shapes {
+            places: Vec::new(),
             starts: Vec::with_capacity(selected.len() + 1),
             top: Vec::with_capacity(rim_vertices),
             triangles: Vec::with_capacity(3 * rim_vertices),
         };
         shapes.starts.push(0);
-        Shaper { shapes, triangulator: Triangulator::default(), sampler: PolygonSampler::default(), seed, layer }
+        let rocks = in_order_of_sites(selected, sites);
+        Shaper { shapes, rocks, triangulator: Triangulator::default(), sampler: PolygonSampler::default(), seed, layer }
     }
 
     /// Shapes about `count` more rocks. True when all are done.
     pub(crate) fn advance(&mut self, cells: &Cells, selected: &[u32], count: usize) -> bool {
-        let from = self.shapes.len();
+        let from = self.shapes.starts.len() - 1;
         let to = (from + count).min(selected.len());
-        for &site in &selected[from..to] {
+        for place in from..to {
+            let site = selected[self.rocks[place] as usize];
             self.add_rock(cells.polygon(site as usize), site);
         }
         to == selected.len()
@@ -80,27 +98,36 @@ impl Shaper {
 
     fn add_rock(&mut self, rim: &[DVec2], site: u32) {
         let mut stream = Stream::new(self.seed, Purpose::TopPoints, self.layer, site);
-        let sampler = &mut self.sampler;
+        let Shaper { shapes: Shapes { top, triangles, .. }, triangulator, sampler, .. } = self;
         sampler.start(rim);
-        // A draw that rounding puts on the rim or on another point is drawn again; chances are below 1e-9.
-        while !self.triangulator.start(rim, sampler.draw(&mut stream)) {}
-        for _ in 1..rim.len() {
-            while !self.triangulator.insert(sampler.draw(&mut stream)) {}
-        }
-        self.shapes.top.extend_from_slice(self.triangulator.inner(rim.len()));
-        self.shapes.triangles.extend_from_slice(self.triangulator.triangles());
+        triangulator.add_rock(rim, top, triangles, || sampler.draw(&mut stream));
         self.shapes.starts.push(self.shapes.top.len() as u32);
     }
 
-    pub(crate) fn progress(&self, selected: &[u32]) -> f64 {
-        self.shapes.len() as f64 / selected.len().max(1) as f64
+    pub(crate) fn progress(&self) -> f64 {
+        (self.shapes.starts.len() - 1) as f64 / self.rocks.len().max(1) as f64
     }
 
     pub(crate) fn finish(mut self) -> Shapes {
+        self.shapes.places = vec![0; self.rocks.len()];
+        for (place, &rock) in (0..).zip(&self.rocks) {
+            self.shapes.places[rock as usize] = place;
+        }
         self.shapes.top.shrink_to_fit();
         self.shapes.triangles.shrink_to_fit();
         self.shapes
     }
+}
+
+/// The places of the selection by ascending site. A site is selected at most once, so counting sorts them.
+fn in_order_of_sites(selected: &[u32], sites: usize) -> Vec<u32> {
+    const NONE: u32 = u32::MAX;
+    let mut rock_of = vec![NONE; sites];
+    for (rock, &site) in (0..).zip(selected) {
+        rock_of[site as usize] = rock;
+    }
+    rock_of.retain(|&rock| rock != NONE);
+    rock_of
 }
 
 /// Draws points uniformly by area from a convex polygon (decision A12), as a fan of triangles.
@@ -108,7 +135,8 @@ impl Shaper {
 struct PolygonSampler {
     origin: DVec2,
     /// Per triangle of the fan: two edge vectors, and the parallelogram's area.
-    fan: Vec<(DVec2, DVec2, f64)>,
+    fan: Vec<(DVec2, DVec2, f64, f64)>,
+    bounds: Vec<f64>,
     double_area: f64,
 }
 
@@ -116,36 +144,32 @@ impl PolygonSampler {
     fn start(&mut self, polygon: &[DVec2]) {
         self.origin = polygon[0];
         self.fan.clear();
+        self.bounds.clear();
         self.double_area = 0.0;
         let mut u = polygon[1] - self.origin;
         for &vertex in &polygon[2..] {
             let v = vertex - self.origin;
             let area = u.perp_dot(v);
-            self.fan.push((u, v, area));
+            self.fan.push((u, v, self.double_area, 1.0 / area));
             self.double_area += area;
+            self.bounds.push(self.double_area);
             u = v;
         }
+        self.bounds.pop();
     }
 
     /// A triangle by area, then a point of it: of a parallelogram's two halves, the far one is folded back.
     #[inline]
     fn draw(&self, stream: &mut Stream) -> DVec2 {
-        let mut rest = stream.unit() * self.double_area;
-        let mut t = stream.unit();
-        let mut chosen = self.fan[0];
-        for &triangle in &self.fan {
-            chosen = triangle;
-            if rest < triangle.2 {
-                break;
-            }
-            rest -= triangle.2;
-        }
-        let (u, v, area) = chosen;
-        // What is left of the first number is uniform too; at the very end rounding can leave more than the area.
-        let mut s = (rest / area).min(1.0);
-        if s + t > 1.0 {
-            (s, t) = (1.0 - s, 1.0 - t);
-        }
+        // Every draw takes another turn: arithmetic instead of branches.
+        let place = stream.unit() * self.double_area;
+        let t = stream.unit();
+        let passed: usize = self.bounds.iter().map(|&bound| usize::from(place >= bound)).sum();
+        let (u, v, start, scale) = self.fan[passed];
+        // What is left of the first number is uniform too.
+        let s = (place - start) * scale;
+        let beyond = (s + t).floor().min(1.0);
+        let (s, t) = (s + beyond * (1.0 - 2.0 * s), t + beyond * (1.0 - 2.0 * t));
         self.origin + u * s + v * t
     }
 }

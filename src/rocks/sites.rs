@@ -28,12 +28,12 @@ impl Sites {
     /// How far the neighbours of a site can be, px, if the layer is saturated: every pixel's centre is nearer than r to a
     /// site, so every point of the image is nearer than r + √½, and a neighbour is at most twice as far as a cell vertex.
     pub(crate) fn neighbor_reach(&self) -> f64 {
-        2.0 * (self.radius + 0.7072)
+        2.0 * (self.radius + 0.71)
     }
 
-    /// Buckets in which two rings hold every neighbour of a saturated layer's site.
+    /// Buckets of which one ring holds every neighbour of a saturated layer's site.
     pub(crate) fn grid(&self) -> Grid {
-        let side = (self.radius + 2.0).min(f64::from(self.width.max(self.height)));
+        let side = self.neighbor_reach().ceil().min(f64::from(self.width.max(self.height)));
         Grid::new(self.width, self.height, side as u32, &self.pixels)
     }
 
@@ -55,6 +55,9 @@ const BATCH: u32 = 1024;
 /// Fewer hits than this in a batch, and picking among the free pixels is cheaper than missing (about 1.5 %).
 const FEW_HITS: u32 = 16;
 
+/// So many pixels are listed in the time of one miss.
+const LIST_COST: u64 = 1024;
+
 /// Throws darts at a bitmap until N_p sites stand or no pixel is free.
 ///
 /// Source: journal §3.1, Fig. 4, read as decision A1 (b): the pick is repeated until the number is reached,
@@ -73,6 +76,8 @@ pub(crate) struct DartThrower {
     picks_left: Option<u64>,
     /// Clear pixels, some of them stale; present from the second phase on.
     free: Option<Vec<Pixel>>,
+    /// Picks that hit nothing since the clear pixels were listed.
+    misses: u32,
     batch: Batch,
 }
 
@@ -111,6 +116,7 @@ impl DartThrower {
             stream: Stream::new(seed, Purpose::Darts, layer, 0),
             picks_left: attempts.then_some(target),
             free: None,
+            misses: 0,
             batch: Batch { pixels: [[0; 2]; BATCH as usize], count: 0 },
         }
     }
@@ -137,7 +143,7 @@ impl DartThrower {
                     self.sites.saturated = true;
                     continue;
                 }
-                // Every entry is drawn at most once, so this ends without ever compacting the list.
+                // Every entry is drawn at most once, so this ends.
                 Some(free) => {
                     let drawn = limit.min(free.len() as u32);
                     for _ in 0..drawn {
@@ -162,12 +168,20 @@ impl DartThrower {
                     // Below a pixel N_p grows without bound; once every pixel is a site no pick can hit any more.
                     self.sites.saturated = self.sites.pixels.len() as u64 == self.bitmap.pixels();
                 }
-                None if self.free.is_none() && hits < FEW_HITS => {
-                    let mut free = Vec::new();
-                    self.bitmap.push_clear(&mut free);
-                    self.free = Some(free);
+                None => {
+                    self.misses += drawn - hits;
+                    let is_worth_it = match self.free {
+                        None => hits < FEW_HITS,
+                        Some(_) => 2 * hits < drawn && u64::from(self.misses) > self.bitmap.pixels() / LIST_COST,
+                    };
+                    if is_worth_it {
+                        let mut free = self.free.take().unwrap_or_default();
+                        free.clear();
+                        self.bitmap.push_clear(&mut free);
+                        self.free = Some(free);
+                        self.misses = 0;
+                    }
                 }
-                None => {}
             }
         }
         true

@@ -1,13 +1,136 @@
-//! Delaunay triangulation of one rock: a dozen points, so small arrays and Lawson flips instead of a
-//! general library. `tests/triangulation.rs` holds it equal to spade.
+//! Delaunay triangulation of one rock: a dozen points, so small arrays and no general library.
+//!
+//! Of a thousand rocks five have points so close to one circle that wrapping them in single precision is not
+//! certain; those are triangulated again with exact signs. `tests/triangulation.rs` holds both equal to spade.
 
 use glam::DVec2;
 use robust::Coord;
 
+use super::wrap::{Apex, WrapSet};
+
 /// No triangle beyond: a rim edge.
 const RIM: u16 = u16::MAX;
 
-/// Delaunay triangulation of a convex rim and points strictly inside it.
+/// Triangulates rocks, re-used from one to the next.
+#[derive(Debug, Default)]
+pub(crate) struct Triangulator {
+    wrapper: Wrapper,
+    lawson: Lawson,
+}
+
+impl Triangulator {
+    /// Appends the Delaunay triangles of a convex rim (counter-clockwise) and as many points inside it, drawn by `draw`, as
+    /// indices into rim and points. A draw that rounding puts on the rim or on another point is drawn again.
+    pub(crate) fn add_rock(
+        &mut self,
+        rim: &[DVec2],
+        top: &mut Vec<DVec2>,
+        triangles: &mut Vec<[u16; 3]>,
+        mut draw: impl FnMut() -> DVec2,
+    ) {
+        let (top_start, triangles_start) = (top.len(), triangles.len());
+        for _ in rim {
+            top.push(draw());
+        }
+        if self.wrapper.wrap(rim, &top[top_start..], triangles) {
+            return;
+        }
+        triangles.truncate(triangles_start);
+        let mut drawn = top.split_off(top_start).into_iter();
+        let mut next = || drawn.next().unwrap_or_else(&mut draw);
+        while !self.lawson.start(rim, next()) {}
+        for _ in 1..rim.len() {
+            while !self.lawson.insert(next()) {}
+        }
+        top.extend_from_slice(&self.lawson.points[rim.len()..]);
+        triangles.extend_from_slice(&self.lawson.triangles);
+    }
+}
+
+/// Delaunay triangulation by gift wrapping: inward from the rim, edge by edge. Nearly always certain, and then fast.
+#[derive(Debug)]
+struct Wrapper {
+    points: WrapSet,
+    /// Directed edges that want a triangle on their left, unless they have got one by now.
+    open: [[u8; 2]; 3 * MOST_POINTS],
+    /// Bit q of word p: the edge from p to q has its triangle.
+    done: [u32; MOST_POINTS],
+}
+
+/// Points of one rock; the edges that have a triangle are bits of as many words.
+const MOST_POINTS: usize = 32;
+
+impl Default for Wrapper {
+    fn default() -> Self {
+        Wrapper { points: WrapSet::default(), open: [[0; 2]; 3 * MOST_POINTS], done: [0; MOST_POINTS] }
+    }
+}
+
+impl Wrapper {
+    /// Appends the triangles. False, and anything appended, where two points are too close to call.
+    fn wrap(&mut self, rim: &[DVec2], inner: &[DVec2], triangles: &mut Vec<[u16; 3]>) -> bool {
+        let (rim_count, count) = (rim.len(), rim.len() + inner.len());
+        if count > MOST_POINTS {
+            return false;
+        }
+        // Relative to a point of the rock, so that single precision has the most digits.
+        let origin = rim[0];
+        // The largest coordinate; as bits, because positive numbers sort like those, and without a branch.
+        let mut extent = 0_u32;
+        self.points.clear();
+        for (label, &point) in (0..).zip(rim.iter().chain(inner)) {
+            let point = (point - origin).as_vec2();
+            extent = extent.max(point.x.abs().to_bits()).max(point.y.abs().to_bits());
+            self.points.push(point, label);
+            self.done[label as usize] = 0;
+        }
+        self.points.seal();
+        // ε/2 of the extent for a coordinate, hence 2ε for a difference, 10ε of its square for a product of two, and 24ε for
+        // two products and their sum.
+        let extent = f32::from_bits(extent);
+        let error = 27.0 * f32::EPSILON * extent * extent;
+
+        let Wrapper { points, done, open } = self;
+        let mut opened = 0;
+        for k in 0..rim_count {
+            let next = if k + 1 == rim_count { 0 } else { k + 1 };
+            // Outside of the rim there is nothing to do.
+            done[next] |= 1 << k;
+            open[opened] = [k as u8, next as u8];
+            opened += 1;
+        }
+        let wanted = triangles.len() + rim_count + 2 * inner.len() - 2;
+        let mut at = 0;
+        while at < opened {
+            let [a, b] = open[at];
+            at += 1;
+            let ends = [a, b].map(usize::from);
+            if done[ends[0]] >> b & 1 != 0 {
+                continue;
+            }
+            let [from, to] = ends.map(|end| points.get(end));
+            let Apex::Point(apex) = points.apex(from, to, error) else { return false };
+            if triangles.len() == wanted {
+                return false;
+            }
+            let c = apex as u8;
+            triangles.push([a, b, c].map(u16::from));
+            done[ends[0]] |= 1 << b;
+            done[ends[1]] |= 1 << c;
+            done[apex] |= 1 << a;
+            // Whether they have one is a coin toss: no branch.
+            for [p, q] in [[c, b], [a, c]] {
+                open[opened] = [p, q];
+                opened += usize::from(done[usize::from(p)] >> q & 1 == 0);
+            }
+        }
+        // Every inner edge has a triangle on both sides by now. If they are as many as all points take, they cover the rock
+        // without overlap, and then none of the edges runs through another point, which `apex` would have overlooked.
+        triangles.len() == wanted
+    }
+}
+
+/// Delaunay triangulation of a convex rim and points strictly inside it, where wrapping is not sure.
 ///
 /// Vertices 0 … n − 1 are the rim, counter-clockwise; the points follow in the order of insertion.
 /// Rim edges are never flipped, so with n points inside there are exactly 3n − 2 triangles, also where
@@ -17,7 +140,7 @@ const RIM: u16 = u16::MAX;
 /// point, then flip edges until every circumcircle is empty. Signs are exact: a floating-point
 /// filter whose error bound is fixed per rock, and Shewchuk's adaptive predicates ([`robust`]) within it.
 #[derive(Debug, Default)]
-pub(crate) struct Triangulator {
+struct Lawson {
     points: Vec<DVec2>,
     /// Counter-clockwise.
     triangles: Vec<[u16; 3]>,
@@ -32,9 +155,9 @@ pub(crate) struct Triangulator {
     last: u16,
 }
 
-impl Triangulator {
+impl Lawson {
     /// Starts with the star of `first` over the rim. False where `first` is not strictly inside.
-    pub(crate) fn start(&mut self, rim: &[DVec2], first: DVec2) -> bool {
+    fn start(&mut self, rim: &[DVec2], first: DVec2) -> bool {
         let (low, high) = rim.iter().fold((DVec2::MAX, DVec2::MIN), |(lo, hi), &v| (lo.min(v), hi.max(v)));
         let extent = (high - low).max_element();
         let squared = extent * extent;
@@ -64,7 +187,7 @@ impl Triangulator {
     }
 
     /// Inserts a point. False, and nothing changed, where it is not strictly inside the rim or is there already.
-    pub(crate) fn insert(&mut self, point: DVec2) -> bool {
+    fn insert(&mut self, point: DVec2) -> bool {
         let p = self.points.len() as u16;
         self.points.push(point);
         let Some(t) = self.locate(p) else {
@@ -88,16 +211,6 @@ impl Triangulator {
         self.flip_suspects(false);
         self.last = t;
         true
-    }
-
-    /// The triangles so far, counter-clockwise.
-    pub(crate) fn triangles(&self) -> &[[u16; 3]] {
-        &self.triangles
-    }
-
-    /// The points inserted so far, in order.
-    pub(crate) fn inner(&self, rim: usize) -> &[DVec2] {
-        &self.points[rim..]
     }
 
     /// Walks to a triangle that holds point `p`, possibly on an inner edge.
@@ -200,8 +313,79 @@ fn coord(p: DVec2) -> Coord<f64> {
 
 /// Delaunay triangles of a convex rim (counter-clockwise) and points inside it; `None` if a point is not strictly inside.
 pub fn triangulate(rim: &[DVec2], inner: &[DVec2]) -> Option<Vec<[u16; 3]>> {
-    let mut triangulator = Triangulator::default();
+    let mut triangles = Vec::new();
+    if Wrapper::default().wrap(rim, inner, &mut triangles) {
+        return Some(triangles);
+    }
+    let mut lawson = Lawson::default();
     let (first, others) = inner.split_first()?;
-    let complete = triangulator.start(rim, *first) && others.iter().all(|&p| triangulator.insert(p));
-    complete.then(|| triangulator.triangles.clone())
+    let complete = lawson.start(rim, *first) && others.iter().all(|&p| lawson.insert(p));
+    complete.then_some(lawson.triangles)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+    use crate::rng::{Purpose, Stream};
+
+    /// n points on an ellipse and n inside, at any place of a large image.
+    fn rock(n: usize, stream: &mut Stream) -> (Vec<DVec2>, Vec<DVec2>) {
+        let place = 8192.0 * DVec2::new(stream.unit(), stream.unit());
+        let axes = 40.0 * DVec2::new(0.3 + 0.7 * stream.unit(), 0.3 + 0.7 * stream.unit());
+        let at = |angle: f64, radius: f64| place + radius * axes * DVec2::from_angle(angle);
+        let turn = core::f64::consts::TAU / n as f64;
+        let rim = (0..n).map(|k| at(turn * (k as f64 + 0.8 * stream.unit()), 1.0)).collect();
+        // Well within the rim, of which not even a triangle may leave the middle out.
+        let top = (0..n).map(|_| at(10.0 * stream.unit(), 0.4 * stream.unit().sqrt())).collect();
+        (rim, top)
+    }
+
+    #[test]
+    fn wrapping_makes_the_triangles_of_lawson_and_is_rarely_unsure() {
+        let mut stream = Stream::new(1, Purpose::TopPoints, 0, 0);
+        let (mut rocks, mut unsure) = (0, 0);
+        for round in 0..3000 {
+            let n = 3 + round % 13;
+            let (rim, top) = rock(n, &mut stream);
+            let mut lawson = Lawson::default();
+            if !lawson.start(&rim, top[0]) || !top[1..].iter().all(|&point| lawson.insert(point)) {
+                continue; // the middle is not inside
+            }
+            // Rims of many vertices are nearly circles here; those of real rocks are not.
+            let is_usual = u32::from(n <= 8);
+            rocks += is_usual;
+            let mut wrapped = Vec::new();
+            if !Wrapper::default().wrap(&rim, &top, &mut wrapped) {
+                unsure += is_usual;
+                continue;
+            }
+            let set = |triangles: &[[u16; 3]]| -> BTreeSet<[u16; 3]> {
+                let from_least = |&[a, b, c]: &[u16; 3]| {
+                    if a < b && a < c {
+                        [a, b, c]
+                    } else if b < c {
+                        [b, c, a]
+                    } else {
+                        [c, a, b]
+                    }
+                };
+                triangles.iter().map(from_least).collect()
+            };
+            assert_eq!(set(&wrapped), set(&lawson.triangles), "round {round}: {rim:?} {top:?}");
+        }
+        assert!(rocks > 1000 && unsure * 20 < rocks, "{unsure} of {rocks} unsure");
+    }
+
+    #[test]
+    fn wrapping_gives_up_where_points_are_cocircular_or_coincide() {
+        let square = [(0.0, 0.0), (8.0, 0.0), (8.0, 8.0), (0.0, 8.0)].map(|(x, y)| DVec2::new(x, y));
+        let cocircular = [(3.0, 3.0), (5.0, 3.0), (5.0, 5.0), (3.0, 5.0)].map(|(x, y)| DVec2::new(x, y));
+        let double = [(3.0, 3.0), (5.0, 3.1), (5.0, 3.1), (3.0, 5.2)].map(|(x, y)| DVec2::new(x, y));
+        let on_the_rim = [(3.0, 3.0), (5.0, 0.0), (5.0, 3.1), (3.0, 5.2)].map(|(x, y)| DVec2::new(x, y));
+        for top in [cocircular, double, on_the_rim] {
+            assert!(!Wrapper::default().wrap(&square, &top, &mut Vec::new()), "{top:?}");
+        }
+    }
 }

@@ -6,11 +6,12 @@
 //! the first reach always does and the cost per cell is constant; darts that stopped at N_p leave a few
 //! larger cells. `tests/voronoi.rs` holds the diagrams equal to those of spade.
 
-use glam::DVec2;
+use glam::{DVec2, Vec2};
 
 use super::cell::{CellWrapper, LATTICE, SIDES};
 use super::grid::Grid;
 use super::sites::Sites;
+use super::wrap::WrapSet;
 
 /// The Voronoi diagram of one layer, clipped to the image.
 ///
@@ -57,10 +58,36 @@ impl Cells {
     }
 }
 
+/// The sites around a bucket: gathered once for all cells of the bucket, as consecutive sites are.
+#[derive(Debug, Default)]
+struct Surroundings {
+    sites: WrapSet,
+    /// Column, row and rings.
+    bucket: Option<[u32; 3]>,
+}
+
+impl Surroundings {
+    /// Gathers at least the sites within `reach` of a site.
+    fn look(&mut self, grid: &Grid, sites: &Sites, site: usize, reach: f64) {
+        // A site more than `rings` buckets away is farther than so many bucket sides.
+        let rings = (reach / f64::from(grid.side)).ceil() as u32;
+        let [column, row] = sites.pixels[site].map(|c| u32::from(c) / grid.side);
+        if self.bucket != Some([column, row, rings]) {
+            self.bucket = Some([column, row, rings]);
+            self.sites.clear();
+            grid.block(column, row, rings, |other| {
+                self.sites.push(Vec2::from(sites.pixels[other as usize].map(f32::from)), other);
+            });
+            self.sites.seal();
+        }
+    }
+}
+
 /// Builds a layer's diagram in pieces.
 #[derive(Debug)]
 pub(crate) struct VoronoiBuilder {
     cells: Cells,
+    surroundings: Surroundings,
     wrapper: CellWrapper,
     /// How far to look for neighbours at first, px.
     reach: f64,
@@ -71,7 +98,7 @@ impl VoronoiBuilder {
         let count = sites.pixels.len();
         let grid = sites.grid();
         // Where darts stopped early the sites are sparser than r tells, and so is the grid.
-        let sparse = if sites.saturated { 0.0 } else { 2.0 * f64::from(grid.side) };
+        let sparse = if sites.saturated { 0.0 } else { f64::from(grid.side) };
         let reach = sites.neighbor_reach().max(sparse);
         let mut cells = Cells {
             starts: Vec::with_capacity(count + 1),
@@ -81,7 +108,7 @@ impl VoronoiBuilder {
             grid,
         };
         cells.starts.push(0);
-        VoronoiBuilder { cells, wrapper: CellWrapper::default(), reach }
+        VoronoiBuilder { cells, surroundings: Surroundings::default(), wrapper: CellWrapper::default(), reach }
     }
 
     /// Works on about `count` sites. True when the diagram is finished.
@@ -89,41 +116,29 @@ impl VoronoiBuilder {
         let from = self.cells.len();
         let to = (from + count).min(sites.pixels.len());
         for site in from..to {
-            self.wrap_cell(sites, site);
+            self.push_cell(sites, site);
         }
         to == sites.pixels.len()
     }
 
-    fn wrap_cell(&mut self, sites: &Sites, site: usize) {
-        let [x, y] = sites.pixels[site].map(u32::from);
-        let origin = DVec2::new(f64::from(x), f64::from(y));
-        let (wrapper, grid) = (&mut self.wrapper, &self.cells.grid);
+    fn push_cell(&mut self, sites: &Sites, site: usize) {
         let mut reach = self.reach;
         loop {
-            let reach2 = reach * reach;
-            wrapper.start(sites.width, sites.height, x, y, reach2);
-            // Sites `rings` + 1 buckets away are farther than `rings` bucket sides.
-            let rings = (reach / f64::from(grid.side)) as u32 + 1;
-            grid.block(x / grid.side, y / grid.side, rings, |other| {
-                if other as usize != site {
-                    let [ox, oy] = sites.pixels[other as usize].map(f64::from);
-                    wrapper.consider(DVec2::new(ox, oy) - origin, other, reach2);
-                }
-            });
+            self.surroundings.look(&self.cells.grid, sites, site, reach);
             // The image's own sides close every cell at the latest.
-            if wrapper.wrap() && wrapper.is_within(reach2) {
+            if self.wrapper.wrap(sites, site, &self.surroundings.sites, reach) {
                 break;
             }
             reach *= 2.0;
         }
-        let (vertices, neighbors) = (&mut self.cells.vertices, &mut self.cells.neighbors);
-        let centre = origin + 0.5;
-        wrapper.emit(|[dx, dy], neighbor| {
+        let Cells { starts, vertices, neighbors, .. } = &mut self.cells;
+        let centre = DVec2::from(sites.pixels[site].map(f64::from)) + 0.5;
+        self.wrapper.emit(|[dx, dy], neighbor| {
             // Exact: a multiple of 2⁻²⁰ below 2¹⁴.
             vertices.push(centre + DVec2::new(dx, dy) / LATTICE);
             neighbors.push(neighbor);
         });
-        self.cells.starts.push(vertices.len() as u32);
+        starts.push(vertices.len() as u32);
     }
 
     /// 0 … 1.

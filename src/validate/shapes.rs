@@ -16,8 +16,8 @@ use crate::rocks::{Cells, Shapes};
 pub fn check_shapes(cells: &Cells, selected: &[u32], shapes: &Shapes) -> Result<(), Violation> {
     ensure(shapes.len() == selected.len(), || format!("{} shapes for {} cells", shapes.len(), selected.len()))?;
     let vertices: usize = selected.iter().map(|&site| cells.polygon(site as usize).len()).sum();
-    ensure(shapes.top.len() == vertices && shapes.triangles.len() + 2 * selected.len() == 3 * vertices, || {
-        format!("{} p_add and {} triangles over {vertices} cell vertices", shapes.top.len(), shapes.triangles.len())
+    ensure(shapes.top_vertices() == vertices && shapes.triangles() + 2 * selected.len() == 3 * vertices, || {
+        format!("{} p_add and {} triangles over {vertices} cell vertices", shapes.top_vertices(), shapes.triangles())
     })?;
     let mut edges = Vec::new();
     for (k, &site) in selected.iter().enumerate() {

@@ -99,10 +99,7 @@ pub fn difference(ours: &Field, theirs: &Field) -> Option<String> {
             "cells at the border"
         } else if a.selection != b.selection {
             "selection"
-        } else if a.shapes.starts != b.shapes.starts
-            || bits(&a.shapes.top) != bits(&b.shapes.top)
-            || a.shapes.triangles != b.shapes.triangles
-        {
+        } else if a.shapes != b.shapes {
             "shapes"
         } else {
             continue;
