@@ -35,10 +35,10 @@ async function buildLiteral() {
   await run('cargo', ['build', '--lib', '--features', 'bench', '--target', WASM, '--profile', profile], { env: cargoEnv, cwd: root });
   const compiled = path.join(target, WASM, profile, 'rock_field.wasm');
   const stamp = path.join(folder, 'bench.stamp');
-  const hash = hashOf(readFileSync(compiled), optimise);
+  const hash = hashOf(readFileSync(compiled), ...optimise);
   if (existsSync(stamp) && readFileSync(stamp, 'utf8') === hash) return;
   await run(bindgenProgram('wasm-bindgen'), [compiled, '--target', 'web', '--out-dir', folder, '--out-name', 'bench']);
   const wasm = path.join(folder, 'bench_bg.wasm');
-  await run(process.execPath, [path.join(root, 'node_modules', 'binaryen', 'bin', 'wasm-opt'), wasm, '-o', wasm, optimise]);
+  await run(process.execPath, [path.join(root, 'node_modules', 'binaryen', 'bin', 'wasm-opt'), wasm, '-o', wasm, ...optimise]);
   writeFileSync(stamp, hash);
 }

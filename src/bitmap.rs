@@ -57,12 +57,25 @@ impl Bitmap {
     /// Flags every pixel of the image nearer to pixel (cx, cy) than the disc's radius.
     pub(crate) fn stamp(&mut self, disc: &Disc, cx: u32, cy: u32) {
         let reach = disc.reach();
-        let (x_min, x_max) = (cx.saturating_sub(reach), (cx + reach).min(self.width - 1));
         let (y_min, y_max) = (cy.saturating_sub(reach), (cy + reach).min(self.height - 1));
+        let first_row = (y_min + reach - cy) as usize;
+        if !disc.patterns.is_empty() {
+            let rows = &disc.patterns[first_row..];
+            let (strip, bit) = (cx / STRIP, cx % STRIP);
+            self.stamp_rows(strip, y_min, y_max, rows, bit as i32 - 32);
+            if bit < reach && strip > 0 {
+                self.stamp_rows(strip - 1, y_min, y_max, rows, bit as i32 + 32);
+            }
+            if bit + reach >= STRIP && (strip + 1) * STRIP < self.width {
+                self.stamp_rows(strip + 1, y_min, y_max, rows, bit as i32 - 96);
+            }
+            return;
+        }
+        let (x_min, x_max) = (cx.saturating_sub(reach), (cx + reach).min(self.width - 1));
         for strip in x_min / STRIP..=x_max / STRIP {
             let column = strip as usize * self.height as usize;
             let words = &mut self.words[column + y_min as usize..=column + y_max as usize];
-            let half_widths = &disc.half_widths[(y_min + reach - cy) as usize..];
+            let half_widths = &disc.half_widths[first_row..];
             let (first, last) = (strip * STRIP, strip * STRIP + STRIP - 1);
             for (word, &half) in words.iter_mut().zip(half_widths) {
                 let x0 = cx.saturating_sub(half).max(first);
@@ -71,6 +84,18 @@ impl Bitmap {
                     *word |= (!0_u64 << (x0 - first)) & (!0_u64 >> (last - x1));
                 }
             }
+        }
+    }
+
+    /// Flags, in a strip, the rows' patterns moved by `shift` bits.
+    #[inline]
+    fn stamp_rows(&mut self, strip: u32, y_min: u32, y_max: u32, rows: &[u64], shift: i32) {
+        let column = strip as usize * self.height as usize;
+        let words = self.words[column + y_min as usize..=column + y_max as usize].iter_mut().zip(rows);
+        if shift >= 0 {
+            words.for_each(|(word, row)| *word |= row << shift);
+        } else {
+            words.for_each(|(word, row)| *word |= row >> -shift);
         }
     }
 
@@ -110,6 +135,8 @@ fn strip_mask(strip: u32, x0: u32, x1: u32) -> u64 {
 pub(crate) struct Disc {
     /// Half width of every row, from the lowest to the highest.
     half_widths: Vec<u32>,
+    /// The rows of a small disc as bits around bit 32; of a larger one, nothing.
+    patterns: Vec<u64>,
 }
 
 impl Disc {
@@ -134,7 +161,9 @@ impl Disc {
             .collect();
         let lower: Vec<u32> = upper.iter().rev().skip(1).copied().collect();
         upper.extend(lower);
-        Disc { half_widths: upper }
+        let row = |&half: &u32| (!0_u64 >> (63 - 2 * half)) << (32 - half);
+        let patterns = if reach < 32 && half < 32 { upper.iter().map(row).collect() } else { Vec::new() };
+        Disc { half_widths: upper, patterns }
     }
 
     /// Rows above and below the centre.

@@ -289,6 +289,8 @@ impl Generator {
     }
 
     /// Works on a task for a while. True when it is done.
+    ///
+    /// The stages are functions of their own, never inlined here: V8 makes a third slower code of very large functions.
     fn advance(&mut self, task: &mut Task) -> bool {
         let (Some(cache), Some(params)) = (self.layers.get(task.layer), &self.params) else { return true };
         let (sites, cells) = (&cache.sites.value, &cache.cells.value);

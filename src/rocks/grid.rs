@@ -51,12 +51,12 @@ impl Grid {
         &self.order[from..to]
     }
 
-    /// Calls `visit` with every site whose bucket lies at most `rings` buckets from bucket (column, row).
+    /// Calls `visit` with the sites whose buckets lie at most `rings` buckets from bucket (column, row), a row at a time.
     #[inline]
-    pub(crate) fn block(&self, column: u32, row: u32, rings: u32, mut visit: impl FnMut(u32)) {
+    pub(crate) fn block(&self, column: u32, row: u32, rings: u32, mut visit: impl FnMut(&[u32])) {
         let (left, right) = (column.saturating_sub(rings), (column + rings).min(self.columns - 1));
         for r in row.saturating_sub(rings)..=(row + rings).min(self.rows - 1) {
-            self.run(r, left, right).iter().for_each(|&site| visit(site));
+            visit(self.run(r, left, right));
         }
     }
 
@@ -66,11 +66,13 @@ impl Grid {
         let mut best: Option<(u64, u32)> = None;
         let mut rings = 1;
         loop {
-            self.block(column, row, rings, |site| {
-                let [sx, sy] = pixels[site as usize].map(u32::from);
-                let d2 = u64::from(sx.abs_diff(x)).pow(2) + u64::from(sy.abs_diff(y)).pow(2);
-                if best.is_none_or(|nearest| (d2, site) < nearest) {
-                    best = Some((d2, site));
+            self.block(column, row, rings, |sites| {
+                for &site in sites {
+                    let [sx, sy] = pixels[site as usize].map(u32::from);
+                    let d2 = u64::from(sx.abs_diff(x)).pow(2) + u64::from(sy.abs_diff(y)).pow(2);
+                    if best.is_none_or(|nearest| (d2, site) < nearest) {
+                        best = Some((d2, site));
+                    }
                 }
             });
             // What lies beyond is farther than `rings` bucket sides.

@@ -53,7 +53,7 @@ impl PixelSpans {
         let here = sites.pixels[i];
         let [x, y] = here.map(i32::from);
         // Positive numbers sort like their bits, and those without a branch.
-        let heights = cells.polygon(i).iter().map(|vertex| vertex.y.max(0.0).to_bits());
+        let heights = cells.polygon(i).iter().map(|vertex| vertex.y.to_bits());
         let (low, high) = heights.fold((u64::MAX, 0), |(low, high), bits| (low.min(bits), high.max(bits)));
         let centre = f64::from(here[1]) + 0.5;
         self.bottom = round(f64::from_bits(low) - VERTEX_SLACK + 0.5 - centre).max(-y);
@@ -272,6 +272,7 @@ impl Selector {
     }
 
     /// Looks at about `count` more cells. True when all have been looked at, or the threshold is reached.
+    #[inline(never)]
     pub(crate) fn advance(&mut self, sites: &Sites, cells: &Cells, taken: &Bitmap, count: usize) -> bool {
         let mut looked_at = 0;
         loop {

@@ -86,6 +86,7 @@ impl Shaper {
     }
 
     /// Shapes about `count` more rocks. True when all are done.
+    #[inline(never)]
     pub(crate) fn advance(&mut self, cells: &Cells, selected: &[u32], count: usize) -> bool {
         let from = self.shapes.starts.len() - 1;
         let to = (from + count).min(selected.len());
@@ -168,7 +169,7 @@ impl PolygonSampler {
         let (u, v, start, scale) = self.fan[passed];
         // What is left of the first number is uniform too.
         let s = (place - start) * scale;
-        let beyond = (s + t).floor().min(1.0);
+        let beyond = f64::from(u8::from(s + t > 1.0));
         let (s, t) = (s + beyond * (1.0 - 2.0 * s), t + beyond * (1.0 - 2.0 * t));
         self.origin + u * s + v * t
     }

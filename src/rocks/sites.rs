@@ -89,12 +89,20 @@ struct Batch {
 }
 
 impl Batch {
-    /// Appends the pixel if it is free, without a branch on what is a coin toss.
+    /// Draws `limit` pixels and keeps the free ones, without a branch on what is a coin toss.
     #[inline]
-    fn sift(&mut self, bitmap: &Bitmap, pixel: Pixel) {
-        let [x, y] = pixel.map(u32::from);
-        self.pixels[self.count] = pixel;
-        self.count += usize::from(!bitmap.get(x, y));
+    fn sift(&mut self, bitmap: &Bitmap, stream: &mut Stream, limit: u32, mut draw: impl FnMut(&mut Stream) -> Pixel) {
+        // A copy can live in registers.
+        let mut own = stream.clone();
+        let mut count = 0;
+        for _ in 0..limit.min(BATCH) {
+            let pixel = draw(&mut own);
+            let [x, y] = pixel.map(u32::from);
+            self.pixels[count] = pixel;
+            count += usize::from(!bitmap.get(x, y));
+        }
+        self.count = count;
+        *stream = own;
     }
 }
 
@@ -125,6 +133,7 @@ impl DartThrower {
     ///
     /// Picks are drawn and sifted by the batch: what is taken when the batch is drawn stays taken, and looking up
     /// many scattered flags at once lets the memory accesses overlap.
+    #[inline(never)]
     pub(crate) fn advance(&mut self, mut picks: u32) -> bool {
         while !self.is_finished() {
             if picks == 0 {
@@ -133,10 +142,9 @@ impl DartThrower {
             let limit = self.picks_left.map_or(BATCH, |left| left.min(u64::from(BATCH)) as u32);
             let drawn = match &mut self.free {
                 None => {
-                    for _ in 0..limit {
-                        let pixel = self.stream.pixel(self.sites.width, self.sites.height);
-                        self.batch.sift(&self.bitmap, pixel);
-                    }
+                    self.batch.sift(&self.bitmap, &mut self.stream, limit, |stream| {
+                        stream.pixel(self.sites.width, self.sites.height)
+                    });
                     limit
                 }
                 Some(free) if free.is_empty() => {
@@ -146,10 +154,10 @@ impl DartThrower {
                 // Every entry is drawn at most once, so this ends.
                 Some(free) => {
                     let drawn = limit.min(free.len() as u32);
-                    for _ in 0..drawn {
-                        let index = self.stream.below(free.len() as u32);
-                        self.batch.sift(&self.bitmap, free.swap_remove(index as usize));
-                    }
+                    self.batch.sift(&self.bitmap, &mut self.stream, drawn, |stream| {
+                        let index = stream.below(free.len() as u32);
+                        free.swap_remove(index as usize)
+                    });
                     drawn
                 }
             };

@@ -75,8 +75,8 @@ impl Surroundings {
         if self.bucket != Some([column, row, rings]) {
             self.bucket = Some([column, row, rings]);
             self.sites.clear();
-            grid.block(column, row, rings, |other| {
-                self.sites.push(Vec2::from(sites.pixels[other as usize].map(f32::from)), other);
+            grid.block(column, row, rings, |others| {
+                self.sites.extend(others, |other| Vec2::from(sites.pixels[other as usize].map(f32::from)));
             });
             self.sites.seal();
         }
@@ -112,6 +112,7 @@ impl VoronoiBuilder {
     }
 
     /// Works on about `count` sites. True when the diagram is finished.
+    #[inline(never)]
     pub(crate) fn advance(&mut self, sites: &Sites, count: usize) -> bool {
         let from = self.cells.len();
         let to = (from + count).min(sites.pixels.len());

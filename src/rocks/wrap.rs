@@ -52,6 +52,19 @@ impl WrapSet {
         self.len += 1;
     }
 
+    /// Adds a point for every label.
+    #[inline]
+    pub(crate) fn extend(&mut self, labels: &[u32], point: impl Fn(u32) -> Vec2) {
+        self.reserve(labels.len());
+        let new = self.len..self.len + labels.len();
+        let slots = self.x[new.clone()].iter_mut().zip(&mut self.y[new.clone()]).zip(&mut self.labels[new]);
+        for (((x, y), slot), &label) in slots.zip(labels) {
+            [*x, *y] = point(label).to_array();
+            *slot = label;
+        }
+        self.len += labels.len();
+    }
+
     /// Adds the points of a sealed set that are within √`reach2` of `origin`, but not at it, relative to it.
     #[inline]
     pub(crate) fn extend_near(&mut self, all: &WrapSet, origin: Vec2, reach2: f32) {
