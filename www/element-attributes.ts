@@ -1,18 +1,32 @@
 /**
  * What the attributes of `<rock-field>` say. One contract: absent → default; malformed → default and exactly one notice that
  * names the attribute; nothing throws.
+ *
+ * There is an attribute for every row of the parameter table, under the row's name in kebab case: `image-width="800"`. Those of
+ * a layer list all layers, `radius="90 30 10"`; what has three parts has an attribute for each, `taper-rock="6 6 2"`.
  */
 
-import { PRESETS } from './params.ts';
-import type { Params } from './params.ts';
-import { defaultParams, FIELD_ROWS, presetParams } from './params-flat.ts';
+import { parseOrbit } from './camera-orbit.ts';
+import type { Orbit } from './camera-orbit.ts';
+import { errorInfo } from './errors.ts';
+import { MAX_LAYERS, PRESETS } from './params.ts';
+import type { Params, ParamSpec } from './params.ts';
+import { boundsOf, defaultLayer, defaultParams, FIELD_ROWS, LAYER_ROWS, presetParams, readValue, resolveParams, writeValue } from './params-flat.ts';
 import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { COLORS, decodeLink, VIEWS } from './url-codec.ts';
 
 export { COLORS, VIEWS };
 
+export const INTERACTIONS = ['cooperative', 'always', 'none'] as const;
+export type Interaction = (typeof INTERACTIONS)[number];
+export const LOADINGS = ['eager', 'lazy'] as const;
+export type Loading = (typeof LOADINGS)[number];
+
 /** How much of a wrong value is repeated in a notice. */
 const MAX_QUOTE_LENGTH = 32;
+const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+/** A missing count in a list: `cell-count="- 40 -"`. */
+const NONE = '-';
 
 export interface AttributeState {
   params: Params;
@@ -20,61 +34,167 @@ export interface AttributeState {
   color: ColorMode;
   /** From a link in `src`; null: the whole field. */
   camera: CameraState | null;
+  /** Where the camera is while the whole field is framed; null: as the field is framed by itself. */
+  orbit: Orbit | null;
+  interaction: Interaction;
+  loading: Loading;
+  metresPerPixel: number;
   /** One sentence for each attribute, or part of a link, that could not be taken as it stood. */
   notices: AttributeNotice[];
 }
 
 export interface AttributeNotice {
-  attribute: AttributeName;
+  attribute: string;
   message: string;
 }
 
-export const ATTRIBUTES = ['src', 'preset', 'seed', 'view', 'color'] as const;
+/** The property of a row: `imageWidth`, `radius`, `taperRock`. */
+export function propertyOf({ key, component }: ParamSpec): string {
+  return component === null ? key : `${key}${['Base', 'Rock', 'Vertex'][component] ?? ''}`;
+}
 
-export type AttributeName = (typeof ATTRIBUTES)[number];
+/** The attribute of a row: `image-width`, `radius`, `taper-rock`. */
+export function attributeOf(spec: ParamSpec): string {
+  return propertyOf(spec).replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+}
+
+export const FIELD_ATTRIBUTES: ReadonlyMap<string, ParamSpec> = new Map(FIELD_ROWS.map((spec) => [attributeOf(spec), spec]));
+export const LAYER_ATTRIBUTES: ReadonlyMap<string, ParamSpec> = new Map(LAYER_ROWS.map((spec) => [attributeOf(spec), spec]));
+
+export const ATTRIBUTES: readonly string[] = [
+  'src', 'preset', ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys(),
+  'view', 'color', 'camera-orbit', 'interaction', 'loading', 'metres-per-pixel',
+];
+
+/** One pixel of the image is a centimetre. */
+export const METRES_PER_PIXEL = 0.01;
+
+type Get = (name: string) => string | null;
+/** What is wrong with an attribute; only the first of several is kept. */
+type Note = (attribute: string, message: string) => void;
 
 /** `src` fills everything and `preset` is then not looked at; the other attributes replace what `src` says. */
-export function readAttributes(get: (name: AttributeName) => string | null): AttributeState {
+export function readAttributes(get: Get): AttributeState {
   const notices: AttributeNotice[] = [];
-  const src = get('src');
-  const link = src === null ? null : decodeLink(src);
-  for (const { text } of link?.notices ?? []) notices.push({ attribute: 'src', message: `src: ${text}` });
-  const params = link?.params ?? readPreset(get('preset'), notices);
-  params.seed = readSeed(get('seed'), params.seed, notices);
+  const note: Note = (attribute, message) => {
+    if (notices.every((notice) => notice.attribute !== attribute || attribute === 'src')) notices.push({ attribute, message: `${attribute}: ${message}` });
+  };
+  const source = readSource(get, note);
+  const params = { ...source.params };
+  // Choices first: the notation decides the bounds of the numbers.
+  for (const kind of ['choice', 'number']) {
+    for (const [name, spec] of FIELD_ATTRIBUTES) {
+      const given = get(name);
+      if (given === null || (spec.kind === 'choice') !== (kind === 'choice')) continue;
+      writeValue(params, spec, readOne(name, given.trim(), spec, params, readValue(params, spec), note));
+    }
+  }
+  params.layers = readLayers(get, params, note);
   return {
     params,
-    view: readChoice('view', get('view'), VIEWS, link?.view ?? VIEWS[0], notices),
-    color: readChoice('color', get('color'), COLORS, link?.color ?? COLORS[0], notices),
-    camera: link?.camera ?? null,
+    view: readChoice('view', get('view'), VIEWS, source.view, note),
+    color: readChoice('color', get('color'), COLORS, source.color, note),
+    camera: source.camera,
+    orbit: readOrbit(get('camera-orbit'), note),
+    interaction: readChoice('interaction', get('interaction'), INTERACTIONS, INTERACTIONS[0], note),
+    loading: readChoice('loading', get('loading'), LOADINGS, LOADINGS[0], note),
+    metresPerPixel: readScale(get('metres-per-pixel'), note),
     notices,
   };
 }
 
-function readPreset(given: string | null, notices: AttributeNotice[]): Params {
+interface Source {
+  params: Params;
+  view: View;
+  color: ColorMode;
+  camera: CameraState | null;
+}
+
+function readSource(get: Get, note: Note): Source {
+  const src = get('src');
+  const blank: Source = { params: defaultParams(), view: VIEWS[0], color: COLORS[0], camera: null };
+  if (src === null) return { ...blank, params: readPreset(get('preset'), note) };
+  if (src.trim().startsWith('{')) {
+    try {
+      return { ...blank, params: resolveParams(JSON.parse(src)) };
+    } catch (thrown) {
+      note('src', `${errorInfo(thrown).message}; ${PRESETS[0].name} is shown`);
+      return blank;
+    }
+  }
+  const link = decodeLink(src);
+  for (const { text } of link.notices) note('src', text);
+  return link;
+}
+
+function readPreset(given: string | null, note: Note): Params {
   if (given === null) return defaultParams();
   const found = PRESETS.find(({ name }) => name === given.trim());
-  if (!found) notices.push({ attribute: 'preset', message: `preset: there is no preset called ${quote(given)}; ${PRESETS[0].name} is shown` });
+  if (!found) note('preset', `there is no preset called ${quote(given)}; ${PRESETS[0].name} is shown`);
   return found ? presetParams(found.name) : defaultParams();
 }
 
-function readSeed(given: string | null, fallback: number, notices: AttributeNotice[]): number {
-  if (given === null) return fallback;
-  const { min = 0, max = 0 } = FIELD_ROWS.find(({ key }) => key === 'seed') ?? {};
-  const isWhole = /^\s*[+-]?\d+\s*$/.test(given);
-  const seed = isWhole ? Math.min(max, Math.max(min, Number(given))) : fallback;
-  if (!isWhole || seed !== Number(given)) {
-    notices.push({ attribute: 'seed', message: `seed: ${quote(given)} is no whole number in ${min} to ${max}; ${seed} is used` });
+/** One value of a row; `fallback` where it is none. */
+function readOne(name: string, given: string, spec: ParamSpec, params: Params, fallback: unknown, note: Note): unknown {
+  if (spec.kind === 'choice') {
+    const words = spec.choices.map(({ value }) => value);
+    if (words.includes(given)) return given;
+    note(name, `${quote(given)} is none of ${words.join(', ')}; ${String(fallback)} is used`);
+    return fallback;
   }
-  return seed + 0;
+  if (spec.kind === 'optional-integer' && given === NONE) return null;
+  const { min, max } = boundsOf(spec, params.notation);
+  const isNumber = NUMBER.test(given) && (spec.kind === 'real' || Number.isInteger(Number(given)));
+  const value = isNumber ? Math.min(max, Math.max(min, Number(given))) : fallback;
+  if (!isNumber || value !== Number(given)) {
+    const wanted = spec.kind === 'real' ? 'number' : 'whole number';
+    note(name, `${quote(given)} is no ${wanted} in ${min} to ${max}; ${value === null ? 'none' : String(value)} is used`);
+  }
+  // Never −0.
+  return typeof value === 'number' ? value + 0 : value;
 }
 
-function readChoice<T extends string>(attribute: AttributeName, given: string | null, choices: readonly T[], fallback: T, notices: AttributeNotice[]): T {
+/** The first list in the order of the table tells the number of layers; one of another length is malformed. */
+function readLayers(get: Get, params: Params, note: Note): Params['layers'] {
+  const lists = [...LAYER_ATTRIBUTES].flatMap(([name, spec]) => {
+    const given = get(name);
+    return given === null ? [] : [{ name, spec, items: given.split(/[\s,]+/).filter((item) => item !== '') }];
+  });
+  const [first] = lists;
+  if (!first) return params.layers;
+  if (first.items.length > MAX_LAYERS) note(first.name, `${first.items.length} layers; the first ${MAX_LAYERS} are used`);
+  const count = Math.min(MAX_LAYERS, first.items.length);
+  const layers = Array.from({ length: count }, (_, id) => structuredClone(params.layers[id]) ?? defaultLayer(id, params.notation));
+  for (const { name, spec, items } of lists) {
+    if (items.length !== first.items.length) {
+      note(name, `${items.length} values for ${count} layers; they are left out`);
+      continue;
+    }
+    layers.forEach((layer, index) => writeValue(layer, spec, readOne(name, items[index] ?? '', spec, params, readValue(layer, spec), note)));
+  }
+  return layers;
+}
+
+function readChoice<T extends string>(name: string, given: string | null, choices: readonly T[], fallback: T, note: Note): T {
   if (given === null) return fallback;
   const found = choices.find((choice) => choice === given.trim());
-  if (found === undefined) {
-    notices.push({ attribute, message: `${attribute}: ${quote(given)} is none of ${choices.join(', ')}; ${fallback} is used` });
-  }
+  if (found === undefined) note(name, `${quote(given)} is none of ${choices.join(', ')}; ${fallback} is used`);
   return found ?? fallback;
+}
+
+function readOrbit(given: string | null, note: Note): Orbit | null {
+  if (given === null) return null;
+  const orbit = parseOrbit(given);
+  if (!orbit) note('camera-orbit', `${quote(given)} is no orbit like 45deg 55deg 120%; the whole field is framed`);
+  return orbit;
+}
+
+function readScale(given: string | null, note: Note): number {
+  if (given === null) return METRES_PER_PIXEL;
+  const value = NUMBER.test(given.trim()) ? Number(given) : NaN;
+  if (value > 0 && value <= 1000) return value;
+  note('metres-per-pixel', `${quote(given)} is no number above 0 and up to 1000; ${METRES_PER_PIXEL} is used`);
+  return METRES_PER_PIXEL;
 }
 
 /** Short, and in one line. */

@@ -5,6 +5,8 @@ const NOTICE_MS = 8000;
 /** Text only: sentences may quote what came from a link. */
 export class MessageBox {
   readonly element = document.createElement('div');
+  #errorText = document.createElement('span');
+  #errorSlot = document.createElement('slot');
   #text = document.createElement('span');
   #error = '';
   #notices: string[] = [];
@@ -16,10 +18,10 @@ export class MessageBox {
     this.element.setAttribute('part', 'message');
     this.element.setAttribute('role', 'status');
     this.element.hidden = true;
-    const slot = document.createElement('slot');
-    slot.name = 'message';
-    slot.append(this.#text);
-    this.element.append(slot);
+    this.#errorSlot.name = 'error';
+    this.#errorSlot.append(this.#errorText);
+    this.#errorSlot.hidden = true;
+    this.element.append(this.#errorSlot, this.#text);
   }
 
   /** Why there is no picture; empty once there is one. */
@@ -49,8 +51,10 @@ export class MessageBox {
   }
 
   #update(): void {
-    const text = [this.#error, ...this.#notices, this.#standing].filter((line) => line !== '').join('\n');
+    const text = [...this.#notices, this.#standing].filter((line) => line !== '').join('\n');
+    if (this.#errorText.textContent !== this.#error) this.#errorText.textContent = this.#error;
+    this.#errorSlot.hidden = this.#error === '';
     if (this.#text.textContent !== text) this.#text.textContent = text;
-    this.element.hidden = text === '';
+    this.element.hidden = text === '' && this.#error === '';
   }
 }

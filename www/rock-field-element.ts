@@ -1,15 +1,21 @@
 /** `<rock-field>`: parameters in, a live field of rocks out. The class alone; `rock-field.ts` registers it. */
 
-import { ATTRIBUTES, COLORS, readAttributes, VIEWS } from './element-attributes.ts';
+import { randomParams } from './controls/randomise.ts';
+import { ATTRIBUTES, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, propertyOf, readAttributes, VIEWS } from './element-attributes.ts';
+import type { Interaction } from './element-attributes.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Field, FieldStats } from './field.ts';
 import { GeneratorClient } from './generator/client.ts';
 import type { Progress } from './generator/protocol.ts';
-import type { Params } from './params.ts';
-import { copyParams, defaultParams, resolveParams } from './params-flat.ts';
+import { describeField } from './field-description.ts';
+import { History } from './history.ts';
+import type { Layer, Params } from './params.ts';
+import type { LayerRequest } from './params-flat.ts';
+import { copyParams, defaultLayer, defaultParams, FIELD_ROWS, LAYER_ROWS, readValue, resolveParams, writeValue } from './params-flat.ts';
 import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { SceneElement } from './scene-element.ts';
+import { encodeLink } from './url-codec.ts';
 
 /** The events, by name, with their details. None bubbles; all are composed. */
 export interface RockFieldEventMap {
@@ -28,17 +34,44 @@ export interface RockFieldEventMap {
   notice: CustomEvent<{ message: string }>;
 }
 
-const WORDS = { waiting: { en: 'Field of rocks', ja: '岩の地面' } } as const;
-
 /** Assigned before the element was defined, these would hide the accessors. */
-const PROPERTIES = ['params', 'view', 'color', 'camera', 'theme'] as const;
+const PROPERTIES: readonly string[] = [
+  'params', 'layers', ...[...FIELD_ROWS, ...LAYER_ROWS].map(propertyOf), 'view', 'color', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel',
+];
+
+/** Attributes that are no parameters and change nothing but manners. */
+const MANNERS = ['poster', 'disabled', 'auto-rotate'];
+
+/** A parameter of the field as a property of its own. */
+type FieldProperties = Omit<Params, 'layers'>;
+
+/** The layers' values of one parameter as lists: `element.radius = [90, 30, 10]`; the length is the number of layers. */
+interface LayerProperties {
+  radius: number[];
+  areaFraction: number[];
+  cellCount: (number | null)[];
+  taperBase: number[];
+  taperRock: number[];
+  taperVertex: number[];
+  heightBase: number[];
+  heightRock: number[];
+  heightVertex: number[];
+}
+
+// eslint-disable-next-line @typescript-eslint/no-unsafe-declaration-merging -- the accessors are made from the table, below.
+export interface RockFieldElement extends FieldProperties, LayerProperties {}
 
 /**
  * @attribute preset - Name of a preset; default `journal-fig1`.
- * @attribute seed - Whole number; replaces the seed of `src` or of the preset.
- * @attribute src - A share link, or its fragment; fills everything.
+ * @attribute src - A share link or its fragment, or parameters as JSON; fills everything.
+ * @attribute seed - and every other parameter of the table in kebab case, `image-width`, `packing` …: replaces what `src` or the preset says.
+ * @attribute radius - and every other parameter of a layer, as a list with a value per layer: `radius="90 30 10"`.
  * @attribute view - `3d`, `wireframe`, `diagrams` or `selection`.
  * @attribute color - `layer`, `rock` or `plain`.
+ * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
+ * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
+ * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
+ * @attribute metres-per-pixel - Size of a pixel of the image; default 0.01.
  * @attribute backend - `auto`, `webgpu`, `webgl`, `canvas2d` or `null` (draws nothing); read when the element is connected.
  * @fires load
  * @fires progress
@@ -49,7 +82,7 @@ const PROPERTIES = ['params', 'view', 'color', 'camera', 'theme'] as const;
  * @fires notice
  */
 export class RockFieldElement extends SceneElement {
-  static readonly observedAttributes: readonly string[] = ATTRIBUTES;
+  static readonly observedAttributes: readonly string[] = [...ATTRIBUTES, ...MANNERS];
 
   #client: GeneratorClient | undefined;
   /** Null before the attributes have been read. */
@@ -62,6 +95,10 @@ export class RockFieldElement extends SceneElement {
   /** The newest run; settles with its field. */
   #run: Promise<Field> | undefined;
   #isOpen = false;
+  /** Steps of `undo`; edits that follow each other closely are one. */
+  #history: History<Params> | undefined;
+  #interaction: Interaction = INTERACTIONS[0];
+  #metresPerPixel = METRES_PER_PIXEL;
 
   /**
    * All parameters; a copy, both ways. Assigning starts a run, the latest wins; several assignments in one task are one run.
@@ -76,9 +113,29 @@ export class RockFieldElement extends SceneElement {
   set params(params: Params) {
     const resolved = resolveParams(params);
     this.#readAttributes();
-    this.#params = resolved;
-    this.#stale = true;
+    this.#setParams(resolved);
+    this.#record();
     this.#schedule();
+  }
+
+  #setParams(params: Params): void {
+    this.#params = params;
+    this.#stale = true;
+  }
+
+  #record(label = 'edit'): void {
+    if (!this.#params) return;
+    if (this.#history) this.#history.record(this.#params, label, performance.now());
+    else this.#history = new History(this.#params);
+  }
+
+  /** The layers as objects; what an entry leaves out has the table's default. */
+  get layers(): Layer[] {
+    return this.params.layers;
+  }
+
+  set layers(layers: readonly LayerRequest[]) {
+    this.params = { ...this.params, layers: layers as Layer[] };
   }
 
   get view(): View {
@@ -104,6 +161,7 @@ export class RockFieldElement extends SceneElement {
   }
 
   override get camera(): CameraState {
+    this.#readAttributes();
     return super.camera;
   }
 
@@ -112,18 +170,114 @@ export class RockFieldElement extends SceneElement {
     super.camera = camera;
   }
 
+  /** What moves the camera: see the attribute. */
+  get interaction(): Interaction {
+    this.#readAttributes();
+    return this.#interaction;
+  }
+
+  set interaction(interaction: Interaction) {
+    this.setAttribute('interaction', checkChoice('interaction', interaction, INTERACTIONS));
+  }
+
+  /** As the attribute: `45deg 55deg 120%`; empty for the framing of its own. */
+  get cameraOrbit(): string {
+    return this.getAttribute('camera-orbit') ?? '';
+  }
+
+  set cameraOrbit(orbit: string) {
+    if (orbit === '') this.removeAttribute('camera-orbit');
+    else this.setAttribute('camera-orbit', orbit);
+  }
+
+  get metresPerPixel(): number {
+    this.#readAttributes();
+    return this.#metresPerPixel;
+  }
+
+  set metresPerPixel(metres: number) {
+    this.setAttribute('metres-per-pixel', String(metres));
+  }
+
+  protected override get interactionMode(): Interaction {
+    return this.#interaction;
+  }
+
+  /** A link that shows this field: `base`, the page's own address by default, with the parameters as its fragment. */
+  shareURL(base: string = document.baseURI): string {
+    const url = new URL(base, document.baseURI);
+    const { params, view, color, framed, camera } = this;
+    url.hash = encodeLink({ params, view, color, camera: framed ? null : camera });
+    return url.href;
+  }
+
+  /**
+   * Other rocks by lot, of parameters by lot. Properties named in `lock` keep their values.
+   *
+   * @throws {RockFieldError} `UnknownKey` for a name in `lock` that is no parameter.
+   */
+  async randomize({ lock = [] }: { lock?: readonly string[] } = {}): Promise<void> {
+    const known = [...FIELD_ROWS, ...LAYER_ROWS];
+    const stranger = lock.find((name) => name !== 'layers' && !known.some((spec) => propertyOf(spec) === name));
+    if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${JSON.stringify(stranger)}` });
+    const seed = await this.freshSeed();
+    const old = this.params;
+    const params = randomParams(old, seed);
+    if (lock.includes('layers')) params.layers = old.layers;
+    for (const spec of known.filter((candidate) => lock.includes(propertyOf(candidate)))) {
+      if (spec.scope === 'field') writeValue(params, spec, readValue(old, spec));
+      // Values of layers can only be kept with as many layers.
+      else params.layers = old.layers.map((kept, index) => withValue(params.layers[index] ?? kept, spec, readValue(kept, spec)));
+    }
+    this.#history?.hold();
+    this.params = params;
+    this.#history?.release();
+  }
+
+  /** Goes back one step of the parameters. False where there is none. */
+  undo(): boolean {
+    return this.#travel(this.#history?.undo());
+  }
+
+  redo(): boolean {
+    return this.#travel(this.#history?.redo());
+  }
+
+  #travel(moved = false): boolean {
+    if (moved && this.#history) {
+      this.#setParams(this.#history.present);
+      this.#schedule();
+    }
+    return moved;
+  }
+
   /** Runs now. Resolves with the field; rejects with an AbortError when a newer run supersedes it, else with a RockFieldError. */
   generate(): Promise<Field> {
+    this.start();
     if (!this.#isOpen) {
       return Promise.reject(new RockFieldError({ name: 'NotConnected', message: 'put the element into the document first' }));
     }
+    const { params } = this;
     this.#stale = false;
-    const run = this.#generator().generate(this.params, { onProgress: (progress) => this.emit('progress', progress) });
+    const run = this.#generator().generate(params, { onProgress: (progress) => this.#tellProgress(progress) });
     this.#run = run;
-    run.catch((thrown: unknown) => {
-      if (!isAbort(thrown)) this.report(errorInfo(thrown));
-    });
+    run.then(
+      () => this.#endProgress(run),
+      (thrown: unknown) => {
+        this.#endProgress(run);
+        if (!isAbort(thrown)) this.report(errorInfo(thrown));
+      },
+    );
     return run;
+  }
+
+  #tellProgress(progress: Progress): void {
+    this.showProgress(progress.fraction);
+    this.emit('progress', progress);
+  }
+
+  #endProgress(run: Promise<Field>): void {
+    if (this.#run === run) this.showProgress(null);
   }
 
   /** Gives the running run up; what is shown stays. */
@@ -138,13 +292,26 @@ export class RockFieldElement extends SceneElement {
     return this.#generator().freshSeed();
   }
 
-  /** The field of the present parameters, as soon as it is finished. Not to be changed. */
-  getField(): Promise<Field> {
-    return this.#stale || !this.#run ? this.generate() : this.#run;
+  /** The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */
+  async getField(): Promise<Field> {
+    for (;;) {
+      this.#readAttributes();
+      const run = this.#stale || !this.#run ? this.generate() : this.#run;
+      try {
+        return await run;
+      } catch (thrown) {
+        const isSuperseded = isAbort(thrown) && (this.#stale || this.#run !== run);
+        if (!isSuperseded) throw thrown;
+      }
+    }
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
     if (before === after) return;
+    if (MANNERS.includes(name)) {
+      this.readManners();
+      return;
+    }
     this.#unread.add(name);
     this.#schedule();
   }
@@ -157,10 +324,7 @@ export class RockFieldElement extends SceneElement {
   protected override opened(): void {
     this.#isOpen = true;
     // After a pause the field is still there.
-    if (!this.field) {
-      this.#stale = true;
-      this.describe(WORDS.waiting[this.language]);
-    }
+    if (!this.field) this.#stale = true;
     this.#schedule();
   }
 
@@ -184,7 +348,7 @@ export class RockFieldElement extends SceneElement {
 
   #show(field: Field, superseded: boolean): void {
     if (!this.showField(field)) return;
-    this.describe(describe(field, this.language));
+    this.describe(describeField(field, this.#metresPerPixel, this.language));
     this.emit('generate', { stats: field.stats, field, superseded });
   }
 
@@ -205,17 +369,30 @@ export class RockFieldElement extends SceneElement {
     const unread = this.#unread;
     if (unread.size === 0) return;
     this.#unread = new Set();
-    const { params, view, color, camera, notices } = readAttributes((name) => this.getAttribute(name));
-    if (!this.#params || unread.has('src') || unread.has('preset')) this.#params = params;
-    else if (unread.has('seed')) this.#params = { ...this.#params, seed: params.seed };
-    if (unread.has('src') || unread.has('preset') || unread.has('seed')) this.#stale = true;
-    if (unread.has('src') || unread.has('view')) this.sceneView = view;
-    if (unread.has('src') || unread.has('color')) this.sceneColor = color;
-    if (unread.has('src')) super.camera = camera;
-    for (const { attribute, message } of notices) if (unread.has(attribute)) this.notify(message);
+    const read = readAttributes((name) => this.getAttribute(name));
+    const { params } = read;
+    const has = (...names: string[]) => names.some((name) => unread.has(name));
+    if (!this.#params || has('src', 'preset')) {
+      this.#setParams(params);
+    } else {
+      const own = { ...this.#params };
+      for (const [name, spec] of FIELD_ATTRIBUTES) if (has(name)) writeValue(own, spec, readValue(params, spec));
+      if (has(...LAYER_ATTRIBUTES.keys())) own.layers = params.layers;
+      if (has(...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#setParams(own);
+    }
+    if (has('src', 'preset', ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#record();
+    if (has('src', 'view')) this.sceneView = read.view;
+    if (has('src', 'color')) this.sceneColor = read.color;
+    if (has('src')) super.camera = read.camera;
+    if (has('camera-orbit', 'metres-per-pixel')) this.setFraming(read.orbit, read.metresPerPixel);
+    if (has('camera-orbit')) super.camera = read.camera;
+    this.#interaction = read.interaction;
+    this.#metresPerPixel = read.metresPerPixel;
+    if (has('interaction')) this.readManners();
+    for (const { attribute, message } of read.notices) if (unread.has(attribute)) this.notify(message);
   }
 
-  #upgrade(name: (typeof PROPERTIES)[number]): void {
+  #upgrade(name: string): void {
     if (!Object.hasOwn(this, name)) return;
     const value: unknown = Reflect.get(this, name);
     Reflect.deleteProperty(this, name);
@@ -238,10 +415,41 @@ function isAbort(thrown: unknown): boolean {
   return thrown instanceof DOMException && thrown.name === 'AbortError';
 }
 
-function describe({ stats, layers }: Field, language: 'en' | 'ja'): string {
-  const rocks = new Intl.NumberFormat(language).format(stats.rocks);
-  const covered = new Intl.NumberFormat(language, { style: 'percent' }).format(stats.coveredFraction);
-  if (language === 'ja') return `${layers.length}種類の大きさの岩${rocks}個、被覆率${covered}`;
-  const sizes = layers.length === 1 ? 'one size' : `${layers.length} sizes`;
-  return `${rocks} ${stats.rocks === 1 ? 'rock' : 'rocks'} in ${sizes}, ${covered} covered`;
+function withValue(layer: Layer, spec: (typeof LAYER_ROWS)[number], value: unknown): Layer {
+  const copy = structuredClone(layer);
+  writeValue(copy, spec, value);
+  return copy;
+}
+
+for (const spec of FIELD_ROWS) {
+  Object.defineProperty(RockFieldElement.prototype, propertyOf(spec), {
+    configurable: true,
+    enumerable: true,
+    get(this: RockFieldElement): unknown {
+      return readValue(this.params, spec);
+    },
+    set(this: RockFieldElement, value: unknown) {
+      this.params = { ...this.params, [spec.key]: value };
+    },
+  });
+}
+
+for (const spec of LAYER_ROWS) {
+  Object.defineProperty(RockFieldElement.prototype, propertyOf(spec), {
+    configurable: true,
+    enumerable: true,
+    get(this: RockFieldElement): unknown {
+      return this.params.layers.map((layer) => readValue(layer, spec));
+    },
+    set(this: RockFieldElement, values: unknown) {
+      if (!Array.isArray(values)) {
+        const name = propertyOf(spec);
+        throw new RockFieldError({ name: 'WrongType', key: name, value: values, message: `${name} has to be a list with a value for each layer` });
+      }
+      const { notation, layers: old, ...rest } = this.params;
+      const unused = 1 + Math.max(-1, ...old.map(({ id }) => id));
+      const layers = values.map((value: unknown, index) => withValue(old[index] ?? defaultLayer(unused + index, notation), spec, value));
+      this.params = { ...rest, notation, layers };
+    },
+  });
 }

@@ -7,22 +7,24 @@
  */
 
 import type { ErrorInfo } from './errors.ts';
-import { CameraFlight } from './camera-flight.ts';
-import { defaultCamera, isPlan } from './camera.ts';
+import type { Orbit } from './camera-orbit.ts';
+import { isPlan } from './camera.ts';
+import { RockFieldError } from './errors.ts';
+import type { Interaction } from './element-attributes.ts';
 import type { Field } from './field.ts';
-import { MessageBox } from './message-box.ts';
 import { OrbitControls } from './orbit-controls.ts';
+import { pictureSize, takePicture } from './picture.ts';
+import type { PictureOptions } from './picture.ts';
 import { loadRenderer } from './renderer/load.ts';
 import type { Backend, CameraState, ColorMode, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
-import { sceneStyles } from './scene-styles.ts';
+import { SceneCamera } from './scene-camera.ts';
+import { SceneTree } from './scene-tree.ts';
+import { StageSize } from './stage-size.ts';
 
 export type Theme = 'auto' | 'light' | 'dark';
 
 /** How long an element may be out of the document before its worker, device and buffers go. */
 export const IDLE_TIMEOUT_MS = 1000;
-
-/** A 4K screen's worth. With 4 samples a pixel takes some 40 bytes, so this is 330 MB on the device. */
-const MAX_PIXELS = 3840 * 2160;
 
 /** So many losses within so short a time are no accident: the plan is drawn without the GPU then. */
 const MAX_LOSSES = 3;
@@ -34,7 +36,13 @@ const WORDS = {
     ja: 'WebGPU も WebGL2 も使えないため、立体ではなく平面図を表示しています。',
   },
   role: { en: '3D picture', ja: '立体図' },
+  label: { en: 'Field of rocks', ja: '岩の地面' },
+  wheel: { en: 'Click the picture first, or hold Ctrl, to zoom with the wheel.', ja: 'ホイールで拡大するには、先に画像をクリックするか Ctrl を押します。' },
+  touch: { en: 'Tap and drag, or use two fingers, to turn the picture.', ja: 'タップしてからドラッグするか、2本指で動かせます。' },
 } as const;
+
+/** A hint is said once in a while, not at every turn of the wheel. */
+const HINT_MS = 1500;
 
 /** On a server there is no HTMLElement; importing must be silent there, and nobody makes an element. */
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
@@ -43,19 +51,31 @@ function errorText(thrown: unknown): string {
   return thrown instanceof Error ? thrown.message : String(thrown);
 }
 
+function prefersStillness(): boolean {
+  return matchMedia('(prefers-reduced-motion: reduce)').matches;
+}
+
 /**
+ * @attr poster - Address of a picture that stands in until the first one is painted.
+ * @attr auto-rotate - Turns slowly while nobody moves it; not where the system asks for less motion.
+ * @attr disabled - Nothing moves the camera, and the picture takes no focus.
  * @csspart canvas - The picture.
+ * @csspart poster - What stands in for the picture.
+ * @csspart progress - The bar of a run that takes longer.
  * @csspart message - What went wrong, while there is something to say.
- * @slot message - Stands in for the text of the message.
+ * @slot poster - Stands in for the picture until the first one is painted.
+ * @slot progress - Stands in for the bar.
+ * @slot error - Stands in for the text of an error.
  * @cssprop --rock-field-background - Behind the picture, before the first one.
- * @cssprop --rock-field-accent - Focus ring.
+ * @cssprop --rock-field-accent - Focus ring and progress bar.
+ * @cssprop --rock-field-progress - Set while a run is under way: 0 … 1.
  */
 export abstract class SceneElement extends Base {
-  #stage!: HTMLElement;
-  #messages!: MessageBox;
+  #tree!: SceneTree;
 
   #cycle = 0;
   #isOpen = false;
+  #isStarted = false;
   #closing: ReturnType<typeof setTimeout> | undefined;
   /** Ends every listener and observer of the cycle. */
   #listening: AbortController | undefined;
@@ -70,12 +90,10 @@ export abstract class SceneElement extends Base {
   #field: Field | null = null;
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
   #theme: Theme = 'auto';
-  /** Null while the whole field is framed, whatever its size. */
-  #camera: CameraState | null = null;
-  #flight: CameraFlight | undefined;
+  #camera = new SceneCamera(() => ({ extent: this.#extent(), aspect: this.#size?.aspect ?? 2, view: this.#style.view }));
+  #hinted = -Infinity;
 
-  #width = 0;
-  #height = 0;
+  #size: StageSize | undefined;
   #seen = false;
   #dirty = false;
   #frame = 0;
@@ -85,14 +103,7 @@ export abstract class SceneElement extends Base {
     this.#renewReadiness();
     // The fallback class of a server has no shadow root, and no document to build for.
     if (typeof this.attachShadow !== 'function') return;
-    const root = this.attachShadow({ mode: 'open' });
-    root.adoptedStyleSheets = [sceneStyles()];
-    this.#stage = document.createElement('div');
-    this.#stage.className = 'stage';
-    this.#stage.tabIndex = 0;
-    this.#stage.setAttribute('role', 'application');
-    this.#messages = new MessageBox();
-    root.append(this.#stage, this.#messages.element);
+    this.#tree = new SceneTree(this.attachShadow({ mode: 'open' }));
   }
 
   // What a kind of scene adds.
@@ -103,6 +114,8 @@ export abstract class SceneElement extends Base {
   protected abstract closed(): void;
   /** Width and height of the ground before there is a field, px. */
   protected abstract groundSize(): [number, number];
+  /** What moves the camera, as the attributes say. */
+  protected abstract get interactionMode(): Interaction;
 
   // State that the outside sees.
 
@@ -132,37 +145,57 @@ export abstract class SceneElement extends Base {
 
   /** Where the eye is. Assigning moves it at once; `null` frames the whole field again. */
   get camera(): CameraState {
-    return structuredClone(this.#camera ?? this.defaultCamera);
+    return this.#camera.current;
   }
 
   set camera(camera: CameraState | null) {
-    this.#flight = undefined;
-    this.#camera = camera && structuredClone(camera);
+    this.#camera.current = camera;
     this.invalidate();
   }
 
-  /** The camera that frames the whole field, for the present size and view. */
+  /** The camera that frames the whole field, or as `camera-orbit` has it, for the present size and view. */
   get defaultCamera(): CameraState {
-    const [width, height] = this.#field ? [this.#field.imageWidth, this.#field.imageHeight] : this.groundSize();
-    return defaultCamera(width, height, this.#aspect(), this.#style.view);
+    return this.#camera.framing();
   }
 
   /** Whether the whole field is framed, that is, nobody has moved the camera since. */
   get framed(): boolean {
-    return this.#camera === null || this.#flight !== undefined;
+    return this.#camera.framed;
+  }
+
+  #extent(): [number, number] {
+    return this.#field ? [this.#field.imageWidth, this.#field.imageHeight] : this.groundSize();
+  }
+
+  protected setFraming(orbit: Orbit | null, metresPerPixel: number): void {
+    this.#camera.setFraming(orbit, metresPerPixel);
+    this.invalidate();
   }
 
   /** Brings the whole field into view, with a short flight unless `animate` is false or the system asks for less motion. */
   frameAll(animate = true): void {
     const to = this.defaultCamera;
-    const still = !animate || !this.#canDraw() || matchMedia('(prefers-reduced-motion: reduce)').matches;
-    if (still) {
-      this.camera = null;
-    } else {
-      this.#flight = new CameraFlight(this.camera, to, performance.now());
-      this.invalidate();
-    }
+    if (!animate || !this.#canDraw() || prefersStillness()) this.#camera.current = null;
+    else this.#camera.flyHome(performance.now());
+    this.invalidate();
     this.emit('camera-change', { camera: to, framed: true });
+  }
+
+  /**
+   * The picture as a file, as soon as there is one.
+   *
+   * @throws {RockFieldError} `OutOfRange` for a size that cannot be drawn, `NoPicture` where the browser gives none.
+   */
+  async toBlob(options: PictureOptions = {}): Promise<Blob> {
+    await this.ready;
+    const renderer = this.#renderer;
+    if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
+    const size = pictureSize(options, this.#size.pixels);
+    const blob = takePicture(renderer, size, this.#camera.forAspect(size[0] / size[1]), options);
+    // In the same task the screen gets its own picture back.
+    renderer.resize(...this.#size.pixels);
+    this.#draw();
+    return blob;
   }
 
   protected get sceneView(): View {
@@ -195,8 +228,24 @@ export abstract class SceneElement extends Base {
     return true;
   }
 
+  /** What the picture shows, for those who cannot see it. */
   protected describe(text: string): void {
-    this.#stage.setAttribute('aria-label', text);
+    this.#tree.describe(text);
+  }
+
+  /** 0 … 1 while a run is under way that takes longer; null otherwise. */
+  protected showProgress(fraction: number | null): void {
+    this.#tree.showProgress(fraction);
+    if (fraction === null) this.style.removeProperty('--rock-field-progress');
+    else this.style.setProperty('--rock-field-progress', fraction.toFixed(3));
+  }
+
+  /** Attributes that are no parameters changed. */
+  protected readManners(): void {
+    this.#tree.setPoster(this.getAttribute('poster'));
+    this.#tree.setDisabled(this.hasAttribute('disabled'));
+    this.#controls?.refresh();
+    this.invalidate();
   }
 
   /** The page's language, from the nearest `lang`. */
@@ -211,14 +260,14 @@ export abstract class SceneElement extends Base {
 
   /** An `error` event; also a message in the element while it has no picture to show instead. */
   protected report(error: ErrorInfo): void {
-    if (!this.#hasPicture()) this.#messages.setError(error.message);
+    if (!this.#hasPicture()) this.#tree.messages.setError(error.message);
     this.emit('error', { error });
   }
 
   /** Something was put right, or left out, for an attribute: said once on the console, once by event, for a while on the picture. */
   protected notify(message: string): void {
     console.warn(`<${this.localName}>: ${message}`);
-    this.#messages.notify(message);
+    this.#tree.messages.notify(message);
     this.emit('notice', { message });
   }
 
@@ -239,7 +288,15 @@ export abstract class SceneElement extends Base {
     this.#isOpen = true;
     this.#cycle += 1;
     this.#listen();
-    this.#stage.setAttribute('aria-roledescription', WORDS.role[this.language]);
+    this.#tree.setLanguage(WORDS.role[this.language], WORDS.label[this.language]);
+    this.readManners();
+    if (this.getAttribute('loading')?.trim() !== 'lazy') this.start();
+  }
+
+  /** Begins what costs something; where loading is lazy, as soon as the element comes near. */
+  protected start(): void {
+    if (this.#isStarted || !this.#isOpen) return;
+    this.#isStarted = true;
     void this.#openRenderer(this.#cycle);
     this.opened();
   }
@@ -261,11 +318,13 @@ export abstract class SceneElement extends Base {
     this.#renderer = undefined;
     this.#losses = [];
     this.#restoring = false;
-    this.#flight = undefined;
+    this.#camera.stay();
     this.#seen = false;
-    this.#messages.forgetNotices();
+    this.#size = undefined;
+    this.#tree.messages.forgetNotices();
     if (this.#painted) this.#renewReadiness();
-    this.closed();
+    if (this.#isStarted) this.closed();
+    this.#isStarted = false;
   }
 
   #renewReadiness(): void {
@@ -277,35 +336,38 @@ export abstract class SceneElement extends Base {
   #listen(): void {
     this.#listening = new AbortController();
     const { signal } = this.#listening;
-    const resize = new ResizeObserver((entries) => entries.forEach((entry) => this.#onResize(entry)));
-    try {
-      resize.observe(this.#stage, { box: 'device-pixel-content-box' });
-    } catch {
-      // Safari: CSS pixels times the ratio, which may change without a change of size.
-      resize.observe(this.#stage);
-      window.addEventListener('resize', () => this.#measure(), { signal });
-    }
+    const size = new StageSize(this.#tree.stage, () => this.#resized(), signal);
+    this.#size = size;
     // A little ahead of the edge, so that scrolling meets a picture.
     const intersection = new IntersectionObserver((entries) => this.#onSeen(entries.at(-1)?.isIntersecting ?? false), { rootMargin: '64px' });
     intersection.observe(this);
-    signal.addEventListener('abort', () => {
-      resize.disconnect();
-      intersection.disconnect();
-    });
+    signal.addEventListener('abort', () => intersection.disconnect());
     document.addEventListener('visibilitychange', () => this.#dirty && this.invalidate(), { signal });
     const dark = matchMedia('(prefers-color-scheme: dark)');
     dark.addEventListener('change', () => this.#restyle({ dark: this.#isDark() }), { signal });
     this.#restyle({ dark: this.#isDark() });
     this.#controls = new OrbitControls(
-      this.#stage,
+      this.#tree.stage,
       () => this.camera,
       (camera) => (this.camera = camera),
       {
-        onInteract: () => this.emit('camera-change', { camera: this.camera, framed: false }),
+        onInteract: () => {
+          this.#camera.pauseRotation(performance.now());
+          this.emit('camera-change', { camera: this.camera, framed: false });
+        },
         onFrameAll: () => this.frameAll(),
+        onRefused: (gesture) => this.#hint(WORDS[gesture][this.language]),
         isPlan: () => isPlan(this.#style.view) || this.backend === 'canvas2d',
+        interaction: () => (this.hasAttribute('disabled') ? 'none' : this.interactionMode),
       },
     );
+  }
+
+  #hint(text: string): void {
+    const now = performance.now();
+    if (now - this.#hinted < HINT_MS) return;
+    this.#hinted = now;
+    this.#tree.hint(text, HINT_MS);
   }
 
   // The renderer.
@@ -332,10 +394,10 @@ export abstract class SceneElement extends Base {
     }
     this.#renderer = renderer;
     void renderer.lost.then((reason) => this.#onLost(renderer, reason));
-    this.#stage.replaceChildren(renderer.canvas);
+    this.#tree.stage.replaceChildren(renderer.canvas);
     const isMakeshift = renderer.backend === 'canvas2d' && this.#wantedBackend() === 'auto';
-    this.#messages.setStanding(isMakeshift ? WORDS.noGpu[this.language] : '');
-    this.#measure();
+    this.#tree.messages.setStanding(isMakeshift ? WORDS.noGpu[this.language] : '');
+    this.#size?.measure();
     this.#clearError();
     this.invalidate();
     return true;
@@ -349,7 +411,7 @@ export abstract class SceneElement extends Base {
   #makeCanvas(): HTMLCanvasElement {
     const canvas = document.createElement('canvas');
     canvas.setAttribute('part', 'canvas');
-    [canvas.width, canvas.height] = this.#pixels();
+    [canvas.width, canvas.height] = this.#size?.pixels ?? [1, 1];
     return canvas;
   }
 
@@ -371,59 +433,34 @@ export abstract class SceneElement extends Base {
 
   // Size, visibility, frames.
 
-  #onResize(entry: ResizeObserverEntry): void {
-    // Out of the document everything is 0 × 0; it is told again on the way back in.
-    if (!this.isConnected) return;
-    const ratio = window.devicePixelRatio || 1;
-    const { width, height } = entry.contentRect;
-    const exact = entry.devicePixelContentBoxSize?.[0];
-    // Developer tools that pretend another ratio leave this box in CSS pixels.
-    if (exact && Math.abs(exact.inlineSize - width * ratio) < 2) this.#resize(exact.inlineSize, exact.blockSize);
-    else this.#resize(Math.round(width * ratio), Math.round(height * ratio));
-  }
-
-  #measure(): void {
-    const ratio = window.devicePixelRatio || 1;
-    this.#resize(Math.round(this.#stage.clientWidth * ratio), Math.round(this.#stage.clientHeight * ratio));
-  }
-
-  #resize(width: number, height: number): void {
-    this.#width = width;
-    this.#height = height;
-    this.#renderer?.resize(...this.#pixels());
+  #resized(): void {
+    if (this.#size) this.#renderer?.resize(...this.#size.pixels);
     this.#dirty = true;
     // A canvas is blank after a change of size: in this very frame there has to be a picture again.
     if (this.#canDraw()) this.#draw();
   }
 
-  #pixels(): [number, number] {
-    const scale = Math.min(1, Math.sqrt(MAX_PIXELS / Math.max(1, this.#width * this.#height)));
-    return [Math.max(1, Math.floor(this.#width * scale)), Math.max(1, Math.floor(this.#height * scale))];
-  }
-
-  #aspect(): number {
-    return this.#width > 0 && this.#height > 0 ? this.#width / this.#height : 2;
-  }
-
   #onSeen(seen: boolean): void {
     this.#seen = seen;
-    if (seen && this.#dirty) this.invalidate();
+    if (seen) this.start();
+    if (seen && (this.#dirty || this.#rotates())) this.invalidate();
   }
 
   #canDraw(): boolean {
-    const canBeSeen = this.isConnected && this.#seen && this.#width > 0 && this.#height > 0 && document.visibilityState === 'visible';
+    const canBeSeen = this.isConnected && this.#seen && this.#size?.isEmpty === false && document.visibilityState === 'visible';
     return canBeSeen && this.#hasPicture();
   }
 
   #onFrame(now: number): void {
     this.#frame = 0;
     if (!this.#dirty || !this.#canDraw()) return;
-    if (this.#flight) {
-      this.#camera = this.#flight.at(now);
-      if (!this.#camera) this.#flight = undefined;
-    }
+    const goesOn = this.#camera.advance(now, this.#rotates());
     this.#draw();
-    if (this.#flight) this.invalidate();
+    if (goesOn) this.invalidate();
+  }
+
+  #rotates(): boolean {
+    return this.hasAttribute('auto-rotate') && !prefersStillness();
   }
 
   #draw(): void {
@@ -431,7 +468,7 @@ export abstract class SceneElement extends Base {
     if (!renderer) return;
     this.#dirty = false;
     try {
-      renderer.setCamera(this.#camera ?? this.defaultCamera);
+      renderer.setCamera(this.camera);
       renderer.render();
     } catch (thrown) {
       // A renderer that throws is as good as lost.
@@ -444,6 +481,7 @@ export abstract class SceneElement extends Base {
     }
     if (!this.#painted) {
       this.#painted = true;
+      this.#tree.hidePoster();
       this.#readiness.resolve();
       this.emit('load');
     }
@@ -469,6 +507,6 @@ export abstract class SceneElement extends Base {
   }
 
   #clearError(): void {
-    if (this.#hasPicture()) this.#messages.setError('');
+    if (this.#hasPicture()) this.#tree.messages.setError('');
   }
 }

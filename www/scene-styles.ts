@@ -3,15 +3,28 @@
 const STYLES = `
 :host { display: block; position: relative; contain: strict; width: 300px; height: 150px; background: var(--rock-field-background, transparent) }
 :host([hidden]) { display: none }
+:host([disabled]) .stage { cursor: default }
 .stage, canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block }
 .stage { outline: none; cursor: grab; user-select: none; -webkit-user-select: none }
 .stage:active { cursor: grabbing }
 .stage:focus-visible { outline: 2px solid var(--rock-field-accent, Highlight); outline-offset: -2px }
+[hidden] { display: none !important }
+.poster { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; overflow: hidden }
+.poster-image { width: 100%; height: 100%; object-fit: cover }
+.progress { position: absolute; inset-inline: 0; top: 0; pointer-events: none }
+.bar { height: 3px; background: var(--rock-field-accent, Highlight); transform-origin: left; transform: scaleX(var(--rock-field-progress, 0)) }
+:host(:dir(rtl)) .bar { transform-origin: right }
+.message slot, .message span { display: block }
+.hint {
+  position: absolute; inset-inline: 0; top: 50%; width: fit-content; max-width: 90%; margin-inline: auto; padding: .5em .9em; border-radius: .5em;
+  box-sizing: border-box; font: .875rem/1.4 system-ui, sans-serif; text-align: center; color: #fff; background: rgb(20 20 24 / .82);
+  transform: translateY(-50%); pointer-events: none;
+}
+.unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap }
 .message {
   position: absolute; inset-inline: 0; bottom: 0; box-sizing: border-box; max-height: 100%; overflow: auto; padding: .6em .9em;
   font: .875rem/1.4 system-ui, sans-serif; color: #fff; background: rgb(20 20 24 / .82); overflow-wrap: anywhere; white-space: pre-line;
 }
-.message[hidden] { display: none }
 `;
 
 let sheet: CSSStyleSheet | undefined;

@@ -1,8 +1,9 @@
-// The worker's side: the run loop and the session, over a generator that does nothing but let a clock go on.
+// The worker's side: the host, its run loops and their sessions, over a generator that does nothing but let a clock go on.
 import assert from 'node:assert/strict';
 import { beforeEach, mock, test } from 'node:test';
 import { RockFieldError } from '../../www/errors.ts';
-import { PATIENCE_MS, PROGRESS_AFTER_MS, RunLoop } from '../../www/generator/loop.ts';
+import { LoopHost } from '../../www/generator/host.ts';
+import { PATIENCE_MS, PROGRESS_AFTER_MS } from '../../www/generator/loop.ts';
 import type { FlatRequest, FromWorker } from '../../www/generator/protocol.ts';
 import { Session, SLICE_MS } from '../../www/generator/session.ts';
 import type { RawGenerator } from '../../www/generator/session.ts';
@@ -28,7 +29,7 @@ function after(ms: number, act: () => void): void {
 
 /** Takes `params[1]` steps of 2 ms; `params[0]` says how to misbehave. */
 class FakeGenerator {
-  static made = 0;
+  static all: FakeGenerator[] = [];
   started: number[] = [];
   freed = 0;
   #left = 0;
@@ -36,7 +37,7 @@ class FakeGenerator {
   #mode = 0;
 
   constructor() {
-    FakeGenerator.made += 1;
+    FakeGenerator.all.push(this);
   }
 
   start(params: Float64Array, maxBytes: number): void {
@@ -83,7 +84,7 @@ function request(mode: number, steps: number, maxBytes = 1000): FlatRequest {
 function setUp(load: () => Promise<GeneratorModule> = async () => ({ Generator: FakeGenerator, fresh_seed: () => 7 }) as unknown as GeneratorModule) {
   const said: (FromWorker & { at: number })[] = [];
   const waiting: { wanted: (message: FromWorker) => boolean; resolve: (message: FromWorker) => void }[] = [];
-  const loop = new RunLoop(load, (message) => {
+  const host = new LoopHost(load, (message) => {
     said.push({ ...message, at: now });
     for (const { wanted, resolve } of waiting) if (wanted(message)) resolve(message);
   });
@@ -91,10 +92,11 @@ function setUp(load: () => Promise<GeneratorModule> = async () => ({ Generator: 
     const found = said.find(wanted);
     return found ? Promise.resolve(found as FromWorker) : new Promise<FromWorker>((resolve) => waiting.push({ wanted, resolve }));
   };
-  const answer = (id: number) => until((message) => 'id' in message && message.id === id && message.type !== 'progress');
-  const start = (id: number, flat: FlatRequest) => loop.receive({ type: 'start', id, request: flat });
+  const answer = (id: number, client = 1) =>
+    until((message) => 'id' in message && message.id === id && message.client === client && message.type !== 'progress');
+  const start = (id: number, flat: FlatRequest, client = 1) => host.receive({ type: 'start', client, id, request: flat });
   const times = (type: FromWorker['type']) => said.filter((message) => message.type === type).map(({ at }) => at - 1000);
-  return { loop, said, until, answer, start, times };
+  return { host, said, until, answer, start, times };
 }
 
 test('a run is answered with all its buffers and the time of each stage', async () => {
@@ -108,8 +110,8 @@ test('a run is answered with all its buffers and the time of each stage', async 
 });
 
 test('messages are read between slices of bounded length', async () => {
-  const { loop, start, answer, times } = setUp();
-  for (let ms = 0; ms < 200; ms += 10) after(ms, () => loop.receive({ type: 'ping' }));
+  const { host, start, answer, times } = setUp();
+  for (let ms = 0; ms < 200; ms += 10) after(ms, () => host.receive({ type: 'ping' }));
   start(1, request(1, 100));
   await answer(1);
   const read = times('pong');
@@ -186,26 +188,26 @@ test('a drag faster than its runs is never starved, whatever a run costs', async
 });
 
 test('a cancelled run is dropped at once, and its generator with the finished stages stays', async () => {
-  const made = FakeGenerator.made;
-  const { loop, start, answer, times } = setUp();
+  const made = FakeGenerator.all.length;
+  const { host, start, answer, times } = setUp();
   start(1, request(1, 5000));
-  after(30, () => loop.receive({ type: 'cancel', id: 1 }));
+  after(30, () => host.receive({ type: 'cancel', client: 1, id: 1 }));
   assert.equal((await answer(1)).type, 'dropped');
   assert(times('dropped')[0]! <= 30 + SLICE_MS + STEP_MS);
   start(2, request(2, 2));
   assert.equal((await answer(2)).type, 'field');
-  assert.equal(FakeGenerator.made, made + 1, 'the cache was thrown away');
+  assert.equal(FakeGenerator.all.length, made + 1, 'the cache was thrown away');
 });
 
 test('a request that waits can be cancelled, and cancelling what is answered does nothing', async () => {
-  const { loop, start, answer, said } = setUp();
+  const { host, start, answer, said } = setUp();
   start(1, request(1, 40));
   after(20, () => start(2, request(2, 20)));
-  after(21, () => loop.receive({ type: 'cancel', id: 2 }));
+  after(21, () => host.receive({ type: 'cancel', client: 1, id: 2 }));
   assert.equal((await answer(2)).type, 'dropped');
   assert.equal((await answer(1)).type, 'field');
   const count = said.length;
-  loop.receive({ type: 'cancel', id: 1 });
+  host.receive({ type: 'cancel', client: 1, id: 1 });
   await new Promise((resolve) => setImmediate(resolve));
   assert.equal(said.length, count);
 });
@@ -241,11 +243,11 @@ test('wasm that cannot be had answers every request', async () => {
 });
 
 test('a seed is drawn while a run goes on', async () => {
-  const { loop, start, answer } = setUp();
+  const { host, start, answer } = setUp();
   start(1, request(1, 100));
-  loop.receive({ type: 'seed', id: 2 });
+  host.receive({ type: 'seed', client: 1, id: 2 });
   assert.deepEqual(await answer(2).then((message) => message.type === 'seed' && message.seed), 7);
-  loop.receive({ type: 'cancel', id: 1 });
+  host.receive({ type: 'cancel', client: 1, id: 1 });
 });
 
 test('a session runs one thing at a time and frees its generator once', async () => {
@@ -261,4 +263,109 @@ test('a session runs one thing at a time and frees its generator once', async ()
   session.free();
   assert.equal(generator.freed, 1);
   await assert.rejects(session.run(request(1, 1)), RockFieldError);
+});
+
+/** Settles when everything that waits has been handled. */
+const rest = () => new Promise((resolve) => setTimeout(resolve, 5));
+
+test('the wasm is loaded once, for all clients', async () => {
+  let loads = 0;
+  const { start, answer, said } = setUp(async () => {
+    loads += 1;
+    return { Generator: FakeGenerator, fresh_seed: () => 7 } as unknown as GeneratorModule;
+  });
+  start(1, request(1, 2), 1);
+  start(1, request(1, 2), 2);
+  await Promise.all([answer(1, 1), answer(1, 2)]);
+  assert.equal(loads, 1);
+  assert.equal(said.filter(({ type }) => type === 'ready').length, 1);
+});
+
+test('runs of two clients take turns', async () => {
+  const { start, answer, times } = setUp();
+  const length = 400;
+  start(1, request(1, length / STEP_MS), 1);
+  start(1, request(2, length / STEP_MS), 2);
+  await Promise.all([answer(1, 1), answer(1, 2)]);
+  const [first, second] = times('field');
+  assert(first! >= 2 * length - 2 * SLICE_MS, `the first had ended after ${first} ms`);
+  assert.equal(second, 2 * length);
+});
+
+test('a newer request, a cancel and a refusal of one client leave the run of another alone', async () => {
+  const made = FakeGenerator.all.length;
+  const { host, start, answer, said } = setUp();
+  start(1, request(1, 500), 1);
+  start(1, request(2, 200), 2);
+  after(10, () => start(2, request(3, 200), 2));
+  after(50, () => host.receive({ type: 'cancel', client: 2, id: 1 }));
+  after(90, () => host.receive({ type: 'cancel', client: 2, id: 2 }));
+  after(130, () => start(3, request(4, 10, 50), 2));
+  const answers = await Promise.all([answer(1, 1), answer(1, 2), answer(2, 2), answer(3, 2)]);
+  assert.deepEqual(answers.map(({ type }) => type), ['field', 'dropped', 'dropped', 'rejected']);
+  assert.equal(said.filter((message) => 'client' in message && message.client === 1 && message.type !== 'progress').length, 1);
+  assert.equal(FakeGenerator.all.length, made + 2, 'each client has a cache of its own, and keeps it');
+});
+
+test('a client that is closed frees its generator and no other: at once, or when the slice of its run is over', async () => {
+  const made = FakeGenerator.all.length;
+  const { host, start, answer } = setUp();
+  for (const client of [1, 2]) {
+    start(1, request(1, 2), client);
+    await answer(1, client);
+  }
+  const [a, b] = FakeGenerator.all.slice(made);
+  host.receive({ type: 'close', client: 1 });
+  assert.deepEqual([a!.freed, b!.freed], [1, 0]);
+
+  start(2, request(2, 5000), 2);
+  after(50, () => {
+    host.receive({ type: 'close', client: 2 });
+    assert.equal(b!.freed, 0, 'freed under a run');
+  });
+  await rest();
+  assert.equal(b!.freed, 1);
+  assert(now < 1000 + 50 + 3 * SLICE_MS, 'the run went on');
+  // Nothing is left of a client that has never asked for a field.
+  host.receive({ type: 'close', client: 3 });
+  host.receive({ type: 'seed', client: 4, id: 1 });
+  host.receive({ type: 'close', client: 4 });
+  assert.equal(FakeGenerator.all.length, made + 2);
+});
+
+test('a client that is closed while the wasm loads leaves no generator', async () => {
+  const made = FakeGenerator.all.length;
+  const { host, start } = setUp();
+  start(1, request(1, 20));
+  host.receive({ type: 'close', client: 1 });
+  await rest();
+  assert(FakeGenerator.all.slice(made).every(({ freed, started }) => freed === 1 && started.length === 0));
+});
+
+test('in a browser each task runs one slice, whosever it is, and what came in during it is read before the next', async (t) => {
+  // The browser's queue of tasks; nothing else is put into it than what the session and this test put there.
+  const tasks: (() => void)[] = [];
+  class Channel {
+    port1 = { onmessage: () => {} };
+    port2 = { postMessage: () => void tasks.push(() => this.port1.onmessage()) };
+  }
+  const kept = { setImmediate, MessageChannel };
+  const settle = () => new Promise<void>((resolve) => void kept.setImmediate(resolve));
+  Object.assign(globalThis, { setImmediate: undefined, MessageChannel: Channel });
+  t.after(() => Object.assign(globalThis, kept));
+
+  const slices: number[] = [];
+  const sessions = [1, 2, 3].map((mode) => {
+    const generator = new FakeGenerator();
+    const step = generator.step.bind(generator);
+    generator.step = () => (slices.push(mode), (now += SLICE_MS), step());
+    return new Session(generator as unknown as RawGenerator).run(request(mode, 4 - mode));
+  });
+  while (tasks.length > 0) {
+    assert.equal(tasks.length, 1, 'a message would have to wait for several slices');
+    tasks.shift()!();
+    await settle();
+  }
+  await Promise.all(sessions);
+  assert.deepEqual(slices, [1, 2, 3, 1, 2, 1]);
 });

@@ -3,10 +3,16 @@ import { test } from 'node:test';
 import type { TestContext } from 'node:test';
 import { RockFieldError } from '../../www/errors.ts';
 import type { Field } from '../../www/field.ts';
-import { CANCEL_MS, GeneratorClient, GRACE_MS, SILENCE_MS } from '../../www/generator/client.ts';
-import type { ClientOptions, WorkerLike } from '../../www/generator/client.ts';
-import type { FromWorker, StartMessage, ToWorker } from '../../www/generator/protocol.ts';
+import { CANCEL_MS, GeneratorClient } from '../../www/generator/client.ts';
+import type { ClientOptions } from '../../www/generator/client.ts';
+import { IDLE_MS } from '../../www/generator/pool.ts';
+import { GRACE_MS, SILENCE_MS } from '../../www/generator/pool-worker.ts';
+import type { WorkerLike } from '../../www/generator/pool-worker.ts';
+import type { FailedMessage, FromLoop, PongMessage, ReadyMessage, StartMessage, ToWorker } from '../../www/generator/protocol.ts';
 import { defaultParams } from '../../www/params-flat.ts';
+
+/** The first of its pool, and here the only one. */
+const CLIENT = 1;
 
 /** A worker whose every word is written by the test. */
 class FakeWorker implements WorkerLike {
@@ -24,8 +30,8 @@ class FakeWorker implements WorkerLike {
     this.ended = true;
   }
 
-  says(message: FromWorker): void {
-    this.onmessage?.({ data: message } as MessageEvent<FromWorker>);
+  says(message: FromLoop | ReadyMessage | FailedMessage | PongMessage): void {
+    this.onmessage?.({ data: { client: CLIENT, ...message } } as MessageEvent);
   }
 
   dies(message = ''): void {
@@ -168,7 +174,7 @@ test('cancel is soft when it is answered in time: the worker and its cache stay'
   const { id } = worker().lastStart;
   client.cancel();
   await assert.rejects(answer, isAbort);
-  assert.deepEqual(worker().heard.at(-1), { type: 'cancel', id });
+  assert.deepEqual(worker().heard.at(-1), { type: 'cancel', client: CLIENT, id });
   timers.tick(CANCEL_MS - 1);
   worker().says({ type: 'dropped', id });
   timers.tick(60_000);
@@ -234,7 +240,7 @@ test('an aborted signal cancels its own request and no other', async () => {
   const reason = new Error('enough');
   current.abort(reason);
   await assert.rejects(answer, reason);
-  assert.deepEqual(worker().heard.at(-1), { type: 'cancel', id: worker().lastStart.id });
+  assert.deepEqual(worker().heard.at(-1), { type: 'cancel', client: CLIENT, id: worker().lastStart.id });
   await assert.rejects(client.generate(params(3), { signal: current.signal }), reason);
   client.dispose();
 });
@@ -410,6 +416,8 @@ test('disposal ends the worker and aborts what is open; no timer is left', async
   client.dispose();
   await assert.rejects(answer, isAbort);
   await assert.rejects(seed, isAbort);
+  assert.deepEqual(worker().heard.at(-1), { type: 'close', client: CLIENT });
+  timers.tick(IDLE_MS);
   assert(worker().ended);
   timers.tick(60_000);
   await settle();

@@ -3,14 +3,20 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { ATTRIBUTES, readAttributes } from '../../www/element-attributes.ts';
 import type { AttributeState } from '../../www/element-attributes.ts';
+import { orbitCamera, parseOrbit } from '../../www/camera-orbit.ts';
+import { describeField } from '../../www/field-description.ts';
+import type { Field } from '../../www/field.ts';
 import { PRESETS } from '../../www/params.ts';
-import { defaultParams, presetParams, resolveParams } from '../../www/params-flat.ts';
+import type { Layer } from '../../www/params.ts';
+import { defaultLayer, defaultParams, presetParams, resolveParams } from '../../www/params-flat.ts';
 
-function read(given: Partial<Record<(typeof ATTRIBUTES)[number], string>>): AttributeState {
+function read(given: Record<string, string>): AttributeState {
   return readAttributes((name) => given[name] ?? null);
 }
 
-const DEFAULTS = { params: defaultParams(), view: '3d', color: 'layer', camera: null, notices: [] };
+const DEFAULTS = {
+  params: defaultParams(), view: '3d', color: 'layer', camera: null, orbit: null, interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
+};
 
 test('absent attributes are the defaults, without a word', () => {
   assert.deepEqual(read({}), DEFAULTS);
@@ -42,6 +48,20 @@ test('a malformed attribute is its default, or the nearest legal value, and exac
     [{ preset: 'toString' }, ({ params }) => params, defaultParams()],
     [{ view: '4d' }, ({ view }) => view, '3d'],
     [{ color: 'LAYER' }, ({ color }) => color, 'layer'],
+    [{ packing: '1.5' }, ({ params }) => params.packing, 1],
+    [{ packing: 'much' }, ({ params }) => params.packing, 0.7],
+    [{ 'image-width': '0' }, ({ params }) => params.imageWidth, 1],
+    [{ 'image-width': '800.5' }, ({ params }) => params.imageWidth, 1024],
+    [{ border: 'Clip' }, ({ params }) => params.border, 'clip'],
+    [{ radius: '90 thirty 10 x' }, ({ params }) => params.layers.map(({ radius }) => radius), [90, 30, 10, defaultLayer(3, 'px').radius]],
+    [{ radius: '9 8 7 6 5 4 3 2 1' }, ({ params }) => params.layers.map(({ radius }) => radius), [9, 8, 7, 6, 5, 4, 3, 2]],
+    [{ 'camera-orbit': '45 55 120%' }, ({ orbit }) => orbit, null],
+    [{ 'camera-orbit': '45deg 55deg 0%' }, ({ orbit }) => orbit, null],
+    [{ interaction: 'sometimes' }, ({ interaction }) => interaction, 'cooperative'],
+    [{ loading: '' }, ({ loading }) => loading, 'eager'],
+    [{ 'metres-per-pixel': '0' }, ({ metresPerPixel }) => metresPerPixel, 0.01],
+    [{ src: '{"packing": 7}' }, ({ params }) => params, defaultParams()],
+    [{ src: '{"packing": ' }, ({ params }) => params, defaultParams()],
     [{ src: '#v=1&cd=7' }, ({ params }) => params.packing, 1],
     [{ src: '#nobody=7' }, ({ params }) => params, defaultParams()],
     [{ src: `#${'x'.repeat(200_000)}` }, ({ params }) => params, defaultParams()],
@@ -62,21 +82,74 @@ test('src fills everything, and every other attribute but the preset replaces wh
   const src = '#v=1&preset=conference-fig9a&seed=5&view=diagrams&color=plain&camera=1,0.5,200,10,20,0';
   const state = read({ src, preset: 'journal-fig11c' });
   assert.deepEqual(state, {
+    ...DEFAULTS,
     params: { ...presetParams('conference-fig9a'), seed: 5 },
     view: 'diagrams',
     color: 'plain',
     camera: { azimuth: 1, elevation: 0.5, distance: 200, target: [10, 20, 0] },
-    notices: [],
   });
   const replaced = read({ src, seed: '6', view: '3d', color: 'rock' });
   assert.deepEqual([replaced.params.seed, replaced.view, replaced.color], [6, '3d', 'rock']);
+});
+
+test('every row of the table has an attribute, which replaces what the preset says and nothing else', () => {
+  assert.deepEqual(read({ packing: '0.5', darts: 'attempts', 'image-height': '300' }), { ...DEFAULTS, params: { ...defaultParams(), packing: 0.5, darts: 'attempts', imageHeight: 300 } });
+  const [a, b] = defaultParams().layers as [Layer, Layer, Layer];
+  const state = read({ radius: '40, 20', 'taper-rock': '1 2', 'cell-count': '- 7' });
+  const wanted = [
+    { ...a, radius: 40, taper: [a.taper[0], 1, a.taper[2]], cellCount: null },
+    { ...b, radius: 20, taper: [b.taper[0], 2, b.taper[2]], cellCount: 7 },
+  ];
+  assert.deepEqual([state.params.layers, state.notices], [wanted, []]);
+  assert.deepEqual(read({ radius: '' }).params.layers, []);
+  assert.equal(read({ radius: '1 2 3 4' }).params.layers.length, 4);
+});
+
+test('a list of another length than the first is left out, with one notice that names it', () => {
+  const { params, notices } = read({ radius: '50 20', 'area-fraction': '0.1 0.2 0.3' });
+  assert.deepEqual(params.layers.map(({ radius, areaFraction }) => [radius, areaFraction]), defaultParams().layers.slice(0, 2).map(({ areaFraction }, k) => [[50, 20][k], areaFraction]));
+  assert.deepEqual(notices.map(({ attribute }) => attribute), ['area-fraction']);
+});
+
+test('src may be parameters as JSON', () => {
+  const { params, notices } = read({ src: '{ "preset": "conference-fig9a", "seed": 3, "layers": [{ "radius": 4 }] }', seed: '4' });
+  assert.deepEqual([params, notices], [{ ...resolveParams({ preset: 'conference-fig9a', seed: 4, layers: [{ radius: 4 }] }) }, []]);
+});
+
+test('camera-orbit is azimuth, angle from above and distance, each perhaps auto', () => {
+  const near = (a: number, b: number) => assert(Math.abs(a - b) < 1e-12, `${a} is not ${b}`);
+  const { orbit } = read({ 'camera-orbit': '-90deg 0.5rad 120%' });
+  near(orbit!.azimuth!, -Math.PI / 2);
+  near(orbit!.elevation!, Math.PI / 2 - 0.5);
+  assert.deepEqual(orbit!.distance, { value: 120, unit: '%' });
+  assert.deepEqual(read({ 'camera-orbit': 'auto auto 12m' }).orbit, { azimuth: null, elevation: null, distance: { value: 12, unit: 'm' } });
+});
+
+test('an orbit looks at the middle of the field from where it says', () => {
+  const framing = { azimuth: 0.5, elevation: 0.6, distance: 1000, target: [500, 520, 0] as [number, number, number] };
+  const orbit = (text: string) => orbitCamera(framing, parseOrbit(text)!, [500, 500], 0.01);
+  assert.deepEqual(orbit('auto auto auto'), framing);
+  assert.deepEqual(orbit('auto auto 50%'), { ...framing, distance: 500 });
+  assert.deepEqual(orbit('auto auto 3m').distance, 300);
+  const { target, elevation } = orbit('1rad 90deg 100%');
+  assert.deepEqual([target, elevation.toFixed(4)], [[500, 500, 0], ((5 * Math.PI) / 180).toFixed(4)]);
+});
+
+test('what a field shows is a sentence in the language of the page', () => {
+  // A square cell of 100 px, selected, beside a larger one that is not.
+  const cellVertices = Float32Array.of(0, 0, 100, 0, 100, 100, 0, 100, 0, 0, 300, 0, 300, 300, 0, 300);
+  const layer = { cellStarts: Uint32Array.of(0, 4, 8), cellVertices, selected: Uint32Array.of(0) };
+  const field = (rocks: number) => ({ layers: [layer, layer, { ...layer, selected: new Uint32Array() }], stats: { rocks, coveredFraction: 0.844 } }) as unknown as Field;
+  assert.equal(describeField(field(3100), 0.01, 'en'), '3,100 rocks in two sizes, largest 1.1 m, 84% covered');
+  assert.equal(describeField(field(3100), 0.001, 'ja'), '2種類の大きさの岩3,100個、最大11 cm、被覆率84%');
+  assert.equal(describeField(field(0), 0.01, 'en'), 'No rocks');
 });
 
 test('importing the element on a server is silent and defines nothing', async (t) => {
   const said = ['log', 'info', 'warn', 'error'].map((name) => t.mock.method(console, name as 'log', () => {}));
   const { RockFieldElement } = await import('../../www/rock-field.ts');
   assert.equal(typeof RockFieldElement, 'function');
-  assert.deepEqual(RockFieldElement.observedAttributes, ATTRIBUTES);
+  for (const name of ATTRIBUTES) assert(RockFieldElement.observedAttributes.includes(name), name);
   assert.doesNotThrow(() => new RockFieldElement());
   assert(said.every(({ mock }) => mock.callCount() === 0));
   assert.equal((globalThis as { customElements?: unknown }).customElements, undefined);

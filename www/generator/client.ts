@@ -1,9 +1,4 @@
-/**
- * The page's side of the protocol: one worker, the latest request wins, a worker that is gone is replaced.
- *
- * A worker can vanish without a word (memory, `self.close()`), so silence counts: whoever waits for an answer longer than
- * `SILENCE_MS` asks, and replaces the worker when there is no answer to that either. Nothing is timed while nobody waits.
- */
+/** The page's side of the protocol for one generator: the latest request wins, and is asked again when its worker was lost. */
 
 import { abortError, RockFieldError } from '../errors.ts';
 import type { ErrorInfo } from '../errors.ts';
@@ -11,27 +6,16 @@ import type { Field } from '../field.ts';
 import { flatRequest } from '../params-flat.ts';
 import type { Params } from '../params.ts';
 import { defaultMaxBytes } from './budget.ts';
-import type { FlatRequest, FromWorker, Progress, ToWorker } from './protocol.ts';
+import { poolOf } from './pool.ts';
+import type { Seat } from './pool.ts';
+import type { WorkerLike } from './pool-worker.ts';
+import type { FlatRequest, FromLoop, Progress, ToLoop } from './protocol.ts';
 
-/** A cancel that is not answered by then ends the worker: a slice takes 30 ms at most. */
+/** A cancel that is not answered by then ends the worker, unless it is shared: a slice takes 30 ms at most. */
 export const CANCEL_MS = 100;
 
-/** A busy worker reports every 50 ms; the copies of the largest field take a few hundred. */
-export const SILENCE_MS = 1000;
-
-/** From the question to the verdict. A page that was frozen wakes with its timers due before its messages. */
-export const GRACE_MS = 1500;
-
-/** The part of `Worker` that is used, for tests. */
-export interface WorkerLike {
-  onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
-  onerror: ((event: ErrorEvent) => void) | null;
-  onmessageerror: ((event: MessageEvent) => void) | null;
-  postMessage(message: ToWorker): void;
-  terminate(): void;
-}
-
 export interface ClientOptions {
+  /** Makes a worker; clients with the same `spawn` share theirs. Default: the workers of the page. */
   spawn?: () => WorkerLike;
   /**
    * Every finished field, in the order of the requests, those of superseded requests included: a drag shows its newest finished
@@ -63,24 +47,16 @@ interface SeedCall {
   reject: (error: unknown) => void;
 }
 
-function spawnWorker(): WorkerLike {
-  // This literal form is the one that bundlers recognise.
-  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }) as WorkerLike;
-}
-
 export class GeneratorClient {
   #options: ClientOptions;
-  #worker: WorkerLike | undefined;
-  /** The worker has compiled its wasm: from then on it can be expected to answer. */
-  #ready = false;
+  /** Taken with the first request. */
+  #seat: Seat | undefined;
   #lastId = 0;
   #call: Call | undefined;
   #seeds = new Map<number, SeedCall>();
   /** Runs that the worker has not answered yet, superseded ones included. */
   #open = new Set<number>();
   #shown = 0;
-  #watchdog: ReturnType<typeof setTimeout> | undefined;
-  #asked = false;
   #disposed = false;
 
   constructor(options: ClientOptions = {}) {
@@ -137,11 +113,12 @@ export class GeneratorClient {
     if (this.#call) this.#abandon(this.#call, abortError('cancelled'));
   }
 
-  /** Ends the worker; open promises reject with an AbortError. */
+  /** Frees the cache, and the worker if nobody else needs it soon; open promises reject with an AbortError. */
   dispose(): void {
     this.#disposed = true;
-    this.#discard();
     this.#fail(abortError('the generator was disposed of'));
+    this.#seat?.leave();
+    this.#seat = undefined;
   }
 
   #start(call: Call): void {
@@ -152,55 +129,28 @@ export class GeneratorClient {
   #abandon(call: Call, reason: unknown): void {
     this.#call = undefined;
     call.reject(reason);
-    const worker = this.#worker;
-    if (!worker) return;
-    this.#post({ type: 'cancel', id: call.id });
+    const seat = this.#seat;
+    seat?.post({ type: 'cancel', id: call.id });
     // While it loads, a worker cannot answer and burns nothing.
-    if (!this.#ready) return;
+    if (!seat?.ready) return;
     setTimeout(() => {
-      if (this.#worker === worker && this.#open.has(call.id)) this.#replace();
+      if (this.#open.has(call.id)) seat.overdue();
     }, CANCEL_MS);
   }
 
-  #post(message: ToWorker): void {
-    if (!this.#worker && !this.#spawn()) return;
-    this.#worker?.postMessage(message);
-    // A wait that has begun goes on: a drag must not put the question off for ever.
-    if (this.#watchdog === undefined) this.#watch();
+  #post(message: ToLoop): void {
+    this.#seat ??= poolOf(this.#options.spawn).join({
+      isWaiting: () => this.#open.size > 0 || this.#seeds.size > 0,
+      receive: (answer) => this.#receive(answer),
+      moved: () => this.#askAgain(),
+      lost: () => this.#lost(),
+      failed: (error) => this.#fail(error),
+    });
+    this.#seat.post(message);
   }
 
-  #spawn(): boolean {
-    let worker: WorkerLike;
-    try {
-      worker = (this.#options.spawn ?? spawnWorker)();
-    } catch (cause) {
-      this.#fail(workerUnavailable(cause instanceof Error ? cause.message : String(cause)));
-      return false;
-    }
-    this.#worker = worker;
-    worker.onmessage = (event) => {
-      if (this.#worker === worker) this.#receive(event.data);
-    };
-    worker.onerror = (event) => {
-      event.preventDefault?.();
-      if (this.#worker !== worker) return;
-      if (this.#ready) this.#lost();
-      else {
-        this.#discard();
-        this.#fail(workerUnavailable(event.message));
-      }
-    };
-    worker.onmessageerror = () => {
-      if (this.#worker === worker) this.#lost();
-    };
-    return true;
-  }
-
-  #receive(message: FromWorker): void {
+  #receive(message: FromLoop): void {
     switch (message.type) {
-      case 'ready':
-        this.#ready = true;
-        break;
       case 'progress':
         if (this.#call?.id === message.id) this.#call.onProgress?.(message.progress);
         break;
@@ -220,20 +170,13 @@ export class GeneratorClient {
       case 'crashed':
         this.#crashed(message.id, message.error);
         break;
-      case 'failed':
-        this.#discard();
-        this.#fail(new RockFieldError(message.error));
-        break;
       case 'seed':
         this.#seeds.get(message.id)?.resolve(message.seed);
         this.#seeds.delete(message.id);
         break;
-      case 'pong':
-        break;
       default:
         message satisfies never;
     }
-    this.#watch();
   }
 
   #deliver(id: number, field: Field): void {
@@ -261,34 +204,24 @@ export class GeneratorClient {
     this.#take(id)?.reject(thrown);
     this.#seeds.get(id)?.reject(thrown);
     this.#seeds.delete(id);
-    this.#replace();
   }
 
   /** The worker is gone without a trap, perhaps killed for memory: one more try, then the request is given up. */
   #lost(): void {
     const call = this.#call;
     if (call?.retried) {
-      this.#discard();
       this.#fail(new RockFieldError({ name: 'WorkerLost', message: 'the generator stopped without an answer, twice; try smaller settings' }));
       return;
     }
     if (call) call.retried = true;
-    this.#replace();
+    this.#askAgain();
   }
 
-  /** Ends the worker. A new one is made only for what still waits. */
-  #replace(): void {
-    this.#discard();
+  /** Asks a new worker for what still waits. */
+  #askAgain(): void {
+    this.#open.clear();
     for (const id of this.#seeds.keys()) this.#post({ type: 'seed', id });
     if (this.#call) this.#start(this.#call);
-  }
-
-  #discard(): void {
-    this.#worker?.terminate();
-    this.#worker = undefined;
-    this.#ready = false;
-    this.#open.clear();
-    this.#watch();
   }
 
   #fail(error: unknown): void {
@@ -299,28 +232,4 @@ export class GeneratorClient {
     this.#seeds.clear();
     this.#open.clear();
   }
-
-  /** Called at every sign of life: starts the wait anew if there is anything to wait for. */
-  #watch(): void {
-    clearTimeout(this.#watchdog);
-    this.#watchdog = undefined;
-    this.#asked = false;
-    if (!this.#worker || !this.#ready || (this.#open.size === 0 && this.#seeds.size === 0)) return;
-    this.#watchdog = setTimeout(() => this.#ask(), SILENCE_MS);
-  }
-
-  #ask(): void {
-    if (this.#asked) {
-      this.#lost();
-      return;
-    }
-    this.#asked = true;
-    this.#worker?.postMessage({ type: 'ping' });
-    this.#watchdog = setTimeout(() => this.#ask(), GRACE_MS);
-  }
-}
-
-function workerUnavailable(detail: string | undefined): RockFieldError {
-  const reason = detail ? `: ${detail}` : ' (worker.js is missing or blocked)';
-  return new RockFieldError({ name: 'WorkerUnavailable', message: `the generator's worker could not be started${reason}` });
 }

@@ -1,5 +1,5 @@
 /**
- * The worker's side of the protocol, without the worker: which run goes on, which is dropped, what is answered.
+ * The worker's side of the protocol for one client: which run goes on, which is dropped, what is answered.
  *
  * The newest request wins, but a run that has begun is left alone for a while. Otherwise a drag that sends a request every
  * 16 ms would drop every run before its end and show nothing until the hand rests. The patience doubles with each run that is
@@ -8,7 +8,7 @@
  */
 
 import { abortError, errorInfo, isCoded } from '../errors.ts';
-import type { FromWorker, Progress, StartMessage, ToWorker } from './protocol.ts';
+import type { FromLoop, Progress, StartMessage, ToLoop } from './protocol.ts';
 import { buffersOf, Session } from './session.ts';
 import type { GeneratorModule } from './wasm.ts';
 
@@ -29,23 +29,20 @@ interface Run {
 }
 
 export class RunLoop {
-  #post: (message: FromWorker, transfer?: Transferable[]) => void;
+  #post: (message: FromLoop, transfer?: Transferable[]) => void;
   #module: Promise<GeneratorModule>;
   #session: Session | undefined;
   #running: Run | undefined;
   #next: StartMessage | undefined;
   #patience = PATIENCE_MS;
+  #closed = false;
 
-  constructor(load: () => Promise<GeneratorModule>, post: (message: FromWorker, transfer?: Transferable[]) => void) {
+  constructor(module: Promise<GeneratorModule>, post: (message: FromLoop, transfer?: Transferable[]) => void) {
+    this.#module = module;
     this.#post = post;
-    this.#module = load();
-    this.#module.then(
-      () => this.#post({ type: 'ready' }),
-      (error: unknown) => this.#post({ type: 'failed', error: errorInfo(error) }),
-    );
   }
 
-  receive(message: ToWorker): void {
+  receive(message: ToLoop): void {
     switch (message.type) {
       case 'start':
         if (this.#next) this.#post({ type: 'dropped', id: this.#next.id });
@@ -66,12 +63,17 @@ export class RunLoop {
           () => undefined, // 'failed' has been sent
         );
         break;
-      case 'ping':
-        this.#post({ type: 'pong' });
-        break;
       default:
         message satisfies never;
     }
+  }
+
+  /** Gives everything up and frees the cache; a run under way keeps it until its slice is over. */
+  close(): void {
+    this.#closed = true;
+    this.#next = undefined;
+    if (this.#running) this.#running.controller.abort(abortError('closed'));
+    else this.#session?.free();
   }
 
   /** Runs what is next until nothing is. */
@@ -101,6 +103,7 @@ export class RunLoop {
         this.#running = undefined;
       }
     }
+    if (this.#closed) this.#session?.free();
   }
 
   #losePatience(run: Run): void {

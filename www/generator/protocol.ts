@@ -1,7 +1,11 @@
 /**
  * What page and worker say to each other. Every message carries a type; answers carry the id of what they answer.
  *
- * The worker reads its messages between slices of a run, so an answer is at most about 25 ms away.
+ * Several clients share a worker: what concerns one of them carries its number, what has none concerns the whole worker. Ids
+ * are unique within a client.
+ *
+ * The worker reads its messages between slices, so it hears within about 25 ms; a run that takes turns with others answers
+ * when its turn comes.
  */
 
 import type { ErrorInfo } from '../errors.ts';
@@ -53,19 +57,29 @@ export interface SeedMessage {
   id: number;
 }
 
+/** This client is gone: drop its run, free its cache. No reply; nothing of this client follows. */
+export interface CloseMessage {
+  type: 'close';
+}
+
 /** Are you alive? Replies: `pong`. */
 export interface PingMessage {
   type: 'ping';
 }
 
-export type ToWorker = StartMessage | CancelMessage | SeedMessage | PingMessage;
+/** What one client asks for. */
+export type ToLoop = StartMessage | CancelMessage | SeedMessage;
+
+export type Addressed<Message> = Message & { client: number };
+
+export type ToWorker = Addressed<ToLoop | CloseMessage> | PingMessage;
 
 /** The wasm is compiled: from now on silence means something. */
 export interface ReadyMessage {
   type: 'ready';
 }
 
-/** The wasm could not be loaded; every request before and after it is answered by this. Discard the worker. */
+/** The wasm could not be loaded; every request of every client, before and after, is answered by this. Discard the worker. */
 export interface FailedMessage {
   type: 'failed';
   error: ErrorInfo;
@@ -97,7 +111,7 @@ export interface DroppedMessage {
   id: number;
 }
 
-/** The wasm trapped: the state of the worker is undefined. Discard it. */
+/** The wasm trapped: the state of the worker, whatever it holds of other clients included, is undefined. Discard it. */
 export interface CrashedMessage {
   type: 'crashed';
   id: number;
@@ -114,13 +128,7 @@ export interface PongMessage {
   type: 'pong';
 }
 
-export type FromWorker =
-  | ReadyMessage
-  | FailedMessage
-  | ProgressMessage
-  | FieldMessage
-  | RejectedMessage
-  | DroppedMessage
-  | CrashedMessage
-  | SeedReply
-  | PongMessage;
+/** What one client is told. */
+export type FromLoop = ProgressMessage | FieldMessage | RejectedMessage | DroppedMessage | CrashedMessage | SeedReply;
+
+export type FromWorker = Addressed<FromLoop> | ReadyMessage | FailedMessage | PongMessage;

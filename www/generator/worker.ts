@@ -1,7 +1,7 @@
-/** The module worker: wires the run loop to the messages of this worker and to the wasm that lies beside it. */
+/** The module worker: wires the run loops to the messages of this worker and to the wasm that lies beside it. */
 
 import * as glue from '../../pkg/generator.js';
-import { RunLoop } from './loop.ts';
+import { LoopHost } from './host.ts';
 import type { FromWorker, ToWorker } from './protocol.ts';
 import { loadGenerator } from './wasm.ts';
 
@@ -11,10 +11,10 @@ const scope = globalThis as unknown as {
   onmessage: ((event: MessageEvent<ToWorker>) => void) | null;
 };
 
-const loop = new RunLoop(
+const host = new LoopHost(
   // Bundlers copy the file when they see it in this literal form.
   () => loadGenerator(glue, new URL('./generator_bg.wasm', import.meta.url)),
   (message, transfer = []) => scope.postMessage(message, transfer),
 );
 
-scope.onmessage = (event) => loop.receive(event.data);
+scope.onmessage = (event) => host.receive(event.data);

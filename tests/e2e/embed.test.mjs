@@ -1,0 +1,205 @@
+// What people who embed <rock-field> rely on: attributes and properties of parameters, orbit, poster, laziness, files, links, undo.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch } from './browser.mjs';
+
+const SMALL = 'image-width="256" image-height="192"';
+
+let session;
+let html = '';
+
+before(async () => {
+  session = await launch({
+    intercept(request, response) {
+      if (!request.url.startsWith('/embed.html')) return false;
+      response.writeHead(200, { 'content-type': 'text/html' }).end(html);
+      return true;
+    },
+  });
+});
+
+after(() => session?.close());
+
+/** A page with this body, whose element is `a`; `heard` has its events by type. */
+async function open(body, { painted = true, lang = 'en', ...options } = {}) {
+  html = `<!doctype html><html lang="${lang}"><meta charset="utf-8"><title>embed</title><link rel="icon" href="data:,">
+<style>body { margin: 0 } rock-field { width: 320px; height: 240px }</style>${body}
+<script>
+  const a = document.querySelector('rock-field');
+  const heard = [];
+  for (const type of ['generate', 'error', 'load', 'notice', 'progress']) a.addEventListener(type, ({ detail }) => heard.push({ type, detail }));
+  globalThis.count = (type) => heard.filter((event) => event.type === type).length;
+</script>
+<script type="module" src="/rock-field.js"></script>`;
+  const opened = await session.open('embed.html', options);
+  if (painted) await opened.page.evaluate(() => customElements.whenDefined('rock-field').then(() => a.ready));
+  return opened;
+}
+
+test('attributes and properties of parameters are two ways to the same field', async () => {
+  const { page, errors, warnings, close } = await open(`<rock-field ${SMALL} seed="3" radius="40 12" taper-rock="1 2"></rock-field>`);
+  const byAttribute = await page.evaluate(() => ({ params: a.params, radius: a.radius, taperRock: a.taperRock, width: a.imageWidth }));
+  assert.deepEqual([byAttribute.radius, byAttribute.taperRock, byAttribute.width, byAttribute.params.layers.length], [[40, 12], [1, 2], 256, 2]);
+  const byProperty = await page.evaluate(async () => {
+    const b = document.createElement('rock-field');
+    document.body.append(b);
+    Object.assign(b, { imageWidth: 256, imageHeight: 192, seed: 3, radius: [40, 12], taperRock: [1, 2] });
+    const [one, two] = await Promise.all([a.getField(), b.getField()]);
+    return { params: b.params, same: one.positions.length > 0 && one.positions.every((value, k) => value === two.positions[k]) };
+  });
+  assert.deepEqual(byProperty, { params: byAttribute.params, same: true });
+  const thrown = await page.evaluate(() => {
+    const before = JSON.stringify(a.params);
+    const errors = [() => (a.packing = 2), () => (a.radius = [0]), () => (a.radius = 7), () => (a.layers = [{ radius: 'x' }])].map((assign) => {
+      try { assign(); return ''; } catch ({ name, key }) { return `${name} ${key}`; }
+    });
+    return { errors, unchanged: before === JSON.stringify(a.params) };
+  });
+  assert.deepEqual(thrown, { errors: ['OutOfRange packing', 'OutOfRange radius', 'WrongType radius', 'WrongType radius'], unchanged: true });
+  assert.deepEqual([errors, warnings], [[], []]);
+  await close();
+});
+
+test('attributes changed while it generates: the last ones win, and every malformed one is named once', async () => {
+  const { page, errors, close } = await open(`<rock-field ${SMALL}></rock-field>`);
+  const result = await page.evaluate(async () => {
+    for (let seed = 1; seed <= 5; seed++) {
+      a.setAttribute('seed', String(seed));
+      a.setAttribute('packing', '0.6');
+      await new Promise((resolve) => setTimeout(resolve, 2));
+    }
+    a.setAttribute('packing', 'much');
+    a.setAttribute('radius', '30 x');
+    a.setAttribute('view', 'sideways');
+    await a.getField();
+    return { seed: a.seed, packing: a.packing, view: a.view, notices: heard.filter(({ type }) => type === 'notice').map(({ detail }) => detail.message.split(':')[0]), errors: count('error') };
+  });
+  assert.deepEqual(result, { seed: 5, packing: 0.7, view: '3d', notices: ['packing', 'radius', 'view'], errors: 0 });
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test('camera-orbit is where the camera is while the field is framed, and frame all comes back to it', async () => {
+  const { page, close } = await open(`<rock-field ${SMALL} camera-orbit="45deg 55deg 120%"></rock-field>`);
+  const [own, orbit] = await page.evaluate(() => {
+    const orbit = a.camera;
+    a.removeAttribute('camera-orbit');
+    const own = a.camera;
+    a.cameraOrbit = '45deg 55deg 120%';
+    a.camera = { ...own, azimuth: 2 };
+    a.frameAll(false);
+    return [own, [orbit, a.camera, a.framed]];
+  });
+  assert(Math.abs(orbit[0].azimuth - Math.PI / 4) < 1e-9 && Math.abs(orbit[0].elevation - (35 * Math.PI) / 180) < 1e-9);
+  assert(Math.abs(orbit[0].distance / own.distance - 1.2) < 1e-9);
+  assert.deepEqual([orbit[1], orbit[2]], [orbit[0], true]);
+  await close();
+});
+
+test('auto-rotate turns, and not where the system asks for less motion', async () => {
+  for (const reducedMotion of ['no-preference', 'reduce']) {
+    const { page, close } = await open(`<rock-field ${SMALL} auto-rotate></rock-field>`, { reducedMotion });
+    const turned = await page.evaluate(async () => {
+      const before = a.camera.azimuth;
+      await new Promise((resolve) => setTimeout(resolve, 700));
+      return [a.camera.azimuth - before, a.framed];
+    });
+    assert.equal(turned[0] > 0, reducedMotion === 'no-preference', `${reducedMotion}: ${turned[0]}`);
+    assert.equal(turned[1], true);
+    await close();
+  }
+});
+
+test('a lazy element loads nothing before it comes near, and then like any other', async () => {
+  const { page, close } = await open(`<div style="height: 5000px"></div><rock-field ${SMALL} loading="lazy"></rock-field>`, { painted: false });
+  const requests = [];
+  page.on('request', (request) => requests.push(request.url()));
+  await page.evaluate(() => customElements.whenDefined('rock-field'));
+  await page.waitForTimeout(500);
+  assert.deepEqual(requests.filter((url) => url.endsWith('.wasm')), []);
+  await page.evaluate(() => a.scrollIntoView());
+  await page.evaluate(() => a.ready);
+  assert(requests.some((url) => url.endsWith('.wasm')));
+  await close();
+});
+
+test('a poster stands in until the first picture; slots take the place of poster, progress and error', async () => {
+  const image = 'data:image/gif;base64,R0lGODlhAQABAIAAAAUEBAAAACwAAAAAAQABAAACAkQBADs=';
+  const { page, close } = await open(`<rock-field ${SMALL} poster="${image}" backend="null"><p slot="poster">soon</p><p slot="error">sorry</p></rock-field>`, { painted: false });
+  await page.evaluate(() => customElements.whenDefined('rock-field'));
+  const parts = await page.evaluate(() => {
+    const root = a.shadowRoot;
+    return { slots: [...root.querySelectorAll('slot')].map(({ name }) => name), image: root.querySelector('[part=poster] img')?.getAttribute('src') };
+  });
+  assert.deepEqual(parts, { slots: ['poster', 'progress', 'error'], image });
+  await page.evaluate(() => a.ready);
+  assert.equal(await page.evaluate(() => a.shadowRoot.querySelector('[part=poster]').hidden), true);
+  await close();
+});
+
+test('toBlob gives a picture of the size asked for, and the screen keeps its own', async () => {
+  const { page, close } = await open(`<rock-field ${SMALL}></rock-field>`);
+  const result = await page.evaluate(async () => {
+    const canvas = a.shadowRoot.querySelector('canvas');
+    const before = [canvas.width, canvas.height];
+    const blob = await a.toBlob({ width: 500, height: 200 });
+    const bitmap = await createImageBitmap(blob);
+    const sheet = new OffscreenCanvas(500, 200).getContext('2d');
+    sheet.drawImage(bitmap, 0, 0);
+    const colours = new Set(new Uint32Array(sheet.getImageData(0, 0, 500, 200).data.buffer));
+    const refused = await a.toBlob({ width: 100_000, height: 100_000 }).catch(({ name, key }) => `${name} ${key}`);
+    const jpeg = await a.toBlob({ type: 'image/jpeg', quality: 0.8 });
+    return { type: blob.type, size: [bitmap.width, bitmap.height], isPicture: colours.size > 50, same: before.join() === [canvas.width, canvas.height].join(), refused, jpeg: jpeg.type };
+  });
+  assert.deepEqual(result, { type: 'image/png', size: [500, 200], isPicture: true, same: true, refused: 'OutOfRange width', jpeg: 'image/jpeg' });
+  await close();
+});
+
+test('shareURL shows the same field elsewhere; undo and redo go back and forth; randomize keeps what is locked', async () => {
+  const { page, errors, close } = await open(`<rock-field ${SMALL} seed="9"></rock-field>`);
+  const result = await page.evaluate(async () => {
+    const first = a.params;
+    await a.randomize({ lock: ['imageWidth', 'packing'] });
+    const second = a.params;
+    const b = document.createElement('rock-field');
+    b.setAttribute('src', a.shareURL('https://example.org/field?x=1'));
+    document.body.append(b);
+    const shared = JSON.stringify(b.params) === JSON.stringify(second);
+    const undone = a.undo() && JSON.stringify(a.params) === JSON.stringify(first);
+    const atStart = a.undo();
+    const redone = a.redo() && JSON.stringify(a.params) === JSON.stringify(second);
+    await a.randomize({ lock: ['layers'] });
+    const layersKept = JSON.stringify(a.layers) === JSON.stringify(second.layers);
+    const stranger = await a.randomize({ lock: ['size'] }).catch(({ name, key }) => `${name} ${key}`);
+    return { changed: second.seed !== first.seed, width: second.imageWidth, shared, undone, atStart, redone, layersKept, stranger };
+  });
+  assert.deepEqual(result, { changed: true, width: 256, shared: true, undone: true, atStart: false, redone: true, layersKept: true, stranger: 'UnknownKey size' });
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test('what it shows is said to those who cannot see it, in the language of the page', async () => {
+  for (const [lang, label, sentence] of [['en', 'Field of rocks', /^\d+ rocks in three sizes, largest [\d.]+ c?m, \d+% covered$/], ['ja', '岩の地面', /^3種類の大きさの岩\d+個、最大[\d.]+ c?m、被覆率\d+%$/]]) {
+    const { page, close } = await open(`<rock-field ${SMALL} radius="60 20 8"></rock-field>`, { lang });
+    const said = await page.evaluate(() => {
+      const stage = a.shadowRoot.querySelector('[role=application]');
+      return [stage.getAttribute('aria-label'), a.shadowRoot.getElementById(stage.getAttribute('aria-describedby')).textContent];
+    });
+    assert.equal(said[0], label);
+    assert.match(said[1], sentence);
+    await close();
+  }
+});
+
+test('a disabled element takes neither focus nor input', async () => {
+  const { page, close } = await open(`<rock-field ${SMALL} disabled></rock-field>`);
+  const before = await page.evaluate(() => a.camera);
+  await page.mouse.move(100, 100);
+  await page.mouse.down();
+  await page.mouse.move(200, 120, { steps: 4 });
+  await page.mouse.up();
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('ArrowLeft');
+  assert.deepEqual(await page.evaluate(() => [a.camera, document.activeElement === a]), [before, false]);
+  await close();
+});

@@ -1,0 +1,43 @@
+/** The picture as a file. */
+
+import { RockFieldError } from './errors.ts';
+import type { CameraState, SceneRenderer } from './renderer/renderer.ts';
+import { MAX_PIXELS } from './stage-size.ts';
+
+export interface PictureOptions {
+  /** Device pixels; one follows from the other, and both from the size on the screen, when left out. */
+  width?: number;
+  height?: number;
+  /** `image/png`, `image/jpeg` or `image/webp`. */
+  type?: string;
+  /** 0 … 1, of lossy types. */
+  quality?: number;
+}
+
+/**
+ * Width and height in pixels.
+ *
+ * @throws {RockFieldError} `OutOfRange` for a size that cannot be drawn.
+ */
+export function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHeight]: [number, number]): [number, number] {
+  const size: [number, number] = [
+    width ?? Math.round((ownWidth * (height ?? ownHeight)) / ownHeight),
+    height ?? Math.round((ownHeight * (width ?? ownWidth)) / ownWidth),
+  ];
+  for (const [key, value] of [['width', size[0]], ['height', size[1]]] as const) {
+    if (Number.isInteger(value) && value >= 1 && size[0] * size[1] <= MAX_PIXELS) continue;
+    const message = `${key} is ${value}; a picture has whole numbers of pixels, at most ${MAX_PIXELS} together`;
+    throw new RockFieldError({ name: 'OutOfRange', key, value, min: 1, max: MAX_PIXELS, message });
+  }
+  return size;
+}
+
+/** Draws through `camera` at `size` and takes what is in the canvas, at once; only the encoding comes later. */
+export async function takePicture(renderer: SceneRenderer, size: [number, number], camera: CameraState, { type = 'image/png', quality }: PictureOptions): Promise<Blob> {
+  renderer.resize(...size);
+  renderer.setCamera(camera);
+  renderer.render();
+  const blob = await new Promise<Blob | null>((resolve) => renderer.canvas.toBlob(resolve, type, quality));
+  if (!blob) throw new RockFieldError({ name: 'NoPicture', message: 'the browser made no file of the picture' });
+  return blob;
+}

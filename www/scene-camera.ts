@@ -1,0 +1,100 @@
+/** Where the eye is: moved by the user, flying, turning by itself, or framing the whole field, whatever its size. */
+
+import { AutoRotation } from './auto-rotation.ts';
+import { CameraFlight } from './camera-flight.ts';
+import { orbitCamera, turnCamera } from './camera-orbit.ts';
+import type { Orbit } from './camera-orbit.ts';
+import { defaultCamera, isPlan } from './camera.ts';
+import type { CameraState, View } from './renderer/renderer.ts';
+
+/** What is framed, and through what. */
+export interface Frame {
+  /** Width and height of the ground, px. */
+  extent: [number, number];
+  aspect: number;
+  view: View;
+}
+
+export class SceneCamera {
+  /** Null while the whole field is framed, whatever its size. */
+  #camera: CameraState | null = null;
+  #flight: CameraFlight | undefined;
+  /** What the framing is when the page asks for another than ours. */
+  #orbit: Orbit | null = null;
+  #metresPerPixel = 0.01;
+  #rotation = new AutoRotation();
+  #frame: () => Frame;
+
+  constructor(frame: () => Frame) {
+    this.#frame = frame;
+  }
+
+  get current(): CameraState {
+    return this.#at(this.#camera ?? this.framing());
+  }
+
+  set current(camera: CameraState | null) {
+    this.#flight = undefined;
+    this.#rotation.angle = 0;
+    this.#camera = camera && structuredClone(camera);
+  }
+
+  /** The camera that frames the whole field, for the present aspect or another. */
+  framing(aspect = this.#frame().aspect): CameraState {
+    const { extent, view } = this.#frame();
+    const camera = defaultCamera(...extent, aspect, view);
+    return this.#orbit ? orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel) : camera;
+  }
+
+  /** As `current`, for a picture of another aspect. */
+  forAspect(aspect: number): CameraState {
+    return this.#at(this.#camera ?? this.framing(aspect));
+  }
+
+  /** Whether the whole field is framed, that is, nobody has moved the camera since. */
+  get framed(): boolean {
+    return this.#camera === null || this.#flight !== undefined;
+  }
+
+  setFraming(orbit: Orbit | null, metresPerPixel: number): void {
+    this.#orbit = orbit;
+    this.#metresPerPixel = metresPerPixel;
+  }
+
+  /** Sets off for the framing of the whole field. */
+  flyHome(now: number): void {
+    this.#flight = new CameraFlight(this.current, this.framing(), now);
+    this.#rotation.angle = 0;
+  }
+
+  stay(): void {
+    this.#flight = undefined;
+  }
+
+  /** The user has moved: what turns by itself waits. */
+  pauseRotation(now: number): void {
+    this.#rotation.pause(now);
+  }
+
+  /** On to the frame at `now`. True while there is more to come. */
+  advance(now: number, rotates: boolean): boolean {
+    if (this.#flight) {
+      this.#camera = this.#flight.at(now);
+      if (!this.#camera) this.#flight = undefined;
+    }
+    const turns = rotates && !this.#flight && !isPlan(this.#frame().view);
+    if (turns) this.#rotation.advance(now);
+    else this.#rotation.rest();
+    return this.#flight !== undefined || turns;
+  }
+
+  #at(camera: CameraState): CameraState {
+    const { angle } = this.#rotation;
+    return angle === 0 ? structuredClone(camera) : turnCamera(camera, this.#centre(), angle);
+  }
+
+  #centre(): [number, number] {
+    const [width, height] = this.#frame().extent;
+    return [width / 2, height / 2];
+  }
+}

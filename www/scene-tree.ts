@@ -1,0 +1,99 @@
+/** The shadow tree of a scene: stage, poster, progress bar, hint, messages, and the words for those who cannot see the picture. */
+
+import { MessageBox } from './message-box.ts';
+import { sceneStyles } from './scene-styles.ts';
+
+/** A drag changes the picture all the time; what it shows is said when the hand rests. */
+const ANNOUNCE_AFTER_MS = 800;
+
+export class SceneTree {
+  /** Holds the canvas and the focus. */
+  readonly stage = part('div', 'stage');
+  readonly messages = new MessageBox();
+  #poster = part('div', 'poster');
+  #posterSlot = slot('poster');
+  #progress = part('div', 'progress');
+  #hint = part('div', 'hint');
+  #description = part('div', 'unseen');
+  #announcing: ReturnType<typeof setTimeout> | undefined;
+  #hinting: ReturnType<typeof setTimeout> | undefined;
+
+  constructor(root: ShadowRoot) {
+    root.adoptedStyleSheets = [sceneStyles()];
+    this.stage.setAttribute('role', 'application');
+    this.stage.setAttribute('aria-describedby', 'description');
+    this.#poster.setAttribute('part', 'poster');
+    this.#poster.append(this.#posterSlot);
+    this.#progress.setAttribute('part', 'progress');
+    this.#progress.setAttribute('role', 'progressbar');
+    this.#progress.hidden = true;
+    this.#progress.append(slot('progress', part('div', 'bar')));
+    this.#hint.setAttribute('part', 'hint');
+    this.#hint.hidden = true;
+    this.#description.id = 'description';
+    this.#description.setAttribute('role', 'status');
+    root.append(this.stage, this.#poster, this.#progress, this.#hint, this.messages.element, this.#description);
+  }
+
+  setLanguage(role: string, label: string): void {
+    this.stage.setAttribute('aria-roledescription', role);
+    this.stage.setAttribute('aria-label', label);
+    this.#progress.setAttribute('aria-label', label);
+  }
+
+  setDisabled(disabled: boolean): void {
+    if (disabled) this.stage.removeAttribute('tabindex');
+    else this.stage.tabIndex = 0;
+    this.stage.setAttribute('aria-disabled', String(disabled));
+  }
+
+  setPoster(address: string | null): void {
+    const [image] = this.#posterSlot.children;
+    if (address === null) this.#posterSlot.replaceChildren();
+    else if (image?.getAttribute('src') !== address) this.#posterSlot.replaceChildren(picture(address));
+  }
+
+  hidePoster(): void {
+    this.#poster.hidden = true;
+  }
+
+  showProgress(fraction: number | null): void {
+    this.#progress.hidden = fraction === null;
+    if (fraction !== null) this.#progress.ariaValueNow = String(Math.round(100 * fraction));
+  }
+
+  describe(text: string): void {
+    clearTimeout(this.#announcing);
+    // The first words are there at once: nobody waits for them, and what focuses the picture early finds them.
+    const say = () => (this.#description.textContent = text);
+    if (this.#description.textContent === '') say();
+    else this.#announcing = setTimeout(say, ANNOUNCE_AFTER_MS);
+  }
+
+  hint(text: string, ms: number): void {
+    clearTimeout(this.#hinting);
+    this.#hint.textContent = text;
+    this.#hint.hidden = false;
+    this.#hinting = setTimeout(() => (this.#hint.hidden = true), ms);
+  }
+}
+
+function picture(address: string): HTMLImageElement {
+  const image = part('img', 'poster-image');
+  image.alt = '';
+  image.src = address;
+  return image;
+}
+
+function part<K extends 'div' | 'img'>(tag: K, className: string): HTMLElementTagNameMap[K] {
+  const element = document.createElement(tag);
+  element.className = className;
+  return element;
+}
+
+function slot(name: string, ...fallback: HTMLElement[]): HTMLSlotElement {
+  const element = document.createElement('slot');
+  element.name = name;
+  element.append(...fallback);
+  return element;
+}
