@@ -261,10 +261,10 @@ test('a long run shows its progress and can be cancelled, back to what is shown'
   const { page } = opened;
   const before = await hash(page);
   await page.locator('[id="r-0-number"]').fill('3');
-  await page.locator('.progress').waitFor();
+  await page.locator('stage-overlay .progress').waitFor();
   assert.match(await page.locator('.progress-text').textContent(), /Generating: \w+, \d+%/);
   await page.getByRole('button', { name: 'Cancel' }).click();
-  await page.locator('.progress').waitFor({ state: 'detached' });
+  await page.locator('stage-overlay .progress').waitFor({ state: 'detached' });
   assert.equal((await params(page)).layers[0].radius, 300);
   assert.equal(await hash(page), before);
   assert.match(await message(page), /Cancelled/);
