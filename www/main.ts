@@ -178,6 +178,8 @@ store.subscribe(follow);
 showPreferences();
 Object.assign(field, { params: store.params, view: store.view, color: store.color, camera: store.camera });
 field.className = 'picture';
+// Nothing scrolls here.
+field.interaction = 'always';
 stage.append(field, overlay);
 stage.after(panel);
 listenToKeys(store, () => field.frameAll());
