@@ -20,6 +20,7 @@ import type { Backend, CameraState, ColorMode, SceneRenderer, SceneStyle, View }
 import { SceneCamera } from './scene-camera.ts';
 import { SceneTree } from './scene-tree.ts';
 import { StageSize } from './stage-size.ts';
+import { Visibility } from './visibility.ts';
 
 export type Theme = 'auto' | 'light' | 'dark';
 
@@ -30,6 +31,9 @@ export const IDLE_TIMEOUT_MS = 1000;
 const MAX_LOSSES = 3;
 const LOSS_WINDOW_MS = 30_000;
 
+/** What zooms with the wheel, as it is called there. */
+const MODIFIER = /mac/i.test(globalThis.navigator?.platform ?? '') ? '⌘' : 'Ctrl';
+
 const WORDS = {
   noGpu: {
     en: 'This browser offers neither WebGPU nor WebGL2 here, so the plan is drawn instead of the rocks.',
@@ -37,12 +41,15 @@ const WORDS = {
   },
   role: { en: '3D picture', ja: '立体図' },
   label: { en: 'Field of rocks', ja: '岩の地面' },
-  wheel: { en: 'Click the picture first, or hold Ctrl, to zoom with the wheel.', ja: 'ホイールで拡大するには、先に画像をクリックするか Ctrl を押します。' },
-  touch: { en: 'Tap and drag, or use two fingers, to turn the picture.', ja: 'タップしてからドラッグするか、2本指で動かせます。' },
+  wheel: {
+    en: `${MODIFIER} + scroll to zoom, or click the picture first`,
+    ja: `${MODIFIER} を押しながらスクロールするか、先に画像をクリックすると拡大・縮小できます`,
+  },
+  touch: {
+    en: 'Drag sideways, or tap then drag, to turn; two fingers to zoom and move',
+    ja: '横にドラッグ、またはタップしてからドラッグで回転、2本指で拡大・移動できます',
+  },
 } as const;
-
-/** A hint is said once in a while, not at every turn of the wheel. */
-const HINT_MS = 1500;
 
 /** On a server there is no HTMLElement; importing must be silent there, and nobody makes an element. */
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
@@ -91,10 +98,10 @@ export abstract class SceneElement extends Base {
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
   #theme: Theme = 'auto';
   #camera = new SceneCamera(() => ({ extent: this.#extent(), aspect: this.#size?.aspect ?? 2, view: this.#style.view }));
-  #hinted = -Infinity;
 
   #size: StageSize | undefined;
-  #seen = false;
+  #visibility: Visibility | undefined;
+  #touchExplained = false;
   #dirty = false;
   #frame = 0;
 
@@ -319,7 +326,7 @@ export abstract class SceneElement extends Base {
     this.#losses = [];
     this.#restoring = false;
     this.#camera.stay();
-    this.#seen = false;
+    this.#visibility = undefined;
     this.#size = undefined;
     this.#tree.messages.forgetNotices();
     if (this.#painted) this.#renewReadiness();
@@ -338,11 +345,7 @@ export abstract class SceneElement extends Base {
     const { signal } = this.#listening;
     const size = new StageSize(this.#tree.stage, () => this.#resized(), signal);
     this.#size = size;
-    // A little ahead of the edge, so that scrolling meets a picture.
-    const intersection = new IntersectionObserver((entries) => this.#onSeen(entries.at(-1)?.isIntersecting ?? false), { rootMargin: '64px' });
-    intersection.observe(this);
-    signal.addEventListener('abort', () => intersection.disconnect());
-    document.addEventListener('visibilitychange', () => this.#dirty && this.invalidate(), { signal });
+    this.#visibility = new Visibility(this, () => this.#onVisibility(), signal);
     const dark = matchMedia('(prefers-color-scheme: dark)');
     dark.addEventListener('change', () => this.#restyle({ dark: this.#isDark() }), { signal });
     this.#restyle({ dark: this.#isDark() });
@@ -356,18 +359,18 @@ export abstract class SceneElement extends Base {
           this.emit('camera-change', { camera: this.camera, framed: false });
         },
         onFrameAll: () => this.frameAll(),
-        onRefused: (gesture) => this.#hint(WORDS[gesture][this.language]),
+        onRefused: (gesture) => this.#explain(gesture),
         isPlan: () => isPlan(this.#style.view) || this.backend === 'canvas2d',
         interaction: () => (this.hasAttribute('disabled') ? 'none' : this.interactionMode),
       },
     );
   }
 
-  #hint(text: string): void {
-    const now = performance.now();
-    if (now - this.#hinted < HINT_MS) return;
-    this.#hinted = now;
-    this.#tree.hint(text, HINT_MS);
+  /** Why a gesture did nothing: for fingers, which meet the picture whenever they scroll, once. */
+  #explain(gesture: 'wheel' | 'touch'): void {
+    if (gesture === 'touch' && this.#touchExplained) return;
+    this.#touchExplained ||= gesture === 'touch';
+    this.#tree.hint(WORDS[gesture][this.language]);
   }
 
   // The renderer.
@@ -440,15 +443,13 @@ export abstract class SceneElement extends Base {
     if (this.#canDraw()) this.#draw();
   }
 
-  #onSeen(seen: boolean): void {
-    this.#seen = seen;
-    if (seen) this.start();
-    if (seen && (this.#dirty || this.#rotates())) this.invalidate();
+  #onVisibility(): void {
+    if (this.#visibility?.near) this.start();
+    if (this.#dirty || this.#rotates()) this.invalidate();
   }
 
   #canDraw(): boolean {
-    const canBeSeen = this.isConnected && this.#seen && this.#size?.isEmpty === false && document.visibilityState === 'visible';
-    return canBeSeen && this.#hasPicture();
+    return this.isConnected && this.#visibility?.visible === true && this.#size?.isEmpty === false && this.#hasPicture();
   }
 
   #onFrame(now: number): void {

@@ -3,7 +3,7 @@
 const STYLES = `
 :host { display: block; position: relative; contain: strict; width: 300px; height: 150px; background: var(--rock-field-background, transparent) }
 :host([hidden]) { display: none }
-:host([disabled]) .stage { cursor: default }
+:host([disabled]) .stage, :host([interaction=none]) .stage { cursor: default }
 .stage, canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block }
 .stage { outline: none; cursor: grab; user-select: none; -webkit-user-select: none }
 .stage:active { cursor: grabbing }

@@ -5,6 +5,7 @@ import { sceneStyles } from './scene-styles.ts';
 
 /** A drag changes the picture all the time; what it shows is said when the hand rests. */
 const ANNOUNCE_AFTER_MS = 800;
+const HINT_MS = 1500;
 
 export class SceneTree {
   /** Holds the canvas and the focus. */
@@ -70,11 +71,12 @@ export class SceneTree {
     else this.#announcing = setTimeout(say, ANNOUNCE_AFTER_MS);
   }
 
-  hint(text: string, ms: number): void {
+  /** Shown for a moment. */
+  hint(text: string): void {
     clearTimeout(this.#hinting);
     this.#hint.textContent = text;
     this.#hint.hidden = false;
-    this.#hinting = setTimeout(() => (this.#hint.hidden = true), ms);
+    this.#hinting = setTimeout(() => (this.#hint.hidden = true), HINT_MS);
   }
 }
 
