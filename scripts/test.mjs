@@ -33,7 +33,9 @@ const STEPS = [
   { name: 'types', expected: '5 s', needs: ['build'], work: () => node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit']) },
   { name: 'dependencies', expected: '2 s', needs: ['build'], work: async () => (await import('./check-deps.mjs')).check() },
   { name: 'web', expected: '30 s', needs: ['build'], work: webTests },
+  { name: 'package', expected: '10 s', needs: ['build'], work: async () => (await import('./package.mjs')).check() },
   { name: 'browsers', expected: '5 min', needs: ['build'], work: browserTests },
+  { name: 'hosts', expected: '30 s', needs: ['build'], work: hosts },
 ];
 
 await main(async () => {
@@ -117,4 +119,11 @@ async function browserTests() {
   if (tests.length === 0) throw new Failure('there are no tests in tests/e2e');
   // One file at a time: the software GPU takes every core.
   await node(['--test', '--test-concurrency=1', ...tests.map((name) => path.join(folder, name))], { CHROME_PATH: browser });
+}
+
+/** The package in the pages of others. */
+async function hosts() {
+  if (process.env.SKIP_BROWSERS) return 'left out, as SKIP_BROWSERS asks';
+  const { ensureBrowser } = await import('./browser.mjs');
+  await node([path.join('tests', 'hosts', 'run.mjs')], { CHROME_PATH: await ensureBrowser() });
 }

@@ -11,8 +11,10 @@ import { artefacts } from './wasm.mjs';
 export const metafile = path.join(pkg, 'web.meta.json');
 
 // dist/ is flat: `new URL('./worker.js', import.meta.url)` then means the same file from whichever chunk the code landed in.
-const BROWSER_ENTRIES = ['www/main.ts', 'www/generator/worker.ts', 'www/rock-field.ts', 'www/core.ts', 'www/styles/page.css'];
+const BROWSER_ENTRIES = ['www/main.ts', 'www/generator/worker.ts', 'www/rock-field.ts', 'www/element.ts', 'www/core.ts', 'www/styles/page.css'];
 const NODE_ENTRIES = ['www/core.node.ts'];
+// One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
+const CDN = { entryPoints: { cdn: 'www/rock-field.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser' };
 const SERVICE_WORKER = 'www/service-worker.ts';
 const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg'];
 const PAGE = 'index.html';
@@ -40,6 +42,7 @@ export async function buildWeb() {
       platform: 'browser',
     });
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node' });
+    await bundle({ ...CDN, outdir: staging });
     for (const { feature } of artefacts) copyFileSync(path.join(pkg, `${feature}_bg.wasm`), path.join(staging, `${feature}_bg.wasm`));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
     const meta = relativeTo(staging, browser.metafile);
@@ -58,7 +61,7 @@ async function bundle(options) {
 }
 
 function requireFiles() {
-  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, SERVICE_WORKER, ...COPIED, PAGE];
+  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, ...CDN.inject, SERVICE_WORKER, ...COPIED, PAGE];
   const missing = files.filter((file) => !existsSync(path.join(root, file)));
   if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
 }

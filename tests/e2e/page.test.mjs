@@ -167,7 +167,7 @@ test('the embed code shows the same rocks', async () => {
   }, source);
   assert.deepEqual(shown, await params(page));
   assert.equal(await hash(page), expected);
-  assert.match(code, /<script type="module" src="http:\/\/[^"]+\/rock-field\.js"><\/script>/);
+  assert.match(code, /<script async src="http:\/\/[^"]+\/cdn\.js"><\/script>/);
   await closeClean(opened);
 });
 

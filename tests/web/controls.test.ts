@@ -128,6 +128,6 @@ test('the seed goes round, a preset keeps it, reset does not', () => {
 
 test('the embed code is safe HTML', () => {
   const code = embedCode('v=1&preset=journal-fig1&seed=3', 'https://example.org/rocks/?x="><script>#seed=1');
-  assert.match(code, /<script type="module" src="https:\/\/example\.org\/rocks\/rock-field\.js"><\/script>/);
+  assert.match(code, /<script async src="https:\/\/example\.org\/rocks\/cdn\.js"><\/script>/);
   assert.match(code, /src="#v=1&amp;preset=journal-fig1&amp;seed=3"/);
 });

@@ -32,9 +32,10 @@ function copyBySelection(text: string): boolean {
 
 /** Two lines of HTML that show the field of `link` on any page. `page` is this page's address. */
 export function embedCode(link: string, page: string): string {
-  const script = new URL('rock-field.js', page.replace(/[?#].*$/s, '')).href;
+  // The classic script, because it can start its workers from other pages' origins.
+  const script = new URL('cdn.js', page.replace(/[?#].*$/s, '')).href;
   return [
-    `<script type="module" src="${escaped(script)}"></script>`,
+    `<script async src="${escaped(script)}"></script>`,
     `<rock-field src="${escaped(`#${link}`)}" style="width: 100%; height: 60vh"></rock-field>`,
   ].join('\n');
 }

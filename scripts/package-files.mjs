@@ -1,0 +1,14 @@
+// Before `npm pack` and `npm publish`: a build, and beside it what only the package needs.
+import { build } from './build.mjs';
+import { isMain, main } from './run.mjs';
+
+export async function packageFiles() {
+  await build();
+  // These need npm packages, which on a fresh machine only the build has installed.
+  const { writeTypes } = await import('./package-types.mjs');
+  const { writeManifest } = await import('./package-manifest.mjs');
+  await writeTypes();
+  writeManifest();
+}
+
+if (isMain(import.meta)) await main(packageFiles);
