@@ -44,9 +44,8 @@ impl CellWrapper {
     pub(crate) fn wrap(&mut self, sites: &Sites, site: usize, around: &WrapSet, reach: f64) -> bool {
         let reach2 = (reach * reach) as f32;
         self.gather(sites, site, around, reach2);
-        // Sums of two products of at most 2·reach²: whole numbers below 2²⁴ are exact, and only the quotient is rounded.
+        // Sums of two products of at most 2·reach²: in single precision, whole numbers below 2²⁴ are exact.
         let is_exact = reach2 <= (1 << 22) as f32;
-        let error = 2.0 * f32::EPSILON * reach2;
         self.corners.clear();
         // Positive numbers sort like their bits, and those without a branch.
         let mut farthest2 = 0_u64;
@@ -57,7 +56,7 @@ impl CellWrapper {
         for _ in 0..self.candidates.len() {
             // The vertex at the end of the edge across from g is the circumcentre of the site, g and the next neighbour.
             let g = self.candidates.get(base);
-            let apex = if is_exact { self.candidates.apex(Vec2::ZERO, g, error) } else { Apex::Unsure };
+            let apex = if is_exact { self.candidates.apex_of_whole(g) } else { Apex::Unsure };
             let next = match apex {
                 Apex::Point(next) => next,
                 // Cocircular sites come out equal or nearly so.

@@ -140,31 +140,42 @@ impl WrapSet {
     /// a and b may be in the set, and what is computed to be exactly on their line is taken for one of them.
     #[inline(always)]
     pub(crate) fn apex(&mut self, a: Vec2, b: Vec2, error: f32) -> Apex {
-        // A loop of known length is none: no branch at its end, and all of it in registers.
+        // A loop of known length is none: no branch at its end, and all of it in registers. Rocks have five to eight vertices, and
+        // as many points.
         match self.len.div_ceil(LANES) {
             3 => self.apex_among([Vec4::ZERO; 3], a, b, error),
             4 => self.apex_among([Vec4::ZERO; 4], a, b, error),
-            vectors => {
-                let mut lowest = core::mem::take(&mut self.lowest);
-                lowest.resize(vectors, Vec4::ZERO);
-                let apex = self.apex_among(&mut lowest[..], a, b, error);
-                self.lowest = lowest;
-                apex
-            }
+            vectors => self.with_room(vectors, |set, lowest| set.apex_among(lowest, a, b, error)),
         }
     }
 
-    /// `lowest` has room for the set.
+    /// The same for an edge from the origin, in a set of whole numbers so small that both products of t are exact.
+    #[inline(always)]
+    pub(crate) fn apex_of_whole(&mut self, b: Vec2) -> Apex {
+        // In a saturated layer a site has some nine others within reach.
+        match self.len.div_ceil(LANES) {
+            2 => self.apex_among_whole([Vec4::ZERO; 2], b),
+            3 => self.apex_among_whole([Vec4::ZERO; 3], b),
+            vectors => self.with_room(vectors, |set, lowest| set.apex_among_whole(lowest, b)),
+        }
+    }
+
+    fn with_room(&mut self, vectors: usize, apex: impl Fn(&Self, &mut [Vec4]) -> Apex) -> Apex {
+        let mut lowest = core::mem::take(&mut self.lowest);
+        lowest.resize(vectors, Vec4::ZERO);
+        let found = apex(self, &mut lowest);
+        self.lowest = lowest;
+        found
+    }
+
+    /// `lowest` has a place per vector.
     #[inline(always)]
     fn apex_among(&self, mut lowest: impl AsMut<[Vec4]>, a: Vec2, b: Vec2, error: f32) -> Apex {
         let lowest = lowest.as_mut();
         let [ax, ay, bx, by, margin] = [a.x, a.y, b.x, b.y, 2.0 * error].map(Vec4::splat);
         let (ex, ey) = (bx - ax, by - ay);
         let mut highest = Vec4::INFINITY;
-        let padded = LANES * lowest.len();
-        let points = self.x[..padded].chunks_exact(LANES).zip(self.y[..padded].chunks_exact(LANES));
-        for ((x, y), low) in points.zip(lowest.iter_mut()) {
-            let (x, y) = (Vec4::from_slice(x), Vec4::from_slice(y));
+        for ((x, y), low) in self.vectors(lowest.len()).zip(lowest.iter_mut()) {
             let (cax, cay) = (x - ax, y - ay);
             let left = ex * cay - ey * cax;
             let along = cax * (x - bx) + cay * (y - by);
@@ -176,23 +187,52 @@ impl WrapSet {
             *low = t - slack + Vec4::select(may_be_left, Vec4::ZERO, Vec4::INFINITY);
             highest = highest.min(t + slack + Vec4::select(left.cmpgt(margin), Vec4::ZERO, Vec4::INFINITY));
         }
-        let highest = highest.min_element();
-        if highest > FAR {
-            let nobody = lowest.iter().all(|low| !low.cmplt(Vec4::splat(FAR)).any());
-            return if nobody { Apex::Missing } else { Apex::Unsure };
-        }
-        // Who has the least t is certain where all others are certainly greater.
-        let bound = Vec4::splat(highest);
-        let (mut found, mut rivals) = (0, 0);
-        for (k, low) in (0..).step_by(32).zip(lowest.chunks(8)) {
-            let bits = low.iter().rev().fold(0, |bits, low| (bits << LANES) | low.cmple(bound).bitmask());
-            rivals += bits.count_ones();
-            if bits != 0 {
-                found = k + bits.trailing_zeros() as usize;
-            }
-        }
-        if rivals == 1 { Apex::Point(found) } else { Apex::Unsure }
+        only_below(lowest, highest.min_element())
     }
+
+    #[inline(always)]
+    fn apex_among_whole(&self, mut lowest: impl AsMut<[Vec4]>, b: Vec2) -> Apex {
+        let lowest = lowest.as_mut();
+        let [bx, by] = [b.x, b.y].map(Vec4::splat);
+        let mut least = Vec4::INFINITY;
+        for ((x, y), low) in self.vectors(lowest.len()).zip(lowest.iter_mut()) {
+            let left = bx * y - by * x;
+            let along = x * (x - bx) + y * (y - by);
+            // What is on the left is so by at least one.
+            let t = along / left.max(Vec4::ONE);
+            *low = t + Vec4::select(left.cmpgt(Vec4::ZERO), Vec4::ZERO, Vec4::INFINITY);
+            least = least.min(*low);
+        }
+        // Only the quotients are rounded.
+        let least = least.min_element();
+        only_below(lowest, least + 4.0 * f32::EPSILON * least.abs())
+    }
+
+    #[inline(always)]
+    fn vectors(&self, count: usize) -> impl Iterator<Item = (Vec4, Vec4)> {
+        let [x, y] = [&self.x, &self.y].map(|list| list[..LANES * count].chunks_exact(LANES).map(Vec4::from_slice));
+        x.zip(y)
+    }
+}
+
+/// Who has the least t is certain where all others are certainly greater: `bound` is the most that the least t can be, `lowest` the
+/// least that each can be.
+#[inline(always)]
+fn only_below(lowest: &[Vec4], bound: f32) -> Apex {
+    if bound > FAR {
+        let nobody = lowest.iter().all(|low| !low.cmplt(Vec4::splat(FAR)).any());
+        return if nobody { Apex::Missing } else { Apex::Unsure };
+    }
+    let bound = Vec4::splat(bound);
+    let (mut found, mut rivals) = (0, 0);
+    for (k, low) in (0..).step_by(32).zip(lowest.chunks(8)) {
+        let bits = low.iter().rev().fold(0, |bits, low| (bits << LANES) | low.cmple(bound).bitmask());
+        rivals += bits.count_ones();
+        if bits != 0 {
+            found = k + bits.trailing_zeros() as usize;
+        }
+    }
+    if rivals == 1 { Apex::Point(found) } else { Apex::Unsure }
 }
 
 /// Coordinates of padding: so far away that for edges of up to 2¹⁵ its t is more than [`FAR`], which no point's t can be,
