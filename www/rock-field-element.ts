@@ -64,8 +64,8 @@ export interface RockFieldElement extends FieldProperties, LayerProperties {}
 /**
  * @attribute preset - Name of a preset; default `journal-fig1`.
  * @attribute src - A share link or its fragment, or parameters as JSON; fills everything.
- * @attribute seed - and every other parameter of the table in kebab case, `image-width`, `packing` …: replaces what `src` or the preset says.
- * @attribute radius - and every other parameter of a layer, as a list with a value per layer: `radius="90 30 10"`.
+ * @attribute seed - Whole number of 32 bits. Like every other parameter of the table in kebab case it replaces what `src` or the preset says.
+ * @attribute radius - Disc radii, one per layer: `90 30 10`. Every other parameter of a layer is such a list too.
  * @attribute view - `3d`, `wireframe`, `diagrams` or `selection`.
  * @attribute color - `layer`, `rock` or `plain`.
  * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
@@ -73,13 +73,13 @@ export interface RockFieldElement extends FieldProperties, LayerProperties {}
  * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
  * @attribute metres-per-pixel - Size of a pixel of the image; default 0.01.
  * @attribute backend - `auto`, `webgpu`, `webgl`, `canvas2d` or `null` (draws nothing); read when the element is connected.
- * @fires load
- * @fires progress
- * @fires generate
- * @fires error
- * @fires camera-change
- * @fires restored
- * @fires notice
+ * @fires load - The first picture has been painted.
+ * @fires progress - A run of more than 200 ms is under way.
+ * @fires generate - A field is finished and on screen; `detail` has its statistics.
+ * @fires error - What went wrong, as data.
+ * @fires camera-change - The user moved the camera, or asked for the whole field.
+ * @fires restored - The picture is back after a loss of the device.
+ * @fires notice - An attribute could not be taken as it stood.
  */
 export class RockFieldElement extends SceneElement {
   static readonly observedAttributes: readonly string[] = [...ATTRIBUTES, ...MANNERS];
