@@ -17,7 +17,7 @@ const STYLES = `
 .message slot, .message span { display: block }
 .hint {
   position: absolute; inset-inline: 0; top: 50%; width: fit-content; max-width: 90%; margin-inline: auto; padding: .5em .9em; border-radius: .5em;
-  box-sizing: border-box; font: .875rem/1.4 system-ui, sans-serif; text-align: center; color: #fff; background: rgb(20 20 24 / .82);
+  box-sizing: border-box; font: .875rem/1.4 system-ui, sans-serif; text-align: center; text-wrap: balance; color: #fff; background: rgb(20 20 24 / .82);
   transform: translateY(-50%); pointer-events: none;
 }
 .unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap }
