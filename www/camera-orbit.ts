@@ -5,6 +5,9 @@
 
 import type { CameraState } from './renderer/renderer.ts';
 
+/** One pixel of the image is a centimetre. */
+export const METRES_PER_PIXEL = 0.01;
+
 export interface Orbit {
   /** Radians; null: as the whole field is framed. */
   azimuth: number | null;

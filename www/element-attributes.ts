@@ -6,7 +6,7 @@
  * a layer list all layers, `radius="90 30 10"`; what has three parts has an attribute for each, `taper-rock="6 6 2"`.
  */
 
-import { parseOrbit } from './camera-orbit.ts';
+import { METRES_PER_PIXEL, parseOrbit } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { errorInfo } from './errors.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
@@ -15,7 +15,7 @@ import { boundsOf, defaultLayer, defaultParams, FIELD_ROWS, LAYER_ROWS, presetPa
 import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { COLORS, decodeLink, VIEWS } from './url-codec.ts';
 
-export { COLORS, VIEWS };
+export { COLORS, METRES_PER_PIXEL, VIEWS };
 
 export const INTERACTIONS = ['cooperative', 'always', 'none'] as const;
 export type Interaction = (typeof INTERACTIONS)[number];
@@ -65,9 +65,6 @@ export const ATTRIBUTES: readonly string[] = [
   'src', 'preset', ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys(),
   'view', 'color', 'camera-orbit', 'interaction', 'loading', 'metres-per-pixel',
 ];
-
-/** One pixel of the image is a centimetre. */
-export const METRES_PER_PIXEL = 0.01;
 
 type Get = (name: string) => string | null;
 /** What is wrong with an attribute; only the first of several is kept. */

@@ -1,7 +1,7 @@
 /** `<rock-field>`: parameters in, a live field of rocks out. The class alone; `rock-field.ts` registers it. */
 
 import { randomParams } from './controls/randomise.ts';
-import { ATTRIBUTES, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, propertyOf, readAttributes, VIEWS } from './element-attributes.ts';
+import { ATTRIBUTES, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, readAttributes, VIEWS } from './element-attributes.ts';
 import type { Interaction } from './element-attributes.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
@@ -12,7 +12,9 @@ import { describeField } from './field-description.ts';
 import { History } from './history.ts';
 import type { Layer, Params } from './params.ts';
 import type { LayerRequest } from './params-flat.ts';
-import { copyParams, defaultLayer, defaultParams, FIELD_ROWS, LAYER_ROWS, readValue, resolveParams, writeValue } from './params-flat.ts';
+import { copyParams, defaultParams, readValue, resolveParams, writeValue } from './params-flat.ts';
+import { defineParameterProperties, keepLocked, PARAMETER_PROPERTIES } from './parameter-properties.ts';
+import type { ParameterProperties } from './parameter-properties.ts';
 import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { SceneElement } from './scene-element.ts';
 import { encodeLink } from './url-codec.ts';
@@ -36,30 +38,14 @@ export interface RockFieldEventMap {
 
 /** Assigned before the element was defined, these would hide the accessors. */
 const PROPERTIES: readonly string[] = [
-  'params', 'layers', ...[...FIELD_ROWS, ...LAYER_ROWS].map(propertyOf), 'view', 'color', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel',
+  'params', 'layers', ...PARAMETER_PROPERTIES, 'view', 'color', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel',
 ];
 
 /** Attributes that are no parameters and change nothing but manners. */
 const MANNERS = ['poster', 'disabled', 'auto-rotate'];
 
-/** A parameter of the field as a property of its own. */
-type FieldProperties = Omit<Params, 'layers'>;
-
-/** The layers' values of one parameter as lists: `element.radius = [90, 30, 10]`; the length is the number of layers. */
-interface LayerProperties {
-  radius: number[];
-  areaFraction: number[];
-  cellCount: (number | null)[];
-  taperBase: number[];
-  taperRock: number[];
-  taperVertex: number[];
-  heightBase: number[];
-  heightRock: number[];
-  heightVertex: number[];
-}
-
-// eslint-disable-next-line @typescript-eslint/no-unsafe-declaration-merging -- the accessors are made from the table, below.
-export interface RockFieldElement extends FieldProperties, LayerProperties {}
+/** The accessors are made from the parameter table. */
+export interface RockFieldElement extends ParameterProperties {}
 
 /**
  * @attribute preset - Name of a preset; default `journal-fig1`.
@@ -217,18 +203,10 @@ export class RockFieldElement extends SceneElement {
    * @throws {RockFieldError} `UnknownKey` for a name in `lock` that is no parameter.
    */
   async randomize({ lock = [] }: { lock?: readonly string[] } = {}): Promise<void> {
-    const known = [...FIELD_ROWS, ...LAYER_ROWS];
-    const stranger = lock.find((name) => name !== 'layers' && !known.some((spec) => propertyOf(spec) === name));
+    const stranger = lock.find((name) => name !== 'layers' && !PARAMETER_PROPERTIES.includes(name));
     if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${JSON.stringify(stranger)}` });
     const seed = await this.freshSeed();
-    const old = this.params;
-    const params = randomParams(old, seed);
-    if (lock.includes('layers')) params.layers = old.layers;
-    for (const spec of known.filter((candidate) => lock.includes(propertyOf(candidate)))) {
-      if (spec.scope === 'field') writeValue(params, spec, readValue(old, spec));
-      // Values of layers can only be kept with as many layers.
-      else params.layers = old.layers.map((kept, index) => withValue(params.layers[index] ?? kept, spec, readValue(kept, spec)));
-    }
+    const params = keepLocked(randomParams(this.params, seed), this.params, lock);
     this.#history?.hold();
     this.params = params;
     this.#history?.release();
@@ -415,41 +393,4 @@ function isAbort(thrown: unknown): boolean {
   return thrown instanceof DOMException && thrown.name === 'AbortError';
 }
 
-function withValue(layer: Layer, spec: (typeof LAYER_ROWS)[number], value: unknown): Layer {
-  const copy = structuredClone(layer);
-  writeValue(copy, spec, value);
-  return copy;
-}
-
-for (const spec of FIELD_ROWS) {
-  Object.defineProperty(RockFieldElement.prototype, propertyOf(spec), {
-    configurable: true,
-    enumerable: true,
-    get(this: RockFieldElement): unknown {
-      return readValue(this.params, spec);
-    },
-    set(this: RockFieldElement, value: unknown) {
-      this.params = { ...this.params, [spec.key]: value };
-    },
-  });
-}
-
-for (const spec of LAYER_ROWS) {
-  Object.defineProperty(RockFieldElement.prototype, propertyOf(spec), {
-    configurable: true,
-    enumerable: true,
-    get(this: RockFieldElement): unknown {
-      return this.params.layers.map((layer) => readValue(layer, spec));
-    },
-    set(this: RockFieldElement, values: unknown) {
-      if (!Array.isArray(values)) {
-        const name = propertyOf(spec);
-        throw new RockFieldError({ name: 'WrongType', key: name, value: values, message: `${name} has to be a list with a value for each layer` });
-      }
-      const { notation, layers: old, ...rest } = this.params;
-      const unused = 1 + Math.max(-1, ...old.map(({ id }) => id));
-      const layers = values.map((value: unknown, index) => withValue(old[index] ?? defaultLayer(unused + index, notation), spec, value));
-      this.params = { ...rest, notation, layers };
-    },
-  });
-}
+defineParameterProperties(RockFieldElement.prototype);

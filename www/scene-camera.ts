@@ -2,7 +2,7 @@
 
 import { AutoRotation } from './auto-rotation.ts';
 import { CameraFlight } from './camera-flight.ts';
-import { orbitCamera, turnCamera } from './camera-orbit.ts';
+import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { defaultCamera, isPlan } from './camera.ts';
 import type { CameraState, View } from './renderer/renderer.ts';
@@ -21,7 +21,7 @@ export class SceneCamera {
   #flight: CameraFlight | undefined;
   /** What the framing is when the page asks for another than ours. */
   #orbit: Orbit | null = null;
-  #metresPerPixel = 0.01;
+  #metresPerPixel = METRES_PER_PIXEL;
   #rotation = new AutoRotation();
   #frame: () => Frame;
 

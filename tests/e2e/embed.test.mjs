@@ -48,6 +48,13 @@ test('attributes and properties of parameters are two ways to the same field', a
     return { params: b.params, same: one.positions.length > 0 && one.positions.every((value, k) => value === two.positions[k]) };
   });
   assert.deepEqual(byProperty, { params: byAttribute.params, same: true });
+  const grown = await page.evaluate(() => {
+    const [b, c] = [document.createElement('rock-field'), document.createElement('rock-field')];
+    b.setAttribute('radius', '90 30 10 5');
+    c.radius = [90, 30, 10, 5];
+    return [b.params, c.params];
+  });
+  assert.deepEqual(grown[0], grown[1], 'a layer more is another one as an attribute than as a property');
   const thrown = await page.evaluate(() => {
     const before = JSON.stringify(a.params);
     const errors = [() => (a.packing = 2), () => (a.radius = [0]), () => (a.radius = 7), () => (a.layers = [{ radius: 'x' }])].map((assign) => {
