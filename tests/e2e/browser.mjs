@@ -81,3 +81,12 @@ export function screenshotPath(name) {
   mkdirSync(folder, { recursive: true });
   return path.join(folder, `${name}.png`);
 }
+
+/** An `intercept` that answers `name` with whatever page `html` gives at that moment. */
+export function pageOf(name, html) {
+  return (request, response) => {
+    if (!request.url.startsWith(`/${name}`)) return false;
+    response.writeHead(200, { 'content-type': 'text/html' }).end(html());
+    return true;
+  };
+}

@@ -1,7 +1,7 @@
 // <rock-field> in a real browser: lifecycle, sizing, frames, loss, attributes. Drawn by WebGL2 unless said otherwise.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch } from './browser.mjs';
+import { launch, pageOf } from './browser.mjs';
 
 /** Everything the element could leave behind is counted. */
 const COUNTERS = `
@@ -33,13 +33,7 @@ let session;
 let html = '';
 
 before(async () => {
-  session = await launch({
-    intercept(request, response) {
-      if (!request.url.startsWith('/element.html')) return false;
-      response.writeHead(200, { 'content-type': 'text/html' }).end(html);
-      return true;
-    },
-  });
+  session = await launch({ intercept: pageOf('element.html', () => html) });
 });
 
 after(() => session?.close());

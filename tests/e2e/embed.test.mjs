@@ -1,7 +1,7 @@
 // What people who embed <rock-field> rely on: attributes and properties of parameters, orbit, poster, laziness, files, links, undo.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch } from './browser.mjs';
+import { launch, pageOf } from './browser.mjs';
 
 const SMALL = 'image-width="256" image-height="192"';
 
@@ -9,13 +9,7 @@ let session;
 let html = '';
 
 before(async () => {
-  session = await launch({
-    intercept(request, response) {
-      if (!request.url.startsWith('/embed.html')) return false;
-      response.writeHead(200, { 'content-type': 'text/html' }).end(html);
-      return true;
-    },
-  });
+  session = await launch({ intercept: pageOf('embed.html', () => html) });
 });
 
 after(() => session?.close());

@@ -1,7 +1,7 @@
 // The manners of the picture on a page that scrolls, with the browser's own scrolling and touch: wheel, fingers, mouse, keys.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch } from './browser.mjs';
+import { launch, pageOf } from './browser.mjs';
 
 const HTML = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>gestures</title><link rel="icon" href="data:,">
 <style>body { margin: 0; height: 3000px } rock-field { width: 320px; height: 240px; margin: 300px 20px }</style>
@@ -17,13 +17,7 @@ const HTML = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="v
 let session;
 
 before(async () => {
-  session = await launch({
-    intercept(request, response) {
-      if (!request.url.startsWith('/gestures.html')) return false;
-      response.writeHead(200, { 'content-type': 'text/html' }).end(HTML);
-      return true;
-    },
-  });
+  session = await launch({ intercept: pageOf('gestures.html', () => HTML) });
 });
 
 after(() => session?.close());

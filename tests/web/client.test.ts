@@ -7,35 +7,16 @@ import { CANCEL_MS, GeneratorClient } from '../../www/generator/client.ts';
 import type { ClientOptions } from '../../www/generator/client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
 import { GRACE_MS, SILENCE_MS } from '../../www/generator/pool-worker.ts';
-import type { WorkerLike } from '../../www/generator/pool-worker.ts';
-import type { FailedMessage, FromLoop, PongMessage, ReadyMessage, StartMessage, ToWorker } from '../../www/generator/protocol.ts';
+import type { FailedMessage, FromLoop, FromWorker, PongMessage, ReadyMessage, StartMessage } from '../../www/generator/protocol.ts';
 import { defaultParams } from '../../www/params-flat.ts';
+import { SilentWorker } from './fake-worker.ts';
 
 /** The first of its pool, and here the only one. */
 const CLIENT = 1;
 
-/** A worker whose every word is written by the test. */
-class FakeWorker implements WorkerLike {
-  onmessage: WorkerLike['onmessage'] = null;
-  onerror: WorkerLike['onerror'] = null;
-  onmessageerror: WorkerLike['onmessageerror'] = null;
-  heard: ToWorker[] = [];
-  ended = false;
-
-  postMessage(message: ToWorker): void {
-    this.heard.push(structuredClone(message));
-  }
-
-  terminate(): void {
-    this.ended = true;
-  }
-
+class FakeWorker extends SilentWorker {
   says(message: FromLoop | ReadyMessage | FailedMessage | PongMessage): void {
-    this.onmessage?.({ data: { client: CLIENT, ...message } } as MessageEvent);
-  }
-
-  dies(message = ''): void {
-    this.onerror?.({ message, preventDefault: () => {} } as ErrorEvent);
+    this.tells({ client: CLIENT, ...message } as FromWorker);
   }
 
   finishes(id: number): void {

@@ -7,32 +7,13 @@ import type { Field } from '../../www/field.ts';
 import { CANCEL_MS, GeneratorClient } from '../../www/generator/client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
 import { GRACE_MS, SILENCE_MS } from '../../www/generator/pool-worker.ts';
-import type { WorkerLike } from '../../www/generator/pool-worker.ts';
-import type { Addressed, FromWorker, StartMessage, ToWorker } from '../../www/generator/protocol.ts';
+import type { Addressed, FromWorker, StartMessage } from '../../www/generator/protocol.ts';
 import { defaultParams } from '../../www/params-flat.ts';
+import { SilentWorker } from './fake-worker.ts';
 
-class FakeWorker implements WorkerLike {
-  onmessage: WorkerLike['onmessage'] = null;
-  onerror: WorkerLike['onerror'] = null;
-  onmessageerror: WorkerLike['onmessageerror'] = null;
-  heard: ToWorker[] = [];
-  ended = false;
-
-  postMessage(message: ToWorker): void {
-    assert(!this.ended, 'a message to a worker that has ended');
-    this.heard.push(structuredClone(message));
-  }
-
-  terminate(): void {
-    this.ended = true;
-  }
-
+class FakeWorker extends SilentWorker {
   says(message: FromWorker): void {
-    this.onmessage?.({ data: message } as MessageEvent<FromWorker>);
-  }
-
-  dies(message = ''): void {
-    this.onerror?.({ message, preventDefault: () => {} } as ErrorEvent);
+    this.tells(message);
   }
 
   /** The field tells whose it is: its client's number. */
