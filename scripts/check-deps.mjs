@@ -27,7 +27,7 @@ const FORBIDDEN_CRATES = [
 ];
 
 /** Only these files of www/ import the wasm glue. */
-const WASM_IMPORTERS = ['www/generator/worker.ts', 'www/renderer/load.ts', 'www/core.ts', 'www/core.node.ts'];
+const WASM_IMPORTERS = ['www/generator/worker.ts', 'www/renderer/artefact.ts', 'www/core.ts', 'www/core.node.ts'];
 /** Elements know no address bar: only the page does. */
 const ELEMENTS = ['www/rock-field.ts', 'www/scene-element.ts', 'www/wood-ear-log.ts'];
 

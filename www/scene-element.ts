@@ -378,7 +378,7 @@ export abstract class SceneElement extends Base {
   async #openRenderer(cycle: number, backend = this.#wantedBackend()): Promise<boolean> {
     let renderer: SceneRenderer;
     try {
-      renderer = await loadRenderer(() => this.#makeCanvas(), { backend });
+      renderer = await loadRenderer(() => this.#makeCanvas(), backend);
     } catch (thrown) {
       if (cycle === this.#cycle) this.report({ name: 'NoRenderer', message: errorText(thrown) });
       return false;

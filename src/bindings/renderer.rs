@@ -1,10 +1,11 @@
 //! What the renderer artefacts export: convert – call – convert.
 
 use std::cell::RefCell;
+use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{Camera, ColorMode, Gpu, Layer, Maps, Mesh, Mode, Plan, RenderError, Rocks, Scene, View};
+use crate::render::{Camera, ColorMode, Gpu, Layer, Mesh, Mode, Plan, RenderError, Rocks, Scene, View};
 
 thread_local! {
     // wgpu wants its callbacks `Send`, a JavaScript function is not: they carry an index into this list.
@@ -33,13 +34,44 @@ fn to_js(error: &RenderError) -> js_sys::Error {
     js
 }
 
-/// One canvas with its device and its field.
+/// A graphics device, for as many [`Renderer`]s as a page has.
+#[wasm_bindgen]
+pub struct Device {
+    listener: u32,
+    gpu: Rc<Gpu>,
+}
+
+#[wasm_bindgen]
+impl Device {
+    /// Gets a device: with WebGL2 that of `canvas`, with WebGPU one for canvases like it. `onLost(reason)` is called at most once.
+    pub async fn create(
+        canvas: web_sys::HtmlCanvasElement,
+        on_lost: js_sys::Function,
+    ) -> Result<Device, js_sys::Error> {
+        let listener = listen(on_lost);
+        let gpu = Gpu::new(canvas, listener, tell).await.map_err(|error| to_js(&error))?;
+        Ok(Self { listener, gpu: Rc::new(gpu) })
+    }
+
+    /// Largest side of a picture, device pixels.
+    #[wasm_bindgen(js_name = maxSide)]
+    pub fn max_side(&self) -> u32 {
+        self.gpu.max_side()
+    }
+
+    /// Stops telling of losses and lets the device go; call before `free`.
+    pub fn close(&self) {
+        // First the listener: letting the device go is reported as a loss too.
+        LISTENERS.with_borrow_mut(|list| list.get_mut(self.listener as usize).map(Option::take));
+        self.gpu.destroy();
+    }
+}
+
+/// One picture and its field.
 #[wasm_bindgen]
 pub struct Renderer {
-    listener: u32,
-    gpu: Gpu,
+    gpu: Rc<Gpu>,
     view: View,
-    maps: Option<Maps>,
     scene: Option<Scene>,
     plan: Option<Plan>,
     layers: Vec<Layer>,
@@ -47,15 +79,13 @@ pub struct Renderer {
 
 #[wasm_bindgen]
 impl Renderer {
-    /// Gets a device and takes `canvas`; `onLost(reason)` is called at most once.
-    pub async fn create(
-        canvas: web_sys::HtmlCanvasElement,
-        on_lost: js_sys::Function,
-    ) -> Result<Renderer, js_sys::Error> {
-        let listener = listen(on_lost);
-        let (gpu, surface) = Gpu::with_canvas(canvas, listener, tell).await.map_err(|error| to_js(&error))?;
-        let view = View::new(&gpu, surface).map_err(|error| to_js(&error))?;
-        Ok(Self { listener, gpu, view, maps: None, scene: None, plan: None, layers: Vec::new() })
+    /// On a canvas of its own with WebGPU; with WebGL2 without one, the picture is then in the corner of the device's.
+    #[wasm_bindgen(constructor)]
+    pub fn new(device: &Device, canvas: Option<web_sys::HtmlCanvasElement>) -> Result<Renderer, js_sys::Error> {
+        let gpu = device.gpu.clone();
+        let own = canvas.map(|canvas| gpu.screen(canvas)).transpose().map_err(|error| to_js(&error))?;
+        let view = View::new(&gpu, own).map_err(|error| to_js(&error))?;
+        Ok(Self { gpu, view, scene: None, plan: None, layers: Vec::new() })
     }
 
     /// Uploads a field's mesh and replaces what is drawn. Per rock: its layer's id and its site's index.
@@ -72,8 +102,7 @@ impl Renderer {
         rock_sites: Vec<u32>,
     ) -> Result<(), js_sys::Error> {
         let mesh = Mesh { positions, indices, rocks: Rocks { vertex_starts, layers: rock_layers, sites: rock_sites } };
-        let maps = self.maps.get_or_insert_with(|| Maps::new(&self.gpu)).clone();
-        let scene = Scene::new(&self.gpu, [image_width, image_height], mesh, maps);
+        let scene = Scene::new(&self.gpu, [image_width, image_height], mesh);
         self.scene = Some(scene.map_err(|error| to_js(&error))?);
         self.plan = None;
         Ok(())
@@ -162,10 +191,8 @@ impl Renderer {
         self.view.render(&self.gpu, self.scene.as_mut(), self.plan.as_ref());
     }
 
-    /// Stops telling of losses and lets the device go; call before `free`.
+    /// Gives back what the device's other renderers may use; call before `free`.
     pub fn close(&self) {
-        // First the listener: letting the device go is reported as a loss too.
-        LISTENERS.with_borrow_mut(|list| list.get_mut(self.listener as usize).map(Option::take));
-        self.gpu.destroy();
+        self.view.release(&self.gpu);
     }
 }

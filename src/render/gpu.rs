@@ -1,40 +1,36 @@
-//! The device: what all canvases can share.
+//! The device: what all canvases of a page share.
+
+use std::cell::{Cell, RefCell};
 
 use super::RenderError;
+use super::maps::MapSets;
 use super::pipelines::Pipelines;
-use super::surface;
+use super::surface::{Kind, Screen};
 
-/// Device, queue and pipelines; one may serve many canvases ([`super::View`]) and fields ([`super::Scene`]).
+/// Device, queue, pipelines and maps, for many canvases ([`super::View`]) and fields ([`super::Scene`]).
 pub(crate) struct Gpu {
+    instance: wgpu::Instance,
     pub(crate) device: wgpu::Device,
     pub(crate) queue: wgpu::Queue,
     pub(crate) pipelines: Pipelines,
-    /// Of every canvas drawn to.
-    pub(crate) format: wgpu::TextureFormat,
-    /// 4, or 1 where the format cannot be multisampled.
-    pub(crate) samples: u32,
+    pub(crate) kind: Kind,
+    pub(crate) maps: RefCell<MapSets>,
+    /// With WebGL2, where a device is bound to one canvas: all views are drawn here, and copied from here.
+    pub(crate) shared: Option<RefCell<Screen>>,
+    numbers: Cell<u64>,
 }
 
 /// Told once, with a reason, when the device is lost or out of memory.
 pub(crate) type OnLost = fn(id: u32, reason: &str);
 
 impl Gpu {
-    /// Asks for a device, then for a surface on `canvas`: with WebGPU the canvas stays untouched until
-    /// the device stands. WebGL2 has no adapter without its canvas, so there the surface comes first.
+    /// A device. With WebGL2 it is that of `canvas`, on which all views are then drawn; with WebGPU `canvas` only
+    /// tells what canvases are like here, and is touched once the device stands.
     /// `on_lost` is called with `id`; a function pointer, because wgpu wants its callbacks `Send`.
-    pub(crate) async fn with_canvas(
-        canvas: web_sys::HtmlCanvasElement,
-        id: u32,
-        on_lost: OnLost,
-    ) -> Result<(Self, wgpu::Surface<'static>), RenderError> {
+    pub(crate) async fn new(canvas: web_sys::HtmlCanvasElement, id: u32, on_lost: OnLost) -> Result<Self, RenderError> {
+        let is_webgl = cfg!(feature = "renderer-webgl");
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
-        let make_surface = |canvas| {
-            instance
-                .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
-                .map_err(|error| RenderError::Surface(error.to_string()))
-        };
-        let (early, canvas) =
-            if cfg!(feature = "renderer-webgl") { (Some(make_surface(canvas)?), None) } else { (None, Some(canvas)) };
+        let early = if is_webgl { Some(make_surface(&instance, canvas.clone())?) } else { None };
         let adapter = instance
             .request_adapter(&wgpu::RequestAdapterOptions {
                 power_preference: wgpu::PowerPreference::HighPerformance,
@@ -44,19 +40,33 @@ impl Gpu {
             .await
             .map_err(|error| RenderError::NoAdapter(error.to_string()))?;
         let (device, queue) = request_device(&adapter).await?;
-        let surface = match (early, canvas) {
-            (Some(surface), _) => surface,
-            (None, Some(canvas)) => make_surface(canvas)?,
-            (None, None) => return Err(RenderError::Surface("no canvas".into())),
-        };
         watch(&device, id, on_lost);
+        let surface = match early {
+            Some(surface) => surface,
+            None => make_surface(&instance, canvas)?,
+        };
+        let kind = Kind::of(&surface, &adapter)?;
+        Ok(Self {
+            pipelines: Pipelines::new(&device, kind),
+            shared: is_webgl.then(|| RefCell::new(Screen::new(&device, kind, surface))),
+            instance,
+            device,
+            queue,
+            kind,
+            maps: RefCell::default(),
+            numbers: Cell::new(0),
+        })
+    }
 
-        let format = surface::format(&surface, &adapter)?;
-        let flags = adapter.get_texture_format_features(format).flags;
-        let samples = if flags.sample_count_supported(4) { 4 } else { 1 };
-        let pipelines = Pipelines::new(&device, format, samples);
-        let gpu = Self { device, queue, pipelines, format, samples };
-        Ok((gpu, surface))
+    /// A canvas of its own for a view; not with WebGL2.
+    pub(crate) fn screen(&self, canvas: web_sys::HtmlCanvasElement) -> Result<Screen, RenderError> {
+        Ok(Screen::new(&self.device, self.kind, make_surface(&self.instance, canvas)?))
+    }
+
+    /// One that was never given before.
+    pub(crate) fn next_number(&self) -> u64 {
+        self.numbers.set(self.numbers.get() + 1);
+        self.numbers.get()
     }
 
     /// Gives the device's memory back now, rather than when JavaScript collects it.
@@ -68,6 +78,15 @@ impl Gpu {
     pub(crate) fn max_side(&self) -> u32 {
         self.device.limits().max_texture_dimension_2d
     }
+}
+
+fn make_surface(
+    instance: &wgpu::Instance,
+    canvas: web_sys::HtmlCanvasElement,
+) -> Result<wgpu::Surface<'static>, RenderError> {
+    instance
+        .create_surface(wgpu::SurfaceTarget::Canvas(canvas))
+        .map_err(|error| RenderError::Surface(error.to_string()))
 }
 
 /// The smallest limits that do: WebGL2's, with this adapter's own texture and buffer sizes.

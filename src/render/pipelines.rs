@@ -8,7 +8,7 @@
 
 use std::cell::OnceCell;
 
-use super::surface::DEPTH_FORMAT;
+use super::surface::{DEPTH_FORMAT, Kind};
 use super::uniforms::{FieldUniforms, Globals};
 
 const COMMON: &str = include_str!("shaders/common.wgsl");
@@ -58,8 +58,7 @@ pub(crate) struct Pipelines {
     pub(crate) frame_layout: wgpu::BindGroupLayout,
     pub(crate) field_layout: wgpu::BindGroupLayout,
     pub(crate) maps_layout: wgpu::BindGroupLayout,
-    format: wgpu::TextureFormat,
-    samples: u32,
+    kind: Kind,
     pub(crate) shadow: wgpu::RenderPipeline,
     pub(crate) height: wgpu::RenderPipeline,
     pub(crate) ground: wgpu::RenderPipeline,
@@ -103,12 +102,12 @@ enum Target {
 }
 
 impl Pipelines {
-    pub(crate) fn new(device: &wgpu::Device, format: wgpu::TextureFormat, samples: u32) -> Self {
+    pub(crate) fn new(device: &wgpu::Device, kind: Kind) -> Self {
         let frame_layout = uniform_layout::<Globals>(device, "rock-field/layout/frame");
         let field_layout = uniform_layout::<FieldUniforms>(device, "rock-field/layout/field");
         let maps_layout = maps_layout(device);
         let layouts = [&frame_layout, &field_layout, &maps_layout];
-        let make = |pass| pipeline(device, layouts, format, samples, pass);
+        let make = |pass| pipeline(device, layouts, kind, pass);
         let shadow = make(Pass {
             label: "rock-field/shadow/pipeline",
             source: include_str!("shaders/shadow.wgsl"),
@@ -147,8 +146,7 @@ impl Pipelines {
             frame_layout,
             field_layout,
             maps_layout,
-            format,
-            samples,
+            kind,
             shadow,
             height,
             ground,
@@ -160,7 +158,7 @@ impl Pipelines {
 
     fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
         let layouts = [&self.frame_layout, &self.field_layout, &self.maps_layout];
-        pipeline(device, layouts, self.format, self.samples, pass)
+        pipeline(device, layouts, self.kind, pass)
     }
 
     /// The fill pushed back, and the edges.
@@ -224,8 +222,7 @@ fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {
 fn pipeline(
     device: &wgpu::Device,
     [frame, field, maps]: [&wgpu::BindGroupLayout; 3],
-    format: wgpu::TextureFormat,
-    samples: u32,
+    Kind { format, samples }: Kind,
     pass: Pass<'_>,
 ) -> wgpu::RenderPipeline {
     let lighting = if pass.lit { LIGHTING } else { "" };

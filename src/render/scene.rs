@@ -1,19 +1,16 @@
-//! One field on the device: its buffers, and the two maps its light is read from.
+//! One field on the device: its buffers, and what draws them.
 
 use glam::{Mat4, Vec3};
 
+use super::maps::{MapSets, Maps};
 use super::palette::{self, ColorMode};
-use super::pipelines::{HEIGHT_FORMAT, SHADOW_FORMAT};
-use super::surface::{depth_attachment, texture};
+use super::surface::depth_attachment;
 use super::uniforms::FieldUniforms;
 use super::{Gpu, RenderError, upload};
 
 /// Towards the sun: 35° high, from the left of the default view (azimuth 30°) and a little behind the
 /// field, so that shadows fall to the right and towards the viewer. Chosen by eye.
 const SUN: Vec3 = Vec3::new(-0.80, 0.16, 0.58);
-
-/// Side of the shadow map and of the height map, texels; 0.7 px each for the 1024 px fields of the papers.
-const MAP_SIDE: u32 = 2048;
 
 /// The mesh as it lies in JavaScript; read a slice at a time.
 pub(crate) struct Mesh<'a> {
@@ -34,8 +31,10 @@ pub(crate) struct Rocks {
     pub(crate) sites: Vec<u32>,
 }
 
-/// Buffers, maps and bind groups of one field.
+/// Buffers and bind groups of one field.
 pub(crate) struct Scene {
+    /// No other scene of the device has it.
+    pub(crate) number: u64,
     positions: wgpu::Buffer,
     colors: wgpu::Buffer,
     indices: wgpu::Buffer,
@@ -50,37 +49,6 @@ pub(crate) struct Scene {
     pub(crate) radius: f32,
     pub(crate) image: [f32; 2],
     pub(crate) field_group: wgpu::BindGroup,
-    pub(crate) maps: Maps,
-    maps_drawn: bool,
-}
-
-/// The textures the light is read from; handles, so a clone is the same textures.
-#[derive(Clone)]
-pub(crate) struct Maps {
-    pub(crate) group: wgpu::BindGroup,
-    side: u32,
-    shadow: wgpu::TextureView,
-    height: wgpu::TextureView,
-    height_depth: wgpu::TextureView,
-}
-
-impl Maps {
-    pub(crate) fn new(gpu: &Gpu) -> Self {
-        let side = MAP_SIDE.min(gpu.max_side());
-        let map = |label, format| {
-            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-            texture(&gpu.device, label, (side, side), 1, format, usage)
-        };
-        let shadow = map("rock-field/shadow/map", SHADOW_FORMAT);
-        let height = map("rock-field/height/map", HEIGHT_FORMAT);
-        Self {
-            group: maps_group(gpu, &shadow, &height),
-            side,
-            shadow,
-            height,
-            height_depth: map("rock-field/height/depth", SHADOW_FORMAT),
-        }
-    }
 }
 
 impl Drop for Scene {
@@ -95,8 +63,8 @@ impl Drop for Scene {
 
 impl Scene {
     /// Uploads `mesh`, grown on an image of `image` px. Its colours follow with [`Scene::paint`], its
-    /// maps with [`Scene::draw_maps`]; `maps` may be those of the scene it replaces.
-    pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: Mesh<'_>, maps: Maps) -> Result<Self, RenderError> {
+    /// maps with [`Scene::draw_maps`].
+    pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: Mesh<'_>) -> Result<Self, RenderError> {
         let vertex_count = mesh.positions.length() / 3;
         let index_count = mesh.indices.length() / 3 * 3;
         let rocks = mesh.rocks;
@@ -141,7 +109,7 @@ impl Scene {
             return Err(RenderError::Malformed("a coordinate is infinite"));
         }
 
-        let uniforms = field_uniforms(image, low, high, maps.side as f32);
+        let uniforms = field_uniforms(image, low, high, MapSets::side(gpu) as f32);
         let buffer = upload::buffer(
             &gpu.device,
             "rock-field/field/uniforms",
@@ -156,6 +124,7 @@ impl Scene {
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
         });
         Ok(Self {
+            number: gpu.next_number(),
             positions,
             colors,
             indices,
@@ -168,8 +137,6 @@ impl Scene {
             radius: (high - low).length() * 0.5,
             image,
             field_group,
-            maps,
-            maps_drawn: false,
         })
     }
 
@@ -229,15 +196,16 @@ impl Scene {
         Ok(())
     }
 
-    /// Draws the shadow and height maps if they are not yet there. Nothing moves but by a new field, so
-    /// once is enough.
-    pub(crate) fn draw_maps(&mut self, gpu: &Gpu, encoder: &mut wgpu::CommandEncoder, frame_group: &wgpu::BindGroup) {
-        if self.maps_drawn {
-            return;
-        }
-        self.maps_drawn = true;
+    /// Draws the shadow and height maps. Nothing moves but by a new field, so once is enough.
+    pub(crate) fn draw_maps(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame_group: &wgpu::BindGroup,
+        maps: &Maps,
+    ) {
         let height_color = wgpu::RenderPassColorAttachment {
-            view: &self.maps.height,
+            view: &maps.height,
             depth_slice: None,
             resolve_target: None,
             ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
@@ -247,13 +215,13 @@ impl Scene {
                 "rock-field/shadow/pass",
                 &gpu.pipelines.shadow,
                 None,
-                depth_attachment(&self.maps.shadow, wgpu::StoreOp::Store),
+                depth_attachment(&maps.shadow, wgpu::StoreOp::Store),
             ),
             (
                 "rock-field/height/pass",
                 &gpu.pipelines.height,
                 Some(height_color),
-                depth_attachment(&self.maps.height_depth, wgpu::StoreOp::Discard),
+                depth_attachment(&maps.height_depth, wgpu::StoreOp::Discard),
             ),
         ];
         for (label, pipeline, color, depth) in passes {
@@ -345,29 +313,4 @@ fn field_uniforms(image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUni
         size: [image[0], image[1], high.z.max(1.0), 0.0],
         ground: [0.36 * image[0].max(image[1]), texel, 0.0, 0.0],
     }
-}
-
-fn maps_group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> wgpu::BindGroup {
-    let sampler = |label, compare| {
-        gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some(label),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            compare,
-            ..Default::default()
-        })
-    };
-    let compare = sampler("rock-field/shadow/sampler", Some(wgpu::CompareFunction::LessEqual));
-    let linear = sampler("rock-field/height/sampler", None);
-    let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-        label: Some("rock-field/maps/group"),
-        layout: &gpu.pipelines.maps_layout,
-        entries: &[
-            entry(0, wgpu::BindingResource::TextureView(shadow)),
-            entry(1, wgpu::BindingResource::Sampler(&compare)),
-            entry(2, wgpu::BindingResource::TextureView(height)),
-            entry(3, wgpu::BindingResource::Sampler(&linear)),
-        ],
-    })
 }

@@ -1,62 +1,88 @@
 //! A canvas' surface and the multisampled targets behind it.
 
-use super::{Gpu, RenderError};
+use super::RenderError;
 
 /// Depth of the view; near and far are fitted, so 24 bits do.
 pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
-/// The surface's first format, preferably one that stores what the shader wrote: we encode sRGB
-/// ourselves, once, on both backends.
-pub(crate) fn format(surface: &wgpu::Surface<'_>, adapter: &wgpu::Adapter) -> Result<wgpu::TextureFormat, RenderError> {
-    let formats = surface.get_capabilities(adapter).formats;
-    formats
-        .iter()
-        .find(|format| matches!(format, wgpu::TextureFormat::Rgba8Unorm | wgpu::TextureFormat::Bgra8Unorm))
-        .or(formats.first())
-        .copied()
-        .ok_or_else(|| RenderError::Surface("it offers no format".into()))
+/// What every surface of a device is drawn with.
+#[derive(Clone, Copy)]
+pub(crate) struct Kind {
+    pub(crate) format: wgpu::TextureFormat,
+    /// 4, or 1 where the format cannot be multisampled.
+    pub(crate) samples: u32,
 }
 
-/// Surface, size, and targets of that size.
-pub(crate) struct Target {
+impl Kind {
+    /// The surface's first format, preferably one that stores what the shader wrote: we encode sRGB
+    /// ourselves, once, on both backends.
+    pub(crate) fn of(surface: &wgpu::Surface<'_>, adapter: &wgpu::Adapter) -> Result<Self, RenderError> {
+        let formats = surface.get_capabilities(adapter).formats;
+        let format = formats
+            .iter()
+            .find(|format| matches!(format, wgpu::TextureFormat::Rgba8Unorm | wgpu::TextureFormat::Bgra8Unorm))
+            .or(formats.first())
+            .copied()
+            .ok_or_else(|| RenderError::Surface("it offers no format".into()))?;
+        let flags = adapter.get_texture_format_features(format).flags;
+        Ok(Self { format, samples: if flags.sample_count_supported(4) { 4 } else { 1 } })
+    }
+}
+
+/// A surface with its targets: of one canvas with WebGPU, of all canvases together with WebGL2.
+pub(crate) struct Screen {
     surface: wgpu::Surface<'static>,
-    pub(crate) width: u32,
-    pub(crate) height: u32,
+    width: u32,
+    height: u32,
     /// None with a single sample: the surface's texture is drawn to directly.
     color: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
 }
 
-impl Target {
-    pub(crate) fn new(gpu: &Gpu, surface: wgpu::Surface<'static>) -> Self {
+impl Drop for Screen {
+    /// Not left to JavaScript's collector.
+    fn drop(&mut self) {
+        self.destroy_attachments();
+    }
+}
+
+impl Screen {
+    pub(crate) fn new(device: &wgpu::Device, kind: Kind, surface: wgpu::Surface<'static>) -> Self {
         let (width, height) = (1, 1);
-        let (color, depth) = attachments(gpu, width, height);
-        let target = Self { surface, width, height, color, depth };
-        target.configure(gpu);
-        target
+        let (color, depth) = attachments(device, kind, width, height);
+        let screen = Self { surface, width, height, color, depth };
+        screen.configure(device, kind);
+        screen
     }
 
-    /// Device pixels, clamped to what a texture can hold.
-    pub(crate) fn resize(&mut self, gpu: &Gpu, width: u32, height: u32) {
-        let max = gpu.max_side();
-        let (width, height) = (width.clamp(1, max), height.clamp(1, max));
+    /// To this size exactly, device pixels; not above what a texture can hold.
+    pub(crate) fn resize(&mut self, device: &wgpu::Device, kind: Kind, width: u32, height: u32) {
         if (width, height) == (self.width, self.height) {
             return;
         }
         (self.width, self.height) = (width, height);
+        self.destroy_attachments();
+        (self.color, self.depth) = attachments(device, kind, width, height);
+        self.configure(device, kind);
+    }
+
+    /// To this size at least. Never back: what shares it would pay for every change.
+    pub(crate) fn grow(&mut self, device: &wgpu::Device, kind: Kind, width: u32, height: u32) {
+        self.resize(device, kind, self.width.max(width), self.height.max(height));
+    }
+
+    fn destroy_attachments(&self) {
         for view in self.color.iter().chain([&self.depth]) {
             view.texture().destroy();
         }
-        (self.color, self.depth) = attachments(gpu, width, height);
-        self.configure(gpu);
     }
 
-    fn configure(&self, gpu: &Gpu) {
+    fn configure(&self, device: &wgpu::Device, kind: Kind) {
         self.surface.configure(
-            &gpu.device,
+            device,
             &wgpu::SurfaceConfiguration {
                 usage: wgpu::TextureUsages::RENDER_ATTACHMENT,
-                format: gpu.format,
+                format: kind.format,
                 color_space: Default::default(),
                 width: self.width,
                 height: self.height,
@@ -69,12 +95,12 @@ impl Target {
     }
 
     /// The next texture to draw to; once more after a reconfiguration. None: skip this frame.
-    pub(crate) fn acquire(&self, gpu: &Gpu) -> Option<wgpu::SurfaceTexture> {
+    pub(crate) fn acquire(&self, device: &wgpu::Device, kind: Kind) -> Option<wgpu::SurfaceTexture> {
         use wgpu::CurrentSurfaceTexture as Current;
         for _ in 0..2 {
             match self.surface.get_current_texture() {
                 Current::Success(texture) | Current::Suboptimal(texture) => return Some(texture),
-                Current::Outdated | Current::Lost => self.configure(gpu),
+                Current::Outdated | Current::Lost => self.configure(device, kind),
                 Current::Timeout | Current::Occluded | Current::Validation => return None,
             }
         }
@@ -113,11 +139,16 @@ pub(crate) fn depth_attachment(
     }
 }
 
-fn attachments(gpu: &Gpu, width: u32, height: u32) -> (Option<wgpu::TextureView>, wgpu::TextureView) {
+fn attachments(
+    device: &wgpu::Device,
+    Kind { format, samples }: Kind,
+    width: u32,
+    height: u32,
+) -> (Option<wgpu::TextureView>, wgpu::TextureView) {
     let make = |label, format| {
-        texture(&gpu.device, label, (width, height), gpu.samples, format, wgpu::TextureUsages::RENDER_ATTACHMENT)
+        texture(device, label, (width, height), samples, format, wgpu::TextureUsages::RENDER_ATTACHMENT)
     };
-    let color = (gpu.samples > 1).then(|| make("rock-field/view/color", gpu.format));
+    let color = (samples > 1).then(|| make("rock-field/view/color", format));
     (color, make("rock-field/view/depth", DEPTH_FORMAT))
 }
 

@@ -2,7 +2,7 @@
 
 use super::camera::FOV_Y;
 use super::palette::{self, ColorMode, DARK, LIGHT};
-use super::surface::Target;
+use super::surface::Screen;
 use super::uniforms::Globals;
 use super::{Camera, Gpu, Layer, Plan, RenderError, Scene, upload};
 
@@ -17,7 +17,13 @@ pub(crate) enum Mode {
 
 /// Per-canvas state.
 pub(crate) struct View {
-    target: Target,
+    /// No other view or scene of the device has it.
+    number: u64,
+    /// None where all views share one: [`Gpu::shared`].
+    own: Option<Screen>,
+    /// Device pixels.
+    width: u32,
+    height: u32,
     globals: wgpu::Buffer,
     frame_group: wgpu::BindGroup,
     camera: Camera,
@@ -29,7 +35,8 @@ pub(crate) struct View {
 }
 
 impl View {
-    pub(crate) fn new(gpu: &Gpu, surface: wgpu::Surface<'static>) -> Result<Self, RenderError> {
+    /// With WebGPU on a canvas of its own, which `own` is made of.
+    pub(crate) fn new(gpu: &Gpu, own: Option<Screen>) -> Result<Self, RenderError> {
         let globals = upload::buffer(
             &gpu.device,
             "rock-field/view/globals",
@@ -43,7 +50,10 @@ impl View {
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: globals.as_entire_binding() }],
         });
         Ok(Self {
-            target: Target::new(gpu, surface),
+            number: gpu.next_number(),
+            own,
+            width: 1,
+            height: 1,
             globals,
             frame_group,
             camera: Camera { azimuth: 0.0, elevation: 1.0, distance: 1000.0, target: [0.0; 3] },
@@ -58,9 +68,20 @@ impl View {
         self.camera = camera.sanitised();
     }
 
+    /// Device pixels, clamped to what a texture can hold.
     pub(crate) fn resize(&mut self, gpu: &Gpu, width: u32, height: u32, ratio: f32) {
         self.ratio = if ratio.is_finite() { ratio.max(0.25) } else { 1.0 };
-        self.target.resize(gpu, width, height);
+        let max = gpu.max_side();
+        (self.width, self.height) = (width.clamp(1, max), height.clamp(1, max));
+        if let Some(screen) = &mut self.own {
+            screen.resize(&gpu.device, gpu.kind, self.width, self.height);
+        }
+    }
+
+    /// Gives back what others may use now.
+    pub(crate) fn release(&self, gpu: &Gpu) {
+        gpu.maps.borrow_mut().release(self.number);
+        self.globals.destroy();
     }
 
     /// True if a plan made before no longer fits.
@@ -80,42 +101,60 @@ impl View {
         }
     }
 
-    /// Draws one frame; without a field (`scene` none) the backdrop alone.
+    /// Draws one frame; without a field (`scene` none) the backdrop alone. Where the screen is shared the frame is in
+    /// its top left corner, until another view is drawn.
     pub(crate) fn render(&self, gpu: &Gpu, scene: Option<&mut Scene>, plan: Option<&Plan>) {
-        let Some(texture) = self.target.acquire(gpu) else {
+        if let Some(screen) = &gpu.shared {
+            screen.borrow_mut().grow(&gpu.device, gpu.kind, self.width, self.height);
+        }
+        let shared = gpu.shared.as_ref().map(|screen| screen.borrow());
+        let Some(screen) = self.own.as_ref().or(shared.as_deref()) else {
+            return;
+        };
+        let Some(texture) = screen.acquire(&gpu.device, gpu.kind) else {
             return;
         };
         let globals = self.globals(scene.as_deref());
         gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let scene = scene.map(|scene| {
-            if self.is_solid() {
+            let maps = self.is_solid().then(|| {
                 scene.paint(gpu, self.color);
-                scene.draw_maps(gpu, &mut encoder, &self.frame_group);
-            }
-            &*scene
+                let (maps, stale) = gpu.maps.borrow_mut().lend(gpu, self.number, scene.number);
+                if stale {
+                    scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps);
+                }
+                maps
+            });
+            (&*scene, maps)
         });
         let frame = texture.texture.create_view(&Default::default());
-        let (color, depth) = self.target.attachments(&frame, self.clear_color(gpu));
+        let (color, depth) = screen.attachments(&frame, self.clear_color(gpu));
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("rock-field/view/pass"),
             color_attachments: &[Some(color)],
             depth_stencil_attachment: Some(depth),
             ..Default::default()
         });
-        if let Some(scene) = scene {
+        pass.set_viewport(0.0, 0.0, self.width as f32, self.height as f32, 0.0, 1.0);
+        if let Some((scene, maps)) = scene {
+            if let Some(maps) = &maps {
+                pass.set_bind_group(2, &maps.group, &[]);
+            }
             pass.set_bind_group(0, &self.frame_group, &[]);
             pass.set_bind_group(1, &scene.field_group, &[]);
             match (self.mode, plan) {
                 (Mode::Rocks, _) => {
-                    self.draw_ground(gpu, scene, &mut pass);
+                    pass.set_pipeline(&gpu.pipelines.ground);
+                    pass.draw(0..3, 0..1);
                     for sides in &gpu.pipelines.rock {
                         scene.draw_rocks(&mut pass, sides, true);
                     }
                 }
                 (Mode::Wireframe, _) => {
                     let [fill, edges] = gpu.pipelines.wire(&gpu.device);
-                    self.draw_ground(gpu, scene, &mut pass);
+                    pass.set_pipeline(&gpu.pipelines.ground);
+                    pass.draw(0..3, 0..1);
                     scene.draw_rocks(&mut pass, fill, true);
                     scene.draw_edges(&mut pass, edges);
                 }
@@ -128,12 +167,6 @@ impl View {
         gpu.queue.present(texture);
     }
 
-    fn draw_ground(&self, gpu: &Gpu, scene: &Scene, pass: &mut wgpu::RenderPass<'_>) {
-        pass.set_bind_group(2, &scene.maps.group, &[]);
-        pass.set_pipeline(&gpu.pipelines.ground);
-        pass.draw(0..3, 0..1);
-    }
-
     fn is_solid(&self) -> bool {
         matches!(self.mode, Mode::Rocks | Mode::Wireframe)
     }
@@ -141,7 +174,7 @@ impl View {
     /// Of plans: the table they lie on. The other views cover every pixel themselves.
     fn clear_color(&self, gpu: &Gpu) -> wgpu::Color {
         let theme = if self.dark { &DARK } else { &LIGHT };
-        let [r, g, b] = if gpu.format.is_srgb() {
+        let [r, g, b] = if gpu.kind.format.is_srgb() {
             let [r, g, b, _] = palette::linear(theme.table);
             [r, g, b].map(f64::from)
         } else {
@@ -152,7 +185,7 @@ impl View {
 
     fn globals(&self, scene: Option<&Scene>) -> Globals {
         let theme = if self.dark { &DARK } else { &LIGHT };
-        let (width, height) = (self.target.width as f32, self.target.height as f32);
+        let (width, height) = (self.width as f32, self.height as f32);
         let aspect = width / height;
         let frame = self.camera.frame();
         let (center, radius) = scene.map_or((frame.eye, 1.0), |scene| (scene.center, scene.radius));

@@ -14,6 +14,15 @@ const COUNTERS = `
     constructor(...args) { super(...args); counts.workers += 1; }
     terminate() { counts.ended += 1; super.terminate(); }
   };
+  // The device's own canvas stands nowhere.
+  globalThis.contexts = [];
+  const getContext = HTMLCanvasElement.prototype.getContext;
+  HTMLCanvasElement.prototype.getContext = function (kind, ...rest) {
+    const context = getContext.call(this, kind, ...rest);
+    if (kind === 'webgl2' && context && !contexts.includes(context)) contexts.push(context);
+    return context;
+  };
+  globalThis.loseContext = () => contexts.at(-1).getExtension('WEBGL_lose_context').loseContext();
   globalThis.listenTo = (element) => {
     // Not by its id, under which it is known only while it stands in the document.
     globalThis.a = element;
@@ -292,7 +301,7 @@ test('after a loss of the context the same field comes back through the same cam
     heard.length = 0;
     const before = { canvas: a.shadowRoot.querySelector('canvas'), field: a.field, camera: JSON.stringify(a.camera) };
     const restored = new Promise((resolve) => a.addEventListener('restored', resolve, { once: true }));
-    before.canvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext();
+    loseContext();
     await restored;
     const canvases = a.shadowRoot.querySelectorAll('canvas');
     return { types: types(), same: a.field === before.field, camera: JSON.stringify(a.camera) === before.camera, one: canvases.length === 1 && canvases[0] !== before.canvas, backend: a.backend };
@@ -307,7 +316,7 @@ test('a context that is lost again and again ends in the plan, with a message', 
   const seen = await page.evaluate(async () => {
     for (let round = 0; round < 4; round += 1) {
       const restored = new Promise((resolve) => a.addEventListener('restored', resolve, { once: true }));
-      a.shadowRoot.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context').loseContext();
+      loseContext();
       await restored;
     }
     return [a.backend, a.shadowRoot.querySelector('[part=message]').innerText];

@@ -1,52 +1,9 @@
 /** The wasm renderer, on WebGPU or WebGL2, behind the page's `SceneRenderer`. */
 
 import type { Field } from '../field.ts';
+import type { RawRenderer } from './artefact.ts';
+import type { SharedDevice } from './device.ts';
 import type { CameraState, ColorMode, SceneRenderer, SceneStyle, View } from './renderer.ts';
-
-/** What both artefacts export (`src/bindings/renderer.rs`). */
-export interface RawRenderer {
-  setField(
-    imageWidth: number,
-    imageHeight: number,
-    positions: Float32Array,
-    indices: Uint32Array,
-    vertexStarts: Uint32Array,
-    rockLayers: Uint32Array,
-    rockSites: Uint32Array,
-  ): void;
-  needsEdges(): boolean;
-  setEdges(indices: Uint32Array): void;
-  needsPlan(): boolean;
-  addLayer(
-    id: number,
-    radius: number,
-    sites: Float32Array,
-    cellStarts: Uint32Array,
-    cellVertices: Float32Array,
-    selected: Uint32Array,
-  ): void;
-  makePlan(): void;
-  setStyle(view: number, color: number, dark: boolean): void;
-  setCamera(
-    azimuth: number,
-    elevation: number,
-    distance: number,
-    targetX: number,
-    targetY: number,
-    targetZ: number,
-  ): void;
-  resize(width: number, height: number, ratio: number): void;
-  render(): void;
-  close(): void;
-  free(): void;
-}
-
-export interface RendererModule {
-  default(options: { module_or_path: Response | BufferSource }): Promise<unknown>;
-  Renderer: {
-    create(canvas: HTMLCanvasElement, onLost: (reason: string) => void): Promise<RawRenderer>;
-  };
-}
 
 // The order of these two lists is the meaning of the numbers in `RawRenderer.setStyle`.
 const VIEWS: readonly View[] = ['3d', 'wireframe', 'diagrams', 'selection'];
@@ -69,68 +26,30 @@ function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
   return { layers, sites };
 }
 
-interface Deferred {
-  promise: Promise<string>;
-  resolve: (reason: string) => void;
-}
-
-function deferred(): Deferred {
-  let resolve: (reason: string) => void = () => {};
-  const promise = new Promise<string>((settle) => {
-    resolve = settle;
-  });
-  return { promise, resolve };
-}
-
 export class GpuRenderer implements SceneRenderer {
-  readonly backend: 'webgpu' | 'webgl';
   readonly canvas: HTMLCanvasElement;
   readonly lost: Promise<string>;
+  readonly #device: SharedDevice;
   readonly #raw: RawRenderer;
-  readonly #onTrap: () => void;
-  readonly #lose: (reason: string) => void;
-  /** Null with WebGPU. */
-  readonly #context: WebGL2RenderingContext | null;
-  #dead = false;
+  /** Where the picture is copied to from the device's canvas; null with WebGPU, which draws on `canvas` itself. */
+  readonly #context: CanvasRenderingContext2D | null;
   #disposed = false;
   /** The page's own, not a copy: edges and plans are made from it when they are first shown. */
   #field: Field | undefined;
 
-  /** Makes the canvas' renderer; `onTrap` is called if the wasm instance can no longer be trusted. */
-  static async create(
-    backend: 'webgpu' | 'webgl',
-    module: RendererModule,
-    canvas: HTMLCanvasElement,
-    onTrap: () => void,
-  ): Promise<GpuRenderer> {
-    const lost = deferred();
-    try {
-      const raw = await module.Renderer.create(canvas, lost.resolve);
-      return new GpuRenderer(backend, raw, canvas, onTrap, lost);
-    } catch (error) {
-      if (error instanceof WebAssembly.RuntimeError) onTrap();
-      throw error;
-    }
+  /** Takes over the caller's place at the device. */
+  constructor(device: SharedDevice, canvas: HTMLCanvasElement) {
+    this.canvas = canvas;
+    this.lost = device.lost;
+    this.#device = device;
+    this.#context = device.canvas ? canvas.getContext('2d', { alpha: false }) : null;
+    if (device.canvas && !this.#context) throw new Error('no 2D canvas');
+    const { Renderer } = device.module;
+    this.#raw = device.canvas ? new Renderer(device.raw) : new Renderer(device.raw, canvas);
   }
 
-  private constructor(
-    backend: 'webgpu' | 'webgl',
-    raw: RawRenderer,
-    canvas: HTMLCanvasElement,
-    onTrap: () => void,
-    lost: Deferred,
-  ) {
-    this.backend = backend;
-    this.canvas = canvas;
-    this.#raw = raw;
-    this.#onTrap = onTrap;
-    this.lost = lost.promise;
-    this.#lose = lost.resolve;
-    void lost.promise.then(() => {
-      this.#dead = true;
-    });
-    this.#context = backend === 'webgl' ? canvas.getContext('webgl2') : null;
-    canvas.addEventListener('webglcontextlost', this.#onContextLost);
+  get backend(): 'webgpu' | 'webgl' {
+    return this.#device.backend;
   }
 
   setField(field: Field): void {
@@ -164,28 +83,36 @@ export class GpuRenderer implements SceneRenderer {
   }
 
   resize(width: number, height: number): void {
-    const whole = (side: number): number => Math.max(1, Math.round(side) || 1);
     this.#guard(() => {
-      this.#raw.resize(whole(width), whole(height), globalThis.devicePixelRatio || 1);
+      const max = this.#device.raw.maxSide();
+      const side = (pixels: number): number => Math.min(max, Math.max(1, Math.round(pixels) || 1));
+      const [across, down] = [side(width), side(height)];
+      this.#raw.resize(across, down, globalThis.devicePixelRatio || 1);
+      // With WebGPU the surface has done it. Assigning clears a canvas, also with what it has.
+      if (this.#context && (this.canvas.width !== across || this.canvas.height !== down)) {
+        [this.canvas.width, this.canvas.height] = [across, down];
+      }
     });
   }
 
   render(): void {
-    this.#guard(() => this.#raw.render());
+    this.#guard(() => {
+      this.#raw.render();
+      const { width, height } = this.canvas;
+      // At once: in the next task the device's canvas may be blank, or another's.
+      if (this.#device.canvas) this.#context?.drawImage(this.#device.canvas, 0, 0, width, height, 0, 0, width, height);
+    });
   }
 
   dispose(): void {
     if (this.#disposed) return;
     this.#disposed = true;
-    this.#field = undefined;
-    this.canvas.removeEventListener('webglcontextlost', this.#onContextLost);
-    try {
+    this.#device.attempt(() => {
       this.#raw.close();
       this.#raw.free();
-    } catch (error) {
-      // After a trap the instance cannot even free; its module is not used again.
-      if (error instanceof WebAssembly.RuntimeError) this.#onTrap();
-    }
+    });
+    this.#field = undefined;
+    this.#device.leave();
   }
 
   /** Makes what the shown view lacks: edges for the wireframe, strokes and fills for a plan. */
@@ -207,26 +134,8 @@ export class GpuRenderer implements SceneRenderer {
     this.#raw.makePlan();
   }
 
-  /** Calls into wasm unless that is over; a trap counts as a loss. */
+  /** Calls into wasm unless that is over. */
   #guard(call: () => void): void {
-    if (this.#disposed || this.#dead) return;
-    // The event comes in a later task; until then every WebGL call fails.
-    if (this.#context?.isContextLost()) {
-      this.#onContextLost();
-      return;
-    }
-    try {
-      call();
-    } catch (error) {
-      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-      this.#dead = true;
-      this.#onTrap();
-      this.#lose(`the renderer stopped: ${error.message}`);
-    }
+    if (!this.#disposed && !this.#device.dead) this.#device.attempt(call);
   }
-
-  #onContextLost = (): void => {
-    this.#dead = true;
-    this.#lose('the WebGL context was lost');
-  };
 }

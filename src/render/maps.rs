@@ -1,0 +1,119 @@
+//! The shadow and height maps the light is read from: a few sets, lent to whichever fields are drawn.
+//!
+//! A set takes 21 MB, and a page may show dozens of fields of which a hand moves one. So a canvas keeps the
+//! set it drew last for as long as there are enough of them, and draws its maps anew when there are not.
+
+use super::Gpu;
+use super::pipelines::{HEIGHT_FORMAT, SHADOW_FORMAT};
+use super::surface::texture;
+
+/// Side of the shadow map and of the height map, texels; 0.7 px each for the 1024 px fields of the papers.
+const MAP_SIDE: u32 = 2048;
+
+/// Sets kept at most: 84 MB, for the few fields that move at the same time.
+const MAX_SETS: usize = 4;
+
+/// The textures the light is read from; handles, so a clone is the same textures.
+#[derive(Clone)]
+pub(crate) struct Maps {
+    pub(crate) group: wgpu::BindGroup,
+    pub(crate) shadow: wgpu::TextureView,
+    pub(crate) height: wgpu::TextureView,
+    /// Scratch, the same for all sets.
+    pub(crate) height_depth: wgpu::TextureView,
+}
+
+struct Set {
+    maps: Maps,
+    /// Whose they are, and which scene is drawn in them.
+    view: u64,
+    scene: u64,
+    /// When they were last asked for.
+    used: u64,
+}
+
+/// All sets of a device.
+#[derive(Default)]
+pub(crate) struct MapSets {
+    sets: Vec<Set>,
+    height_depth: Option<wgpu::TextureView>,
+    now: u64,
+}
+
+impl MapSets {
+    /// Side of every map on this device, texels.
+    pub(crate) fn side(gpu: &Gpu) -> u32 {
+        MAP_SIDE.min(gpu.max_side())
+    }
+
+    /// Maps for `view`, and whether `scene` has still to be drawn in them.
+    pub(crate) fn lend(&mut self, gpu: &Gpu, view: u64, scene: u64) -> (Maps, bool) {
+        self.now += 1;
+        let own = self.sets.iter().position(|set| set.view == view);
+        let place = own.or_else(|| {
+            let oldest = self.sets.iter().enumerate().min_by_key(|(_, set)| set.used);
+            oldest.map(|(place, _)| place).filter(|_| self.sets.len() >= MAX_SETS)
+        });
+        match place.and_then(|place| self.sets.get_mut(place)) {
+            Some(set) => {
+                let stale = (set.view, set.scene) != (view, scene);
+                (set.view, set.scene, set.used) = (view, scene, self.now);
+                (set.maps.clone(), stale)
+            }
+            None => {
+                let maps = self.make(gpu);
+                self.sets.push(Set { maps: maps.clone(), view, scene, used: self.now });
+                (maps, true)
+            }
+        }
+    }
+
+    /// Lets go of the set of `view`.
+    pub(crate) fn release(&mut self, view: u64) {
+        self.sets.retain(|set| {
+            if set.view == view {
+                set.maps.shadow.texture().destroy();
+                set.maps.height.texture().destroy();
+            }
+            set.view != view
+        });
+    }
+
+    fn make(&mut self, gpu: &Gpu) -> Maps {
+        let side = Self::side(gpu);
+        let map = |label, format| {
+            let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
+            texture(&gpu.device, label, (side, side), 1, format, usage)
+        };
+        let shadow = map("rock-field/shadow/map", SHADOW_FORMAT);
+        let height = map("rock-field/height/map", HEIGHT_FORMAT);
+        let height_depth =
+            self.height_depth.get_or_insert_with(|| map("rock-field/height/depth", SHADOW_FORMAT)).clone();
+        Maps { group: group(gpu, &shadow, &height), shadow, height, height_depth }
+    }
+}
+
+fn group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> wgpu::BindGroup {
+    let sampler = |label, compare| {
+        gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+            label: Some(label),
+            mag_filter: wgpu::FilterMode::Linear,
+            min_filter: wgpu::FilterMode::Linear,
+            compare,
+            ..Default::default()
+        })
+    };
+    let compare = sampler("rock-field/shadow/sampler", Some(wgpu::CompareFunction::LessEqual));
+    let linear = sampler("rock-field/height/sampler", None);
+    let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("rock-field/maps/group"),
+        layout: &gpu.pipelines.maps_layout,
+        entries: &[
+            entry(0, wgpu::BindingResource::TextureView(shadow)),
+            entry(1, wgpu::BindingResource::Sampler(&compare)),
+            entry(2, wgpu::BindingResource::TextureView(height)),
+            entry(3, wgpu::BindingResource::Sampler(&linear)),
+        ],
+    })
+}

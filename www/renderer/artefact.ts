@@ -1,0 +1,123 @@
+/** The two renderer artefacts: what they export (`src/bindings/renderer.rs`), and how one is fetched and started. */
+
+import type { GpuBackend } from './device.ts';
+
+export interface RawDevice {
+  maxSide(): number;
+  close(): void;
+  free(): void;
+}
+
+export interface RawRenderer {
+  setField(
+    imageWidth: number,
+    imageHeight: number,
+    positions: Float32Array,
+    indices: Uint32Array,
+    vertexStarts: Uint32Array,
+    rockLayers: Uint32Array,
+    rockSites: Uint32Array,
+  ): void;
+  needsEdges(): boolean;
+  setEdges(indices: Uint32Array): void;
+  needsPlan(): boolean;
+  addLayer(
+    id: number,
+    radius: number,
+    sites: Float32Array,
+    cellStarts: Uint32Array,
+    cellVertices: Float32Array,
+    selected: Uint32Array,
+  ): void;
+  makePlan(): void;
+  setStyle(view: number, color: number, dark: boolean): void;
+  setCamera(
+    azimuth: number,
+    elevation: number,
+    distance: number,
+    targetX: number,
+    targetY: number,
+    targetZ: number,
+  ): void;
+  resize(width: number, height: number, ratio: number): void;
+  render(): void;
+  close(): void;
+  free(): void;
+}
+
+export interface RendererModule {
+  default(options: { module_or_path: Response | BufferSource }): Promise<unknown>;
+  Device: { create(canvas: HTMLCanvasElement, onLost: (reason: string) => void): Promise<RawDevice> };
+  Renderer: new (device: RawDevice, canvas?: HTMLCanvasElement) => RawRenderer;
+}
+
+/** The module's name and its wasm; both stand beside each other in `pkg/` and in the built page. */
+const ARTEFACTS = {
+  webgpu: {
+    load: () => import('../../pkg/renderer-webgpu.js') as Promise<unknown>,
+    wasm: () => new URL('./renderer-webgpu_bg.wasm', import.meta.url),
+  },
+  webgl: {
+    load: () => import('../../pkg/renderer-webgl.js') as Promise<unknown>,
+    wasm: () => new URL('./renderer-webgl_bg.wasm', import.meta.url),
+  },
+} as const satisfies Record<GpuBackend, { load: () => Promise<unknown>; wasm: () => URL }>;
+
+const modules = new Map<GpuBackend, Promise<RendererModule>>();
+/** Instances that trapped: their memory cannot be trusted and a module has only one. */
+const trapped = new Set<GpuBackend>();
+
+export function markTrapped(backend: GpuBackend): void {
+  trapped.add(backend);
+}
+
+/** The module with its wasm instantiated, once per page; a failed attempt is not remembered. */
+export function loadArtefact(backend: GpuBackend): Promise<RendererModule> {
+  if (trapped.has(backend)) {
+    return Promise.reject(new Error('its wasm stopped earlier on this page; reload to try again'));
+  }
+  let module = modules.get(backend);
+  if (!module) {
+    module = instantiate(backend);
+    modules.set(backend, module);
+    module.catch(() => modules.delete(backend));
+  }
+  return module;
+}
+
+async function instantiate(backend: GpuBackend): Promise<RendererModule> {
+  const { load, wasm } = ARTEFACTS[backend];
+  const url = wasm();
+  const [module, source] = await Promise.all([load() as Promise<RendererModule>, fetchWasm(url)]);
+  try {
+    await module.default({ module_or_path: source });
+  } catch (error) {
+    throw new Error(`${fileName(url)} could not be started: ${String(error)}`);
+  }
+  return module;
+}
+
+function fileName(url: URL): string {
+  return url.pathname.slice(url.pathname.lastIndexOf('/') + 1);
+}
+
+/** The bytes of a wasm file, or an Error that names it: servers answer missing files with pages. */
+async function fetchWasm(url: URL): Promise<Response | ArrayBuffer> {
+  const name = fileName(url);
+  let response: Response;
+  try {
+    response = await fetch(url);
+  } catch (error) {
+    throw new Error(`${name} could not be fetched: ${String(error)}`);
+  }
+  if (!response.ok) throw new Error(`${name} could not be fetched: HTTP ${response.status}`);
+  const type = response.headers.get('content-type')?.split(';')[0] ?? 'no type';
+  // Only this type may be compiled while it arrives.
+  if (type === 'application/wasm') return response;
+  const bytes = await response.arrayBuffer();
+  const magic = new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength));
+  if (String.fromCharCode(...magic) !== '\0asm') {
+    throw new Error(`${name} is not WebAssembly (${type}, ${bytes.byteLength} bytes)`);
+  }
+  return bytes;
+}

@@ -1,0 +1,165 @@
+/**
+ * The graphics device of a page: one per backend, shared by all pictures, made with the first and let go with the last.
+ *
+ * WebGPU gives every picture a canvas of its own. WebGL2 binds a device to one canvas, and browsers keep about 16 of those alive:
+ * there all pictures are drawn on one canvas that nobody sees, and copied from it.
+ */
+
+import type { RawDevice, RendererModule } from './artefact.ts';
+import { loadArtefact, markTrapped } from './artefact.ts';
+
+export type GpuBackend = 'webgpu' | 'webgl';
+
+export class SharedDevice {
+  readonly backend: GpuBackend;
+  readonly module: RendererModule;
+  readonly raw: RawDevice;
+  /** Where all pictures are drawn; null with WebGPU. */
+  readonly canvas: HTMLCanvasElement | null;
+  /** Resolves, and never rejects, with a reason when the device or context is lost. */
+  readonly lost: Promise<string>;
+  readonly #context: WebGL2RenderingContext | null;
+  readonly #lose: (reason: string) => void;
+  readonly #forget: () => void;
+  #users = 0;
+  #dead = false;
+  #trapped = false;
+
+  constructor(backend: GpuBackend, module: RendererModule, raw: RawDevice, canvas: HTMLCanvasElement | null, lost: Loss, forget: () => void) {
+    this.backend = backend;
+    this.module = module;
+    this.raw = raw;
+    this.canvas = canvas;
+    this.#context = canvas?.getContext('webgl2') ?? null;
+    this.lost = lost.promise;
+    this.#lose = lost.resolve;
+    this.#forget = forget;
+    canvas?.addEventListener('webglcontextlost', this.#onContextLost);
+    void this.lost.then(() => {
+      this.#dead = true;
+      // Who comes from now on gets another.
+      forget();
+    });
+  }
+
+  /** Nothing can be drawn with it any more. */
+  get dead(): boolean {
+    // The event comes in a later task; until then every WebGL call fails.
+    if (!this.#dead && this.#context?.isContextLost()) this.#onContextLost();
+    return this.#dead;
+  }
+
+  /** To be followed by one `leave` each. */
+  join(): void {
+    this.#users += 1;
+  }
+
+  /** The last one to leave ends the device. */
+  leave(): void {
+    this.#users -= 1;
+    if (this.#users > 0) return;
+    this.#forget();
+    this.canvas?.removeEventListener('webglcontextlost', this.#onContextLost);
+    this.#dead = true;
+    this.attempt(() => {
+      this.raw.close();
+      this.raw.free();
+    });
+    // Browsers keep few contexts alive; this one need not wait for the garbage collector.
+    this.#context?.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+
+  /** Calls into wasm. A trap is the loss of the device: the instance's memory cannot be trusted any more, and nothing is called. */
+  attempt(call: () => void): void {
+    if (this.#trapped) return;
+    try {
+      call();
+    } catch (error) {
+      if (!(error instanceof WebAssembly.RuntimeError)) throw error;
+      markTrapped(this.backend);
+      this.#trapped = true;
+      this.#dead = true;
+      this.#lose(`the renderer stopped: ${error.message}`);
+    }
+  }
+
+  #onContextLost = (): void => {
+    this.#dead = true;
+    this.#lose('the WebGL context was lost');
+  };
+}
+
+interface Loss {
+  promise: Promise<string>;
+  resolve: (reason: string) => void;
+}
+
+function loss(): Loss {
+  let resolve: (reason: string) => void = () => {};
+  const promise = new Promise<string>((settle) => {
+    resolve = settle;
+  });
+  return { promise, resolve };
+}
+
+const devices = new Map<GpuBackend, Promise<SharedDevice>>();
+
+/**
+ * The page's device of a backend, joined for the caller, who has to leave it.
+ *
+ * @throws an Error saying why there is none.
+ */
+export async function joinDevice(backend: GpuBackend): Promise<SharedDevice> {
+  for (;;) {
+    let opening = devices.get(backend);
+    if (!opening) {
+      const made = openDevice(backend, () => devices.get(backend) === made && devices.delete(backend));
+      opening = made;
+      devices.set(backend, made);
+      // A failed attempt is not remembered.
+      made.catch(() => devices.delete(backend));
+    }
+    const device = await opening;
+    // Its last user may have left, or it may have been lost, while it was awaited.
+    if (!device.dead) {
+      device.join();
+      return device;
+    }
+    if (devices.get(backend) === opening) devices.delete(backend);
+  }
+}
+
+async function openDevice(backend: GpuBackend, forget: () => void): Promise<SharedDevice> {
+  const canvas = document.createElement('canvas');
+  if (backend === 'webgpu') await probeWebGpu();
+  else probeWebGl(canvas);
+  const module = await loadArtefact(backend);
+  const lost = loss();
+  try {
+    const raw = await module.Device.create(canvas, lost.resolve);
+    return new SharedDevice(backend, module, raw, backend === 'webgl' ? canvas : null, lost, forget);
+  } catch (error) {
+    if (error instanceof WebAssembly.RuntimeError) markTrapped(backend);
+    throw error;
+  }
+}
+
+/** `navigator.gpu` may exist without an adapter, and an adapter without a device: only a device counts. */
+async function probeWebGpu(): Promise<void> {
+  const gpu = (globalThis.navigator as { gpu?: ProbedGpu } | undefined)?.gpu;
+  if (!gpu) throw new Error('this browser has no WebGPU');
+  const adapter = await gpu.requestAdapter({ powerPreference: 'high-performance' });
+  if (!adapter) throw new Error('no graphics adapter');
+  const device = await adapter.requestDevice();
+  device.destroy();
+}
+
+/** The little of WebGPU that the probe uses; TypeScript's DOM library has none of it. */
+interface ProbedGpu {
+  requestAdapter(options: { powerPreference: 'high-performance' }): Promise<{ requestDevice(): Promise<{ destroy(): void }> } | null>;
+}
+
+/** On the canvas that is to be used, before 700 kB are fetched for it; with the options wgpu asks with later. */
+function probeWebGl(canvas: HTMLCanvasElement): void {
+  if (!canvas.getContext('webgl2', { antialias: false })) throw new Error('no WebGL2 context');
+}
