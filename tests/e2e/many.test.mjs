@@ -5,16 +5,17 @@ import { launch, pageOf, screenshotPath } from './browser.mjs';
 
 /** Counts what a page can run out of. */
 const COUNTERS = `
-  globalThis.counts = { frames: 0, contexts: new Set(), devices: 0, workers: 0, ended: 0, listeners: 0 };
+  globalThis.counts = { frames: 0, contexts: [], devices: 0, workers: 0, ended: 0, listeners: 0 };
   const raf = requestAnimationFrame;
   globalThis.requestAnimationFrame = (callback) => { counts.frames += 1; return raf(callback); };
   const { getContext } = HTMLCanvasElement.prototype;
   HTMLCanvasElement.prototype.getContext = function (...args) {
     const context = getContext.apply(this, args);
-    if (args[0] === 'webgl2' && context) counts.contexts.add(context);
+    // Not held: a context holds its canvas.
+    if (args[0] === 'webgl2' && context && !counts.contexts.some((known) => known.deref() === context)) counts.contexts.push(new WeakRef(context));
     return context;
   };
-  const living = () => [...counts.contexts].filter((context) => !context.isContextLost()).length;
+  const living = () => counts.contexts.filter((known) => known.deref()?.isContextLost() === false).length;
   const { requestDevice } = globalThis.GPUAdapter?.prototype ?? {};
   if (requestDevice) GPUAdapter.prototype.requestDevice = async function (...args) {
     const device = await requestDevice.apply(this, args);
@@ -92,6 +93,46 @@ for (const webgpu of [false, true]) {
       assert.equal(new Set(pictures).size, 24, 'two elements show the same picture');
       const blank = pictures.filter((picture) => picture.length < 20_000).length;
       assert.equal(blank, 0, `${blank} elements show next to nothing`);
+    });
+  });
+}
+
+for (const webgpu of [false, true]) {
+  test(`200 elements, one after the other, leave nothing behind and the heap flat (${webgpu ? 'webgpu' : 'webgl'})`, async () => {
+    await withPage(webgpu, '', async (page) => {
+      const before = await page.evaluate(() => customElements.whenDefined('rock-field').then(() => held()));
+      const session = await page.context().newCDPSession(page);
+      const measure = async () => {
+        // Twice: what the first one lets go of may have been holding something.
+        for (let pass = 0; pass < 2; pass += 1) await session.send('HeapProfiler.collectGarbage');
+        const [{ usedSize, embedderHeapUsedSize, backingStorageSize }, { nodes, jsEventListeners }] = await Promise.all([
+          session.send('Runtime.getHeapUsage'),
+          session.send('Memory.getDOMCounters'),
+        ]);
+        return { bytes: usedSize + embedderHeapUsedSize + backingStorageSize, usedSize, embedderHeapUsedSize, backingStorageSize, nodes, jsEventListeners };
+      };
+      const measured = [];
+      for (let cycle = 1; cycle <= 200; cycle += 1) {
+        await page.evaluate(async (seed) => {
+          const element = document.createElement('rock-field');
+          Object.assign(element.style, { width: `${200 + (seed % 7)}px` });
+          element.seed = seed;
+          element.imageWidth = element.imageHeight = 200;
+          document.body.append(element);
+          await element.ready;
+          element.remove();
+        }, cycle);
+        if (cycle < 150 || cycle % 10 > 0) continue;
+        // The idle time of an element.
+        await page.evaluate(() => sleep(1500));
+        measured.push(await measure());
+      }
+      // The idle time of the worker.
+      await page.evaluate(() => sleep(2500));
+      assert.deepEqual(await page.evaluate(() => held()), before);
+      const bytes = measured.map((one) => one.bytes);
+      const growth = Math.max(...bytes) / Math.min(...bytes) - 1;
+      assert(growth <= 0.02, `the heap moved by ${(100 * growth).toFixed(1)} % in the last 50 cycles: ${bytes}`);
     });
   });
 }

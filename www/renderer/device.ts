@@ -9,6 +9,7 @@ import type { RawDevice, RendererModule } from './artefact.ts';
 import { loadArtefact, markTrapped } from './artefact.ts';
 
 export type GpuBackend = 'webgpu' | 'webgl';
+export type LossListener = (reason: string) => void;
 
 export class SharedDevice {
   readonly backend: GpuBackend;
@@ -16,30 +17,21 @@ export class SharedDevice {
   readonly raw: RawDevice;
   /** Where all pictures are drawn; null with WebGPU. */
   readonly canvas: HTMLCanvasElement | null;
-  /** Resolves, and never rejects, with a reason when the device or context is lost. */
-  readonly lost: Promise<string>;
   readonly #context: WebGL2RenderingContext | null;
-  readonly #lose: (reason: string) => void;
   readonly #forget: () => void;
-  #users = 0;
+  /** One for each of its users, told once when the device or context is lost. */
+  readonly #listeners = new Set<LossListener>();
   #dead = false;
   #trapped = false;
 
-  constructor(backend: GpuBackend, module: RendererModule, raw: RawDevice, canvas: HTMLCanvasElement | null, lost: Loss, forget: () => void) {
+  constructor(backend: GpuBackend, module: RendererModule, raw: RawDevice, canvas: HTMLCanvasElement | null, forget: () => void) {
     this.backend = backend;
     this.module = module;
     this.raw = raw;
     this.canvas = canvas;
     this.#context = canvas?.getContext('webgl2') ?? null;
-    this.lost = lost.promise;
-    this.#lose = lost.resolve;
     this.#forget = forget;
     canvas?.addEventListener('webglcontextlost', this.#onContextLost);
-    void this.lost.then(() => {
-      this.#dead = true;
-      // Who comes from now on gets another.
-      forget();
-    });
   }
 
   /** Nothing can be drawn with it any more. */
@@ -49,15 +41,14 @@ export class SharedDevice {
     return this.#dead;
   }
 
-  /** To be followed by one `leave` each. */
-  join(): void {
-    this.#users += 1;
+  /** `onLost` is told of a loss until it leaves. */
+  join(onLost: LossListener): void {
+    this.#listeners.add(onLost);
   }
 
   /** The last one to leave ends the device. */
-  leave(): void {
-    this.#users -= 1;
-    if (this.#users > 0) return;
+  leave(onLost: LossListener): void {
+    if (!this.#listeners.delete(onLost) || this.#listeners.size > 0) return;
     this.#forget();
     this.canvas?.removeEventListener('webglcontextlost', this.#onContextLost);
     this.#dead = true;
@@ -78,38 +69,29 @@ export class SharedDevice {
       if (!(error instanceof WebAssembly.RuntimeError)) throw error;
       markTrapped(this.backend);
       this.#trapped = true;
-      this.#dead = true;
-      this.#lose(`the renderer stopped: ${error.message}`);
+      this.lose(`the renderer stopped: ${error.message}`);
     }
   }
 
-  #onContextLost = (): void => {
+  /** It is lost: who comes from now on gets another. */
+  lose(reason: string): void {
+    if (this.#dead) return;
     this.#dead = true;
-    this.#lose('the WebGL context was lost');
-  };
-}
+    this.#forget();
+    for (const tell of this.#listeners) tell(reason);
+  }
 
-interface Loss {
-  promise: Promise<string>;
-  resolve: (reason: string) => void;
-}
-
-function loss(): Loss {
-  let resolve: (reason: string) => void = () => {};
-  const promise = new Promise<string>((settle) => {
-    resolve = settle;
-  });
-  return { promise, resolve };
+  #onContextLost = (): void => this.lose('the WebGL context was lost');
 }
 
 const devices = new Map<GpuBackend, Promise<SharedDevice>>();
 
 /**
- * The page's device of a backend, joined for the caller, who has to leave it.
+ * The page's device of a backend, joined for `onLost`, which has to leave it.
  *
  * @throws an Error saying why there is none.
  */
-export async function joinDevice(backend: GpuBackend): Promise<SharedDevice> {
+export async function joinDevice(backend: GpuBackend, onLost: LossListener): Promise<SharedDevice> {
   for (;;) {
     let opening = devices.get(backend);
     if (!opening) {
@@ -122,10 +104,9 @@ export async function joinDevice(backend: GpuBackend): Promise<SharedDevice> {
     const device = await opening;
     // Its last user may have left, or it may have been lost, while it was awaited.
     if (!device.dead) {
-      device.join();
+      device.join(onLost);
       return device;
     }
-    if (devices.get(backend) === opening) devices.delete(backend);
   }
 }
 
@@ -134,14 +115,21 @@ async function openDevice(backend: GpuBackend, forget: () => void): Promise<Shar
   if (backend === 'webgpu') await probeWebGpu();
   else probeWebGl(canvas);
   const module = await loadArtefact(backend);
-  const lost = loss();
+  let device: SharedDevice | undefined;
+  let lostEarly: string | undefined;
+  const lose = (reason: string): void => {
+    lostEarly = reason;
+    device?.lose(reason);
+  };
   try {
-    const raw = await module.Device.create(canvas, lost.resolve);
-    return new SharedDevice(backend, module, raw, backend === 'webgl' ? canvas : null, lost, forget);
+    const raw = await module.Device.create(canvas, lose);
+    device = new SharedDevice(backend, module, raw, backend === 'webgl' ? canvas : null, forget);
   } catch (error) {
     if (error instanceof WebAssembly.RuntimeError) markTrapped(backend);
     throw error;
   }
+  if (lostEarly !== undefined) throw new Error(lostEarly);
+  return device;
 }
 
 /** `navigator.gpu` may exist without an adapter, and an adapter without a device: only a device counts. */

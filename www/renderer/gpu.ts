@@ -2,7 +2,8 @@
 
 import type { Field } from '../field.ts';
 import type { RawRenderer } from './artefact.ts';
-import type { SharedDevice } from './device.ts';
+import { joinDevice } from './device.ts';
+import type { GpuBackend, LossListener, SharedDevice } from './device.ts';
 import type { CameraState, ColorMode, SceneRenderer, SceneStyle, View } from './renderer.ts';
 
 // The order of these two lists is the meaning of the numbers in `RawRenderer.setStyle`.
@@ -28,27 +29,46 @@ function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
 
 export class GpuRenderer implements SceneRenderer {
   readonly canvas: HTMLCanvasElement;
+  /** A promise of its own: on one of the device the pictures of the past would hang for as long as it lives. */
   readonly lost: Promise<string>;
+  #lose: (reason: string) => void = () => {};
   readonly #device: SharedDevice;
   readonly #raw: RawRenderer;
   /** Where the picture is copied to from the device's canvas; null with WebGPU, which draws on `canvas` itself. */
   readonly #context: CanvasRenderingContext2D | null;
+  /** Its place at the device. */
+  readonly #onLost: LossListener;
   #disposed = false;
   /** The page's own, not a copy: edges and plans are made from it when they are first shown. */
   #field: Field | undefined;
 
-  /** Takes over the caller's place at the device. */
-  constructor(device: SharedDevice, canvas: HTMLCanvasElement) {
+  /** @throws an Error saying why the backend cannot be had, or not on a canvas from `makeCanvas`. */
+  static async create(backend: GpuBackend, makeCanvas: () => HTMLCanvasElement): Promise<GpuRenderer> {
+    let tell: (reason: string) => void = () => {};
+    const onLost = (reason: string): void => tell(reason);
+    const device = await joinDevice(backend, onLost);
+    try {
+      const renderer = new GpuRenderer(device, makeCanvas(), onLost);
+      tell = (reason) => renderer.#lose(reason);
+      return renderer;
+    } catch (error) {
+      device.leave(onLost);
+      throw error;
+    }
+  }
+
+  private constructor(device: SharedDevice, canvas: HTMLCanvasElement, onLost: LossListener) {
     this.canvas = canvas;
-    this.lost = device.lost;
+    this.lost = new Promise((resolve) => (this.#lose = resolve));
     this.#device = device;
+    this.#onLost = onLost;
     this.#context = device.canvas ? canvas.getContext('2d', { alpha: false }) : null;
     if (device.canvas && !this.#context) throw new Error('no 2D canvas');
     const { Renderer } = device.module;
     this.#raw = device.canvas ? new Renderer(device.raw) : new Renderer(device.raw, canvas);
   }
 
-  get backend(): 'webgpu' | 'webgl' {
+  get backend(): GpuBackend {
     return this.#device.backend;
   }
 
@@ -112,7 +132,7 @@ export class GpuRenderer implements SceneRenderer {
       this.#raw.free();
     });
     this.#field = undefined;
-    this.#device.leave();
+    this.#device.leave(this.#onLost);
   }
 
   /** Makes what the shown view lacks: edges for the wireframe, strokes and fills for a plan. */

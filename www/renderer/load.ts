@@ -1,7 +1,6 @@
 /** Finds the best backend that really works and makes a renderer of it. */
 
 import { Canvas2dRenderer } from './canvas2d.ts';
-import { joinDevice } from './device.ts';
 import { GpuRenderer } from './gpu.ts';
 import { NullRenderer } from './null.ts';
 import type { Backend, SceneRenderer } from './renderer.ts';
@@ -36,14 +35,7 @@ async function open(backend: Backend, makeCanvas: () => HTMLCanvasElement): Prom
     case 'canvas2d':
       return new Canvas2dRenderer(makeCanvas());
     case 'webgpu':
-    case 'webgl': {
-      const device = await joinDevice(backend);
-      try {
-        return new GpuRenderer(device, makeCanvas());
-      } catch (error) {
-        device.leave();
-        throw error;
-      }
-    }
+    case 'webgl':
+      return GpuRenderer.create(backend, makeCanvas);
   }
 }
