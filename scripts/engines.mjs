@@ -1,0 +1,132 @@
+// `npm run test:engines`: the element in Chromium, Firefox and WebKitGTK, with everything each of them can draw with.
+//
+// Each has to show the same field (its golden hash) and, within what devices differ, the same picture. An engine that cannot be had on
+// this system is left out, and it is said which, why, and how to get it. Screenshots: .cache/screenshots/engine-*.png.
+import { canInstall, ensureBrowser } from './browser.mjs';
+import { build } from './build.mjs';
+import { dist } from './env.mjs';
+import { Failure, isMain, main, say, seconds } from './run.mjs';
+import { serve } from './serve.mjs';
+
+/** Of one script in a page, and of loading it. Software rendering takes its time, more of it on a busy machine. */
+const TIMEOUT_MS = 120_000;
+/** Of an engine with all its backends. */
+const ENGINE_MS = 600_000;
+
+const TITLES = { webgpu: 'WebGPU', webgl: 'WebGL2' };
+
+/** Runs every engine; resolves with a note if some were left out. */
+export async function check() {
+  if (process.env.SKIP_BROWSERS) return 'left out, as SKIP_BROWSERS asks';
+  // These need npm packages and a build.
+  const { ENGINES } = await import('../tests/engines/engines.mjs');
+  const { intercept } = await import('../tests/engines/examine.mjs');
+  const server = await serve(dist, { intercept });
+  const results = [];
+  try {
+    // One after the other: the software GPU takes every core.
+    for (const engine of ENGINES) results.push(await attempt(engine, server.url));
+  } finally {
+    await server.close();
+  }
+  const problems = [...results.flatMap(({ problems }) => problems ?? []), ...(await compare(results.flatMap(({ pictures }) => pictures ?? [])))];
+  if (problems.length > 0) throw new Failure(problems.join('\n  '));
+  return results.flatMap(({ skipped }) => skipped ?? []).join('; ');
+}
+
+/** An engine's pictures, what went wrong, or why it was left out. */
+async function attempt(engine, url) {
+  let programs;
+  try {
+    programs = await prepare(engine);
+  } catch (error) {
+    if (!(error instanceof Failure)) throw error;
+    if (canInstall(engine.browser)) return { problems: [`${engine.name}: ${error.message}`] };
+    say(`! ${engine.name} is left out: ${error.message}`);
+    return { skipped: [`${engine.name} left out: ${error.message}`] };
+  }
+  const pictures = [];
+  const problems = [];
+  const { startScreen } = await import('../tests/engines/processes.mjs');
+  let screen;
+  let running;
+  const work = async () => {
+    screen = programs.xvfb && (await startScreen(programs.xvfb));
+    running = await engine.open(programs.browser, { env: screen?.env, timeoutMs: TIMEOUT_MS });
+    await examineAll(engine, running, url, pictures, problems);
+  };
+  try {
+    await within(ENGINE_MS, work());
+  } catch (error) {
+    problems.push(`${engine.name}: ${error.message}`);
+  } finally {
+    await running?.close();
+    await screen?.stop();
+  }
+  return { pictures, problems };
+}
+
+async function prepare({ browser, needsScreen }) {
+  const program = await ensureBrowser(browser);
+  if (!needsScreen || process.platform !== 'linux') return { browser: program };
+  try {
+    return { browser: program, xvfb: await ensureBrowser('xvfb') };
+  } catch (error) {
+    // Somebody's desktop will do; a window opens there.
+    if (!process.env.DISPLAY && !process.env.WAYLAND_DISPLAY) throw error;
+    return { browser: program };
+  }
+}
+
+async function examineAll({ name, backends }, running, url, pictures, problems) {
+  const { examine, examineAuto } = await import('../tests/engines/examine.mjs');
+  const version = `${name} ${running.version}`;
+  for (const backend of backends) {
+    await report(`${version}, ${TITLES[backend]}`, problems, async () => {
+      const found = await examine(running, url, { backend, name: `engine-${name.toLowerCase()}-${backend}` });
+      pictures.push({ name: `${name} with ${TITLES[backend]}`, statistics: found.statistics });
+      return `${found.rocks.toLocaleString('en')} rocks, first picture after ${seconds(found.ms)} s`;
+    });
+  }
+  await report(`${version}, left to itself`, problems, async () => {
+    await examineAuto(running, url, backends[0]);
+    return `takes ${TITLES[backends[0]]}`;
+  });
+}
+
+/** One line: what, whether it went well, how long it took. */
+async function report(what, problems, work) {
+  const start = performance.now();
+  const line = (mark, text) => say(`  ${mark} ${what}: ${text} (${seconds(performance.now() - start)} s)`);
+  try {
+    line('✓', await work());
+  } catch (error) {
+    problems.push(`${what}: ${error.message}`);
+    line('✗', error.message);
+  }
+}
+
+async function compare([first, ...others]) {
+  const { differences } = await import('../tests/engines/statistics.mjs');
+  return others.flatMap(({ name, statistics }) => differences(first.statistics, statistics).map((text) => `${first.name} and ${name} show different pictures: ${text}`));
+}
+
+async function within(ms, work) {
+  let timer;
+  const late = new Promise((_, reject) => {
+    timer = setTimeout(() => reject(new Error(`not done after ${ms / 60_000} min`)), ms);
+  });
+  try {
+    await Promise.race([work, late]);
+  } finally {
+    clearTimeout(timer);
+  }
+}
+
+if (isMain(import.meta)) {
+  await main(async () => {
+    await build();
+    const note = await check();
+    say(note ? `! ${note}` : '✓ all engines show the same rocks');
+  });
+}
