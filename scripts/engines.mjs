@@ -2,6 +2,7 @@
 //
 // Each has to show the same field (its golden hash) and, within what devices differ, the same picture. An engine that cannot be had on
 // this system is left out, and it is said which, why, and how to get it. Screenshots: .cache/screenshots/engine-*.png.
+// `-- firefox webkitgtk` runs these alone.
 import { canInstall, ensureBrowser } from './browser.mjs';
 import { build } from './build.mjs';
 import { dist } from './env.mjs';
@@ -15,17 +16,22 @@ const ENGINE_MS = 600_000;
 
 const TITLES = { webgpu: 'WebGPU', webgl: 'WebGL2' };
 
-/** Runs every engine; resolves with a note if some were left out. */
-export async function check() {
+/** Runs every engine, or those of these names; resolves with a note if some were left out. */
+export async function check(names = []) {
   if (process.env.SKIP_BROWSERS) return 'left out, as SKIP_BROWSERS asks';
   // These need npm packages and a build.
   const { ENGINES } = await import('../tests/engines/engines.mjs');
   const { intercept } = await import('../tests/engines/examine.mjs');
+  const { guard } = await import('../tests/engines/processes.mjs');
+  guard();
+  const stranger = names.find((name) => !ENGINES.some(({ browser }) => browser === name));
+  if (stranger) throw new Failure(`there is no engine ${stranger}; there are: ${ENGINES.map(({ browser }) => browser).join(', ')}`);
+  const chosen = ENGINES.filter(({ browser }) => names.length === 0 || names.includes(browser));
   const server = await serve(dist, { intercept });
   const results = [];
   try {
     // One after the other: the software GPU takes every core.
-    for (const engine of ENGINES) results.push(await attempt(engine, server.url));
+    for (const engine of chosen) results.push(await attempt(engine, server.url));
   } finally {
     await server.close();
   }
@@ -126,7 +132,7 @@ async function within(ms, work) {
 if (isMain(import.meta)) {
   await main(async () => {
     await build();
-    const note = await check();
+    const note = await check(process.argv.slice(2));
     say(note ? `! ${note}` : '✓ all engines show the same rocks');
   });
 }

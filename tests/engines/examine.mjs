@@ -38,7 +38,7 @@ function page(attributes) {
 export async function examine(engine, url, { backend, name }) {
   const { ms, rocks, picture, box } = await show(engine, `${url}${PAGE}?backend=${backend}`, backend, name);
   const seen = statistics(picture, box, WHITE);
-  assert.deepEqual(faults(seen), [], `the picture (${screenshotPath(name)})`);
+  same(faults(seen), [], `faults of ${screenshotPath(name)}`);
   await file(engine);
   await edit(engine, picture, box);
   await removal(engine);
@@ -54,9 +54,9 @@ export async function examineAuto(engine, url, backend) {
 async function show(engine, address, backend, name) {
   await engine.go(address);
   const { box: lengths, ms, ...said } = await ask(engine, 'shown()');
-  assert.equal(said.backend, backend, 'what draws');
-  assert.equal(said.hash, golden, 'hash of the field');
-  assert.deepEqual(said.generated, [{ rocks: said.rocks, isShown: true }], 'generate events');
+  same(said.backend, backend, 'what draws');
+  same(said.hash, golden, 'hash of the field');
+  same(said.generated, [{ rocks: said.rocks, isShown: true }], 'generate events');
   if (!name) return {};
   const [x, y, width, height] = lengths.map(Math.round);
   return { ms, rocks: said.rocks, picture: await look(engine, name), box: { x, y, width, height } };
@@ -71,9 +71,9 @@ async function look(engine, name) {
 /** `toBlob` gives a PNG of the size asked for, with a picture in it. */
 async function file(engine) {
   const { type, address } = await ask(engine, `picture(${JSON.stringify({ ...FILE, type: 'image/png' })})`);
-  assert.equal(type, 'image/png');
+  same(type, 'image/png', 'type of the file');
   const picture = decodePng(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
-  assert.deepEqual([picture.width, picture.height], [FILE.width, FILE.height], 'size of the file');
+  same([picture.width, picture.height], [FILE.width, FILE.height], 'size of the file');
   const { layers } = statistics(picture, { x: 0, y: 0, ...FILE }, WHITE);
   assert(layers.every(({ share }) => share > 0), 'there are rocks of every layer in the file');
 }
@@ -83,15 +83,15 @@ async function edit(engine, before, box) {
   const { generate } = await import('rock-field/core');
   const { hashField } = await import('../golden.mjs');
   const { hash, fields } = await ask(engine, `change("seed", "${OTHER_SEED}")`);
-  assert.equal(hash, await hashField(await generate({ preset: 'journal-fig1', seed: OTHER_SEED })), 'hash of the field of another seed');
-  assert.equal(fields, 1, 'fields for one attribute');
+  same(hash, await hashField(await generate({ preset: 'journal-fig1', seed: OTHER_SEED })), 'hash of the field of another seed');
+  same(fields, 1, 'fields for one attribute');
   const after = decodePng(await engine.screenshot());
   const changed = changedShare(before, after, box);
   assert(changed > 0.1, `another seed changed only ${(100 * changed).toFixed(1)} % of the pixels`);
 }
 
 function changedShare(a, b, { x, y, width, height }) {
-  assert.deepEqual([a.width, a.height, a.channels], [b.width, b.height, b.channels], 'size of the screenshots');
+  same([a.width, a.height, a.channels], [b.width, b.height, b.channels], 'size of the screenshots');
   let changed = 0;
   for (let row = y; row < y + height; row += 1) {
     for (let column = x; column < x + width; column += 1) {
@@ -105,13 +105,17 @@ function changedShare(a, b, { x, y, width, height }) {
 
 async function removal(engine) {
   const { workers, backend } = await ask(engine, 'remove()');
-  assert.deepEqual(workers, { started: 1, ended: 1 }, 'workers');
-  assert.equal(backend, null, 'what draws after the removal');
+  same(workers, { started: 1, ended: 1 }, 'workers');
+  same(backend, null, 'what draws after the removal');
 }
 
 /** The answer of the page, in which nothing may have gone wrong. */
 async function ask(engine, call) {
   const { complaints, ...answer } = await engine.evaluate(`examined.${call}`);
-  assert.deepEqual([...complaints, ...engine.complaints()], [], 'what went wrong in the page');
+  same([...complaints, ...engine.complaints()], [], 'what went wrong in the page');
   return answer;
+}
+
+function same(actual, expected, what) {
+  assert.deepEqual(actual, expected, `${what}: ${JSON.stringify(actual)} instead of ${JSON.stringify(expected)}`);
 }

@@ -1,5 +1,5 @@
 // Firefox, by Marionette: WebDriver's commands as JSON over a socket, which is how geckodriver drives it too. No driver is needed.
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import path from 'node:path';
 import { root } from '../../scripts/env.mjs';
@@ -24,12 +24,11 @@ export async function openFirefox(program, { env, timeoutMs }) {
   const lines = Object.entries(PREFERENCES).map(([name, value]) => `user_pref(${JSON.stringify(name)}, ${JSON.stringify(value)});\n`);
   writeFileSync(path.join(profile, 'user.js'), lines.join(''));
   // WebGL2 is not to be had in its headless mode.
-  const browser = start(program, ['--marionette', '--no-remote', '--profile', profile], { env });
+  const browser = start(program, ['--marionette', '--no-remote', '--profile', profile], { env, scratch: profile });
   let socket;
   const close = async () => {
     socket?.destroy();
     await browser.stop();
-    rmSync(profile, { recursive: true, force: true, maxRetries: 10, retryDelay: 200 });
   };
   try {
     let hasEnded = false;

@@ -1,28 +1,31 @@
 // Programs started for the tests, with what they start themselves: none of them outlives this process.
 import { spawn, spawnSync } from 'node:child_process';
+import { rmSync } from 'node:fs';
 import { createServer } from 'node:net';
 import os from 'node:os';
 
 const SAID_MAX = 2000;
 const isWindows = process.platform === 'win32';
 
-const running = new Set();
+/** Each with what it leaves behind. */
+const running = new Map();
 let isGuarded = false;
 
 /**
  * Starts a program in a process group of its own.
  *
- * `said()` is the end of what it wrote, for error messages; `ended` resolves when it is gone; `stop()` ends the whole group.
+ * `said()` is the end of what it wrote, for error messages; `ended` resolves when it is gone; `stop()` ends the whole group. The folder
+ * `scratch` goes with it.
  *
  * @returns {{ child: import('node:child_process').ChildProcess, said: () => string, ended: Promise<void>, stop: () => Promise<void> }}
  */
-export function start(program, args, { env = {}, stdio = [] } = {}) {
+export function start(program, args, { env = {}, stdio = [], scratch } = {}) {
   guard();
   const child = spawn(program, args, { env: { ...process.env, ...env }, stdio: ['ignore', 'pipe', 'pipe', ...stdio], detached: !isWindows });
   let said = '';
   for (const stream of [child.stdout, child.stderr]) stream.on('data', (text) => (said = (said + text).slice(-SAID_MAX)));
   child.on('error', (error) => (said += `could not be started: ${error.message}`));
-  running.add(child);
+  running.set(child, scratch);
   const ended = new Promise((resolve) => {
     for (const event of ['exit', 'error']) child.once(event, resolve);
   });
@@ -34,6 +37,7 @@ export function start(program, args, { env = {}, stdio = [] } = {}) {
 }
 
 function kill(child) {
+  const scratch = running.get(child);
   if (!running.delete(child) || !child.pid) return;
   try {
     // The group also when its leader is gone: helpers may still be there.
@@ -42,13 +46,15 @@ function kill(child) {
   } catch {
     // Nobody is left.
   }
+  // Until the last of them is gone, files may still appear there.
+  if (scratch) rmSync(scratch, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 });
 }
 
-/** Groups of their own do not hear the terminal's Ctrl+C. */
-function guard() {
+/** From here on everything ends with this process, also when it is interrupted: groups of their own do not hear the terminal's Ctrl+C. */
+export function guard() {
   if (isGuarded) return;
   isGuarded = true;
-  process.on('exit', () => running.forEach(kill));
+  process.on('exit', () => [...running.keys()].forEach(kill));
   for (const signal of ['SIGINT', 'SIGTERM', 'SIGHUP']) process.once(signal, () => process.exit(128 + os.constants.signals[signal]));
 }
 

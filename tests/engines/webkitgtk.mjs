@@ -10,7 +10,7 @@ export async function openWebKitGtk(program, { env, timeoutMs }) {
   const send = async (method, address, body) => {
     const response = await fetch(`http://127.0.0.1:${port}${address}`, { method, body: body && JSON.stringify(body), signal: AbortSignal.timeout(2 * timeoutMs) });
     const { value } = await response.json();
-    if (!response.ok) throw new Error(`${value.error}: ${value.message} ${driver.said()}`);
+    if (!response.ok) throw new Error(`${value.error}: ${value.message} ${driver.said()}`.trim());
     return value;
   };
   try {
