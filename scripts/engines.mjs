@@ -28,48 +28,51 @@ export async function check(names = []) {
   if (stranger) throw new Failure(`there is no engine ${stranger}; there are: ${ENGINES.map(({ browser }) => browser).join(', ')}`);
   const chosen = ENGINES.filter(({ browser }) => names.length === 0 || names.includes(browser));
   const server = await serve(dist, { intercept });
-  const results = [];
+  const found = { pictures: [], problems: [], skipped: [] };
   try {
     // One after the other: the software GPU takes every core.
-    for (const engine of chosen) results.push(await attempt(engine, server.url));
+    for (const engine of chosen) await attempt(engine, server.url, found);
   } finally {
     await server.close();
   }
-  const problems = [...results.flatMap(({ problems }) => problems ?? []), ...(await compare(results.flatMap(({ pictures }) => pictures ?? [])))];
+  const problems = [...found.problems, ...(await compare(found.pictures))];
   if (problems.length > 0) throw new Failure(problems.join('\n  '));
-  return results.flatMap(({ skipped }) => skipped ?? []).join('; ');
+  return found.skipped.join('; ');
 }
 
-/** An engine's pictures, what went wrong, or why it was left out. */
-async function attempt(engine, url) {
+/** Adds an engine's pictures, what went wrong, or why it was left out, to what was found. */
+async function attempt(engine, url, found) {
   let programs;
   try {
     programs = await prepare(engine);
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
-    if (canInstall(engine.browser)) return { problems: [`${engine.name}: ${error.message}`] };
-    say(`! ${engine.name} is left out: ${error.message}`);
-    return { skipped: [`${engine.name} left out: ${error.message}`] };
+    missing(found, canInstall(engine.browser), `${engine.name} is left out: ${error.message}`);
+    return;
   }
-  const pictures = [];
-  const problems = [];
   const { startScreen } = await import('../tests/engines/processes.mjs');
   let screen;
   let running;
   const work = async () => {
     screen = programs.xvfb && (await startScreen(programs.xvfb));
     running = await engine.open(programs.browser, { env: screen?.env, timeoutMs: TIMEOUT_MS });
-    await examineAll(engine, running, url, pictures, problems);
+    await examineAll(engine, running, url, found);
   };
   try {
     await within(ENGINE_MS, work());
   } catch (error) {
-    problems.push(`${engine.name}: ${error.message}`);
+    say(`  ✗ ${engine.name}: ${error.message}`);
+    found.problems.push(`${engine.name}: ${error.message}`);
   } finally {
     await running?.close();
     await screen?.stop();
   }
-  return { pictures, problems };
+}
+
+/** What should be here is a problem; what cannot be had is left out, and said. */
+function missing(found, isDue, text) {
+  say(`  ${isDue ? '✗' : '!'} ${text}`);
+  (isDue ? found.problems : found.skipped).push(text);
 }
 
 async function prepare({ browser, needsScreen }) {
@@ -84,24 +87,28 @@ async function prepare({ browser, needsScreen }) {
   }
 }
 
-async function examineAll({ name, backends }, running, url, pictures, problems) {
-  const { examine, examineAuto } = await import('../tests/engines/examine.mjs');
+async function examineAll({ name, browser, backends }, running, url, found) {
+  const { examine, examineAuto, offers } = await import('../tests/engines/examine.mjs');
   const version = `${name} ${running.version}`;
+  const offered = await offers(running, url);
   for (const backend of backends) {
-    await report(`${version}, ${TITLES[backend]}`, problems, async () => {
-      const found = await examine(running, url, { backend, name: `engine-${name.toLowerCase()}-${backend}` });
-      pictures.push({ name: `${name} with ${TITLES[backend]}`, statistics: found.statistics });
-      return `${found.rocks.toLocaleString('en')} rocks, first picture after ${seconds(found.ms)} s`;
-    });
+    const what = `${version}, ${TITLES[backend]}`;
+    // On Linux Chromium brings a software device along, and what Firefox and WebKitGTK need is installed with them.
+    if (!offered[backend]) missing(found, process.platform === 'linux' && canInstall(browser), `${what}: it is not offered here`);
+    else {
+      await report(what, found, async () => {
+        const { statistics, rocks, ms } = await examine(running, url, { backend, name: `engine-${name.toLowerCase()}-${backend}` });
+        found.pictures.push({ name: `${name} with ${TITLES[backend]}`, statistics });
+        return `${rocks.toLocaleString('en')} rocks, first picture after ${seconds(ms)} s`;
+      });
+    }
   }
-  await report(`${version}, left to itself`, problems, async () => {
-    await examineAuto(running, url, backends[0]);
-    return `takes ${TITLES[backends[0]]}`;
-  });
+  const best = backends.find((backend) => offered[backend]);
+  if (best) await report(`${version}, left to itself`, found, async () => (await examineAuto(running, url, best), `takes ${TITLES[best]}`));
 }
 
 /** One line: what, whether it went well, how long it took. */
-async function report(what, problems, work) {
+async function report(what, { problems }, work) {
   const start = performance.now();
   const line = (mark, text) => say(`  ${mark} ${what}: ${text} (${seconds(performance.now() - start)} s)`);
   try {
@@ -114,7 +121,10 @@ async function report(what, problems, work) {
 
 async function compare([first, ...others]) {
   const { differences } = await import('../tests/engines/statistics.mjs');
-  return others.flatMap(({ name, statistics }) => differences(first.statistics, statistics).map((text) => `${first.name} and ${name} show different pictures: ${text}`));
+  return others.flatMap(({ name, statistics }) => {
+    const found = differences(first.statistics, statistics);
+    return found.length > 0 ? [`${first.name} and ${name} show different pictures: ${found.join('; ')}`] : [];
+  });
 }
 
 async function within(ms, work) {

@@ -6,6 +6,9 @@ import { decodePng } from './png.mjs';
 import { faults, statistics } from './statistics.mjs';
 
 const PAGE = 'engine.html';
+const EMPTY_PAGE = 'empty.html';
+const HTML = { 'content-type': 'text/html' };
+const HEAD = '<!doctype html><html lang="en"><meta charset="utf-8"><title>engine</title><link rel="icon" href="data:,">';
 const WHITE = [255, 255, 255];
 const OTHER_SEED = 7;
 /** Not the proportions of the element, and small: it is drawn once more for it. */
@@ -18,16 +21,26 @@ export function intercept(request, response) {
   const { pathname, searchParams } = new URL(request.url, 'http://localhost');
   const file = { '/page.mjs': new URL('page.mjs', import.meta.url), '/golden.mjs': new URL('../golden.mjs', import.meta.url) }[pathname];
   if (file) response.writeHead(200, { 'content-type': 'text/javascript' }).end(readFileSync(file));
-  else if (pathname === `/${PAGE}`) response.writeHead(200, { 'content-type': 'text/html' }).end(page([...searchParams]));
+  else if (pathname === `/${PAGE}`) response.writeHead(200, HTML).end(page([...searchParams]));
+  else if (pathname === `/${EMPTY_PAGE}`) response.writeHead(200, HTML).end(HEAD);
   else return false;
   return true;
 }
 
 function page(attributes) {
   const written = attributes.map(([name, value]) => ` ${name}="${value}"`).join('');
-  return `<!doctype html><html lang="en"><meta charset="utf-8"><title>engine</title><link rel="icon" href="data:,">
+  return `${HEAD}
 <rock-field style="width:400px;height:300px"${written}></rock-field>
 <script type="module" src="/page.mjs"></script><script type="module" src="/rock-field.js"></script>`;
+}
+
+/** Whether an engine has a device for each backend, by its own account. */
+export async function offers(engine, url) {
+  await engine.go(url + EMPTY_PAGE);
+  return engine.evaluate(`(async () => ({
+    webgpu: Boolean(await navigator.gpu?.requestAdapter()),
+    webgl: Boolean(document.createElement('canvas').getContext('webgl2')),
+  }))()`);
 }
 
 /**

@@ -69,7 +69,7 @@ function activePort(profile) {
  * A message is its length in bytes, a colon and JSON: `[0, id, name, parameters]` there, `[1, id, error, result]` back. The first
  * one is a greeting.
  */
-function marionette(socket) {
+export function marionette(socket) {
   const waiting = new Map();
   let last = 0;
   let received = Buffer.alloc(0);

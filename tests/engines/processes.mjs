@@ -37,12 +37,13 @@ export function start(program, args, { env = {}, stdio = [], scratch } = {}) {
 }
 
 function kill(child) {
+  if (!running.has(child)) return;
   const scratch = running.get(child);
-  if (!running.delete(child) || !child.pid) return;
+  running.delete(child);
   try {
     // The group also when its leader is gone: helpers may still be there.
     if (isWindows) spawnSync('taskkill', ['/pid', String(child.pid), '/t', '/f']);
-    else process.kill(-child.pid, 'SIGKILL');
+    else if (child.pid) process.kill(-child.pid, 'SIGKILL');
   } catch {
     // Nobody is left.
   }
