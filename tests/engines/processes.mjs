@@ -41,7 +41,7 @@ function kill(child) {
   const scratch = running.get(child);
   running.delete(child);
   try {
-    // The group also when its leader is gone: helpers may still be there.
+    // The group also when its leader is gone: its children may still be there.
     if (isWindows) spawnSync('taskkill', ['/pid', String(child.pid), '/t', '/f']);
     else if (child.pid) process.kill(-child.pid, 'SIGKILL');
   } catch {
