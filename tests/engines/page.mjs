@@ -1,0 +1,92 @@
+// What is asked of the element, in the page itself: it is loaded before the element is defined, so that nothing goes unheard.
+import { hashField } from './golden.mjs';
+
+const WAIT_MS = 90_000;
+
+/** What has gone wrong, in sentences: of the element, of the page, of promises. */
+const complaints = [];
+const generated = [];
+const workers = { started: 0, ended: 0 };
+
+globalThis.Worker = class extends Worker {
+  constructor(...args) {
+    super(...args);
+    workers.started += 1;
+  }
+
+  terminate() {
+    workers.ended += 1;
+    super.terminate();
+  }
+};
+
+const element = document.querySelector('rock-field');
+element.addEventListener('error', ({ detail }) => complaints.push(`error event: ${detail.error.name}: ${detail.error.message}`));
+element.addEventListener('notice', ({ detail }) => complaints.push(`notice event: ${detail.message}`));
+element.addEventListener('generate', ({ detail }) => generated.push(detail));
+addEventListener('error', ({ message }) => complaints.push(`uncaught: ${message}`));
+console.error = (...words) => complaints.push(`console error: ${words.join(' ')}`);
+addEventListener('unhandledrejection', ({ reason }) => complaints.push(`unhandled: ${reason}`));
+
+/** Waits for the first picture, or for something to go wrong. */
+async function shown() {
+  await until(() => complaints.length > 0 || customElements.get('rock-field'), 'the definition of the element');
+  let isReady = false;
+  void element.ready?.then(() => (isReady = true));
+  await until(() => complaints.length > 0 || isReady, 'the first picture');
+  // Since the page was asked for.
+  const ms = performance.now();
+  await painted();
+  const { x, y, width, height } = element.getBoundingClientRect();
+  return {
+    backend: element.backend,
+    hash: element.field && (await hashField(element.field)),
+    rocks: element.field?.stats.rocks,
+    generated: generated.map(({ stats, field }) => ({ rocks: stats.rocks, isShown: field === element.field })),
+    box: [x, y, width, height].map((length) => length * devicePixelRatio),
+    complaints,
+    ms,
+  };
+}
+
+/** The picture as a file: its type and its address with everything in it. */
+async function picture(options) {
+  const blob = await element.toBlob(options);
+  const reader = new FileReader();
+  await new Promise((resolve, reject) => {
+    reader.onload = resolve;
+    reader.onerror = () => reject(reader.error);
+    reader.readAsDataURL(blob);
+  });
+  return { type: blob.type, address: reader.result, complaints };
+}
+
+/** Sets an attribute and waits for what it gives. */
+async function change(name, value) {
+  const before = generated.length;
+  element.setAttribute(name, value);
+  await until(() => complaints.length > 0 || generated.length > before, 'another field');
+  await painted();
+  return { hash: await hashField(element.field), fields: generated.length - before, complaints };
+}
+
+/** Takes the element out of the page; what it had started ends some time later. */
+async function remove() {
+  element.remove();
+  await until(() => workers.ended === workers.started, 'the end of the workers');
+  return { workers, backend: element.backend, complaints };
+}
+
+/** Two frames later the compositor has what was drawn in the first. */
+async function painted() {
+  for (let frame = 0; frame < 2; frame += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
+}
+
+async function until(isSo, what) {
+  for (const deadline = performance.now() + WAIT_MS; !isSo(); ) {
+    if (performance.now() > deadline) throw new Error(`${what} did not come in ${WAIT_MS / 1000} s`);
+    await new Promise((resolve) => setTimeout(resolve, 20));
+  }
+}
+
+globalThis.examined = { shown, picture, change, remove };

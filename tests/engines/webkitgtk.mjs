@@ -1,0 +1,37 @@
+// WebKitGTK's MiniBrowser, by WebKitWebDriver: W3C WebDriver over HTTP.
+import { freePort, start, until } from './processes.mjs';
+
+const START_MS = 60_000;
+
+/** See `engines.mjs` for what an engine offers. */
+export async function openWebKitGtk(program, { env, timeoutMs }) {
+  const port = await freePort();
+  const driver = start(program, [`--port=${port}`], { env });
+  const send = async (method, address, body) => {
+    const response = await fetch(`http://127.0.0.1:${port}${address}`, { method, body: body && JSON.stringify(body), signal: AbortSignal.timeout(2 * timeoutMs) });
+    const { value } = await response.json();
+    if (!response.ok) throw new Error(`${value.error}: ${value.message} ${driver.said()}`.trim());
+    return value;
+  };
+  try {
+    let hasEnded = false;
+    void driver.ended.then(() => (hasEnded = true));
+    await until(async () => {
+      if (hasEnded) throw new Error(`WebKitWebDriver ended: ${driver.said()}`);
+      return send('GET', '/status').catch(() => undefined);
+    }, 'Starting WebKitWebDriver', START_MS);
+    const { sessionId, capabilities } = await send('POST', '/session', { capabilities: { alwaysMatch: { timeouts: { script: timeoutMs, pageLoad: timeoutMs } } } });
+    const session = `/session/${sessionId}`;
+    return {
+      version: capabilities.browserVersion,
+      go: (url) => send('POST', `${session}/url`, { url }),
+      evaluate: (expression) => send('POST', `${session}/execute/sync`, { script: `return ${expression}`, args: [] }),
+      screenshot: async () => Buffer.from(await send('GET', `${session}/screenshot`), 'base64'),
+      complaints: () => [],
+      close: driver.stop,
+    };
+  } catch (error) {
+    await driver.stop();
+    throw error;
+  }
+}
