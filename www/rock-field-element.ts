@@ -48,7 +48,14 @@ const PROPERTIES: readonly string[] = [
 const MANNERS = ['poster', 'disabled', 'auto-rotate'];
 
 /** The accessors are made from lists: of the parameter table, and of attributes. */
-export interface RockFieldElement extends ParameterProperties, ReflectedProperties {}
+export interface RockFieldElement extends ParameterProperties, ReflectedProperties {
+  addEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | AddEventListenerOptions): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  removeEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | EventListenerOptions): void;
+  removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
+}
+
+type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEventMap;
 
 /**
  * @attribute preset - Name of a preset; default `journal-fig1`.

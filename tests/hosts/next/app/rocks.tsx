@@ -1,14 +1,28 @@
 'use client';
 
-import { useRef, useState } from 'react';
+import { useEffect, useRef, useState } from 'react';
 import 'rock-field';
-import type { RockFieldElement } from 'rock-field';
+import type { RockFieldElement, RockFieldEventMap } from 'rock-field';
 import type {} from 'rock-field/jsx';
 
 export function Rocks() {
   const field = useRef<RockFieldElement>(null);
   const [rocks, setRocks] = useState(0);
   const [framed, setFramed] = useState(false);
+  // While it hydrates what a server sent, React 19 listens to no event of a custom element: https://github.com/react/react/issues/35446
+  useEffect(() => {
+    const element = field.current;
+    if (!element) return;
+    const count = () => setRocks(element.field?.stats.rocks ?? 0);
+    const look = ({ detail }: RockFieldEventMap['camera-change']) => setFramed(detail.framed);
+    count();
+    element.addEventListener('generate', count);
+    element.addEventListener('camera-change', look);
+    return () => {
+      element.removeEventListener('generate', count);
+      element.removeEventListener('camera-change', look);
+    };
+  }, []);
   return (
     <>
       <rock-field
@@ -20,8 +34,6 @@ export function Rocks() {
         taper-rock="6 6 2"
         view="3d"
         camera-orbit="30deg 55deg auto"
-        ongenerate={({ detail }) => setRocks(detail.stats.rocks)}
-        oncamera-change={({ detail }) => setFramed(detail.framed)}
         style={{ display: 'block', width: 400, height: 300 }}
       >
         <img slot="poster" src="/poster.svg" alt="Rocks, drawn before they are grown" width={400} height={300} />
