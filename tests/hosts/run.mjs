@@ -13,6 +13,9 @@ const ELEMENT = '<rock-field preset="journal-fig1" seed="7" style="width: 400px;
 /** Everything from the page's own origin: what `rock-field` promises to get by with. The rest is this page's icon and the element's size. */
 const STRICT = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:; style-src-attr 'unsafe-inline'";
 
+/** With everything in the scripts there is a worker without a file. */
+const STRICT_BUT_BLOB = STRICT.replace("worker-src 'self'", 'worker-src blob:');
+
 /** By name: what makes the host's page from the unpacked package in `folder`, in the empty folder `site`, and shows it. */
 const HOSTS = {
   'a module by its path': (site, folder) => show({ site: vendor(site, folder, '<script type="module" src="./rock-field/rock-field.js"></script>') }),
@@ -26,6 +29,24 @@ const HOSTS = {
     } finally {
       await cdn.close();
     }
+  },
+  'esbuild': async (site, folder) => {
+    await withEsbuild(folder, { outfile: path.join(site, 'out.js') });
+    await show({ site: write(site, '<script src="./out.js" defer></script>'), policy: STRICT_BUT_BLOB });
+  },
+  'esbuild, in chunks': async (site, folder) => {
+    await withEsbuild(folder, { format: 'esm', splitting: true, outdir: site });
+    await show({ site: write(site, '<script type="module" src="./app.js"></script>'), policy: STRICT_BUT_BLOB });
+  },
+  'esbuild, the files of the package beside its output': async (site, folder) => {
+    vendor(site, folder, '<script type="module" src="./rock-field/out.js"></script>');
+    await withEsbuild(folder, { format: 'esm', conditions: ['production'], outfile: path.join(site, 'rock-field', 'out.js') });
+    await show({ site, policy: STRICT });
+  },
+  'Rollup': async (site, folder) => {
+    const project = await install('rollup', folder);
+    await tool(project, 'rollup/dist/bin/rollup', ['main.js', '--plugin', 'node-resolve', '--dir', site, '--silent']);
+    await show({ site: write(site, '<script type="module" src="./main.js"></script>'), policy: STRICT_BUT_BLOB });
   },
   'Vite': async (site, folder) => {
     await vitePage(await install('vite', folder), site, page('<script type="module" src="./main.js"></script>'));
@@ -43,7 +64,8 @@ const HOSTS = {
     await next(project);
     const server = await nextServer(project);
     try {
-      await show({ site, url: server.url, live: true, look: (session) => withoutScripts(session, server.url) });
+      const asked = await show({ site, url: server.url, live: true, look: (session) => withoutScripts(session, server.url) });
+      assert.ok(asked.some((address) => /generator_bg\.\w+\.wasm$/.test(address)), 'the wasm is no file of its own');
     } finally {
       await server.close();
     }
@@ -85,12 +107,18 @@ function vendor(site, folder, scripts) {
   return write(site, scripts);
 }
 
+async function withEsbuild(folder, options) {
+  const app = path.join(path.dirname(path.dirname(folder)), 'app.js');
+  writeFileSync(app, "import 'rock-field';");
+  await esbuild.build({ entryPoints: [app], bundle: true, logLevel: 'warning', ...options });
+}
+
 /** A framework's project, with types that let its template pass and refuse the wrong ones beside it. */
 async function typed(name, checker, site, folder) {
   const project = await install(name, folder);
   await tool(project, checker, []);
   await vite(project, site);
-  await show({ site, live: true });
+  await show({ site, policy: STRICT, live: true });
 }
 
 /** What the server says is a picture already. */

@@ -4,18 +4,18 @@ import path from 'node:path';
 import { serve } from '../../scripts/serve.mjs';
 import { launch } from '../e2e/browser.mjs';
 
-/** What every host's element says; `width` and the first radius where the host also sets these. */
+/** What every host's element says. */
 const SEED = 7;
 
 /**
  * The page of `site`, or of the server at `url`. `policy` is its Content-Security-Policy, `cdn` the address of another origin that it
- * may ask. A `live` page shows what it hears from the element, and has a button that calls it.
+ * may ask. A `live` page shows what it hears from the element, and has a button that calls it. Resolves with the addresses asked.
  */
 export async function show({ site, url, cdn, policy, live = false, look }) {
   const session = await launch({ folder: site, intercept: policy && ((request, response) => void response.setHeader('content-security-policy', policy)) });
   try {
     const asked = new Set();
-    const prepare = (page) => void page.context().on('request', (request) => asked.add(new URL(request.url()).origin));
+    const prepare = (page) => void page.context().on('request', (request) => asked.add(request.url()));
     const { page, errors, warnings } = await session.open(url ?? '', { prepare });
     await page.waitForSelector('rock-field', { state: 'attached' });
     const { rocks, params } = await page.evaluate(async () => {
@@ -31,7 +31,9 @@ export async function show({ site, url, cdn, policy, live = false, look }) {
     await look?.(session, page);
     assert.deepEqual([errors, warnings], [[], []]);
     const known = [url ?? session.url, cdn].filter(Boolean).map((address) => new URL(address).origin);
-    assert.deepEqual([...asked].filter((origin) => origin !== 'null' && !known.includes(origin)), [], 'origins that are none of ours were asked');
+    const foreign = [...asked].filter((address) => /^https?:/.test(address) && !known.includes(new URL(address).origin));
+    assert.deepEqual(foreign, [], 'others than our own were asked');
+    return [...asked];
   } finally {
     await session.close();
   }
