@@ -40,15 +40,15 @@ export async function webpack(project, site) {
   await tool(project, 'webpack-cli/bin/cli.js', ['--mode', 'production', '--output-path', site, '--stats', 'errors-only']);
 }
 
-/** Next checks the types while it builds. */
+/** Next checks the types while it builds. Turbopack builds, unless the flags say `--webpack`. */
 export async function next(project, ...flags) {
   await tool(project, 'next/dist/bin/next', ['build', ...flags]);
 }
 
-/** The built project as its own server shows it: `{ url, close }`. */
-export async function nextServer(project) {
-  const program = path.join('node_modules', 'next', 'dist', 'bin', 'next');
-  const server = spawn(process.execPath, [program, 'start', '--port', '0', '--hostname', '127.0.0.1'], { cwd: project, env: { ...process.env, ...QUIET }, stdio: ['ignore', 'pipe', 2] });
+/** The project as its own server shows it: `{ url, close }`. */
+export async function serverOf(project, program, args) {
+  const env = { ...process.env, ...QUIET, NO_COLOR: '1' };
+  const server = spawn(process.execPath, [path.join('node_modules', ...program.split('/')), ...args], { cwd: project, env, stdio: ['ignore', 'pipe', 2] });
   const ended = new Promise((resolve) => server.once('close', resolve));
   const close = async () => {
     server.kill();
@@ -58,11 +58,19 @@ export async function nextServer(project) {
     let said = '';
     server.stdout.on('data', (chunk) => {
       said += chunk;
-      const [url] = /http:\/\/\S+/.exec(said) ?? [];
+      const [, url] = /(http:\/\/[\w.:]+\d)\/?\s/.exec(said) ?? [];
       if (url) resolve(url);
     });
   });
   const url = await Promise.race([address, ended]);
-  if (typeof url !== 'string') throw new Failure('next start ended before it said where it listens');
+  if (typeof url !== 'string') throw new Failure(`${program} ended before it said where it listens`);
   return { url: `${url}/`, close };
+}
+
+export function nextServer(project, command) {
+  return serverOf(project, 'next/dist/bin/next', [command, '--port', '0', '--hostname', '127.0.0.1']);
+}
+
+export function viteServer(project) {
+  return serverOf(project, 'vite/bin/vite.js', ['--host', '127.0.0.1', '--port', '0']);
 }

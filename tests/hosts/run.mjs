@@ -3,9 +3,9 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
-import { isMain, main, say, step } from '../../scripts/run.mjs';
+import { Failure, isMain, main, say, step } from '../../scripts/run.mjs';
 import { pack } from '../../scripts/package.mjs';
-import { install, next, nextServer, tool, vite, vitePage, webpack } from './projects.mjs';
+import { install, next, nextServer, tool, vite, vitePage, viteServer, webpack } from './projects.mjs';
 import { openCdn, show } from './show.mjs';
 
 const ELEMENT = '<rock-field preset="journal-fig1" seed="7" style="width: 400px; height: 300px"></rock-field>';
@@ -23,12 +23,7 @@ const HOSTS = {
   'a strict policy': (site, folder) => show({ site: vendor(site, folder, '<script type="module" src="./rock-field/rock-field.js"></script>'), policy: STRICT }),
   'a classic script': (site, folder) => show({ site: vendor(site, folder, '<script src="./rock-field/cdn.js" defer></script>'), policy: STRICT }),
   'a classic script from another origin': async (site, folder) => {
-    const cdn = await openCdn(folder);
-    try {
-      await show({ site: write(site, `<script src="${cdn.url}cdn.js"></script>`), cdn: cdn.url });
-    } finally {
-      await cdn.close();
-    }
+    await during(openCdn(folder), (cdn) => show({ site: write(site, `<script src="${cdn.url}cdn.js"></script>`), cdn: cdn.url }));
   },
   'esbuild': async (site, folder) => {
     await withEsbuild(folder, { outfile: path.join(site, 'out.js') });
@@ -52,6 +47,10 @@ const HOSTS = {
     await vitePage(await install('vite', folder), site, page('<script type="module" src="./main.js"></script>'));
     await show({ site, policy: STRICT });
   },
+  "Vite's development server": async (site, folder) => {
+    const project = await install('react', folder);
+    await during(viteServer(project), ({ url }) => show({ url, live: true }));
+  },
   'webpack': async (site, folder) => {
     await webpack(await install('webpack', folder), site);
     await show({ site: write(site, '<script src="./main.js" defer></script>'), policy: STRICT });
@@ -62,17 +61,29 @@ const HOSTS = {
   'Next': async (site, folder) => {
     const project = await install('next', folder);
     await next(project);
-    const server = await nextServer(project);
-    try {
-      const asked = await show({ site, url: server.url, live: true, look: (session) => withoutScripts(session, server.url) });
-      assert.ok(asked.some((address) => /generator_bg\.\w+\.wasm$/.test(address)), 'the wasm is no file of its own');
-    } finally {
-      await server.close();
-    }
+    const asked = await during(nextServer(project, 'start'), ({ url }) => show({ url, live: true, look: (session) => withoutScripts(session, url) }));
+    assert.ok(asked.some((address) => /generator_bg\.\w+\.wasm$/.test(address)), 'the wasm is no file of its own');
+  },
+  // Only there does React say what differs from the server's page.
+  "Next's development server": async (site, folder) => {
+    const project = await install('next', folder);
+    await during(nextServer(project, 'dev'), ({ url }) => show({ url, live: true }));
+  },
+};
+
+/** Not run by `npm test`: they take long, or say what another host says already. */
+const MORE = {
+  'Next, built by webpack': async (site, folder) => {
+    const project = await install('next', folder);
+    await next(project, '--webpack');
+    await during(nextServer(project, 'start'), ({ url }) => show({ url, live: true }));
   },
 };
 
 export async function check(chosen = Object.keys(HOSTS)) {
+  const hosts = { ...HOSTS, ...MORE };
+  const stranger = chosen.find((name) => !hosts[name]);
+  if (stranger) throw new Failure(`no host is called ${stranger}; there are: ${Object.keys(hosts).join(' · ')}`);
   const { outside, folder } = await pack();
   try {
     const failed = [];
@@ -80,7 +91,7 @@ export async function check(chosen = Object.keys(HOSTS)) {
       const site = path.join(outside, 'site');
       rmSync(site, { recursive: true, force: true });
       mkdirSync(site);
-      await step(name, '5 s', () => HOSTS[name](site, folder)).catch((error) => {
+      await step(name, '5 s', () => hosts[name](site, folder)).catch((error) => {
         say(`  ✗ ${error.message}`);
         failed.push(name);
       });
@@ -119,6 +130,16 @@ async function typed(name, checker, site, folder) {
   await tool(project, checker, []);
   await vite(project, site);
   await show({ site, policy: STRICT, live: true });
+}
+
+/** Works with a server, and closes it. */
+async function during(opening, work) {
+  const server = await opening;
+  try {
+    return await work(server);
+  } finally {
+    await server.close();
+  }
 }
 
 /** What the server says is a picture already. */

@@ -12,7 +12,7 @@ const SEED = 7;
  * may ask. A `live` page shows what it hears from the element, and has a button that calls it. Resolves with the addresses asked.
  */
 export async function show({ site, url, cdn, policy, live = false, look }) {
-  const session = await launch({ folder: site, intercept: policy && ((request, response) => void response.setHeader('content-security-policy', policy)) });
+  const session = await launch({ ...(site && { folder: site }), intercept: policy && ((request, response) => void response.setHeader('content-security-policy', policy)) });
   try {
     const asked = new Set();
     const prepare = (page) => void page.context().on('request', (request) => asked.add(request.url()));
@@ -43,7 +43,7 @@ export async function show({ site, url, cdn, policy, live = false, look }) {
 async function answers(page, { rocks, params }) {
   assert.deepEqual([params.imageWidth, params.layers.map(({ radius, taper }) => [radius, taper[1]])], [1100, [[80, 6], [30, 6], [10, 2]]]);
   await page.getByText(`${rocks} rocks`).waitFor();
-  await page.getByRole('button').click();
+  await page.getByRole('button', { name: 'Whole field' }).click();
   await page.getByText('framed').waitFor();
 }
 
