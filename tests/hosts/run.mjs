@@ -3,12 +3,15 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
-import { Failure, isMain, main, say, step } from '../../scripts/run.mjs';
+import { Failure, isMain, main, say, seconds } from '../../scripts/run.mjs';
 import { pack } from '../../scripts/package.mjs';
 import { install, next, nextServer, tool, vite, vitePage, viteServer, webpack } from './projects.mjs';
 import { openCdn, show } from './show.mjs';
 
 const ELEMENT = '<rock-field preset="journal-fig1" seed="7" style="width: 400px; height: 300px"></rock-field>';
+
+/** So many hosts at once: while one is built, another is looked at. */
+const LANES = 2;
 
 /** Everything from the page's own origin: what `rock-field` promises to get by with. The rest is this page's icon and the element's size. */
 const STRICT = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:; style-src-attr 'unsafe-inline'";
@@ -16,8 +19,22 @@ const STRICT = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker
 /** With everything in the scripts there is a worker without a file. */
 const STRICT_BUT_BLOB = STRICT.replace("worker-src 'self'", 'worker-src blob:');
 
-/** By name: what makes the host's page from the unpacked package in `folder`, in the empty folder `site`, and shows it. */
+/** By name: what makes the host's page from the unpacked package in `folder`, in the empty folder `site`, and shows it. The slowest first. */
 const HOSTS = {
+  'Next': async (site, folder) => {
+    const project = await install('next', folder);
+    await next(project);
+    const asked = await during(nextServer(project, 'start'), ({ url }) => show({ url, live: true, look: (session) => withoutScripts(session, url) }));
+    assert.ok(asked.some((address) => /generator_bg\.\w+\.wasm$/.test(address)), 'the wasm is no file of its own');
+    // Only in development does React say what differs from the server's page.
+    await during(nextServer(project, 'dev'), ({ url }) => show({ url, live: true }));
+  },
+  'Vue': (site, folder) => typed('vue', 'vue-tsc/bin/vue-tsc.js', site, folder),
+  'Svelte': (site, folder) => typed('svelte', 'svelte-check/bin/svelte-check', site, folder),
+  'React': async (site, folder) => {
+    const project = await typed('react', 'typescript/bin/tsc', site, folder);
+    await during(viteServer(project), ({ url }) => show({ url, live: true }));
+  },
   'a module by its path': (site, folder) => show({ site: vendor(site, folder, '<script type="module" src="./rock-field/rock-field.js"></script>') }),
   'an import map': (site, folder) => show({ site: vendor(site, folder, '<script type="importmap">{ "imports": { "rock-field": "./rock-field/rock-field.js" } }</script><script type="module">import "rock-field";</script>') }),
   'a strict policy': (site, folder) => show({ site: vendor(site, folder, '<script type="module" src="./rock-field/rock-field.js"></script>'), policy: STRICT }),
@@ -47,27 +64,9 @@ const HOSTS = {
     await vitePage(await install('vite', folder), site, page('<script type="module" src="./main.js"></script>'));
     await show({ site, policy: STRICT });
   },
-  "Vite's development server": async (site, folder) => {
-    const project = await install('react', folder);
-    await during(viteServer(project), ({ url }) => show({ url, live: true }));
-  },
   'webpack': async (site, folder) => {
     await webpack(await install('webpack', folder), site);
     await show({ site: write(site, '<script src="./main.js" defer></script>'), policy: STRICT });
-  },
-  'React': (site, folder) => typed('react', 'typescript/bin/tsc', site, folder),
-  'Vue': (site, folder) => typed('vue', 'vue-tsc/bin/vue-tsc.js', site, folder),
-  'Svelte': (site, folder) => typed('svelte', 'svelte-check/bin/svelte-check', site, folder),
-  'Next': async (site, folder) => {
-    const project = await install('next', folder);
-    await next(project);
-    const asked = await during(nextServer(project, 'start'), ({ url }) => show({ url, live: true, look: (session) => withoutScripts(session, url) }));
-    assert.ok(asked.some((address) => /generator_bg\.\w+\.wasm$/.test(address)), 'the wasm is no file of its own');
-  },
-  // Only there does React say what differs from the server's page.
-  "Next's development server": async (site, folder) => {
-    const project = await install('next', folder);
-    await during(nextServer(project, 'dev'), ({ url }) => show({ url, live: true }));
   },
 };
 
@@ -87,15 +86,22 @@ export async function check(chosen = Object.keys(HOSTS)) {
   const { outside, folder } = await pack();
   try {
     const failed = [];
-    for (const name of chosen) {
-      const site = path.join(outside, 'site');
-      rmSync(site, { recursive: true, force: true });
-      mkdirSync(site);
-      await step(name, '5 s', () => hosts[name](site, folder)).catch((error) => {
-        say(`  ✗ ${error.message}`);
-        failed.push(name);
-      });
-    }
+    const waiting = chosen.entries();
+    const lane = async () => {
+      for (const [number, name] of waiting) {
+        const site = path.join(outside, `site-${number}`);
+        mkdirSync(site);
+        const start = performance.now();
+        try {
+          await hosts[name](site, folder);
+          say(`✓ ${name} (${seconds(performance.now() - start)} s)`);
+        } catch (error) {
+          say(`✗ ${name}: ${error.message}`);
+          failed.push(name);
+        }
+      }
+    };
+    await Promise.all(Array.from({ length: LANES }, lane));
     assert.deepEqual(failed, [], 'hosts in which there are no rocks');
     return chosen.length;
   } finally {
@@ -130,6 +136,7 @@ async function typed(name, checker, site, folder) {
   await tool(project, checker, []);
   await vite(project, site);
   await show({ site, policy: STRICT, live: true });
+  return project;
 }
 
 /** Works with a server, and closes it. */

@@ -7,6 +7,9 @@ import { launch } from '../e2e/browser.mjs';
 /** What every host's element says. */
 const SEED = 7;
 
+/** Two software GPUs at once on a busy machine are slow. */
+const TIMEOUT_MS = 120_000;
+
 /**
  * The page of `site`, or of the server at `url`. `policy` is its Content-Security-Policy, `cdn` the address of another origin that it
  * may ask. A `live` page shows what it hears from the element, and has a button that calls it. Resolves with the addresses asked.
@@ -17,6 +20,7 @@ export async function show({ site, url, cdn, policy, live = false, look }) {
     const asked = new Set();
     const prepare = (page) => void page.context().on('request', (request) => asked.add(request.url()));
     const { page, errors, warnings } = await session.open(url ?? '', { prepare });
+    page.setDefaultTimeout(TIMEOUT_MS);
     await page.waitForSelector('rock-field', { state: 'attached' });
     const { rocks, params } = await page.evaluate(async () => {
       await customElements.whenDefined('rock-field');
