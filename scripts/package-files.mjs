@@ -7,8 +7,10 @@ export async function packageFiles() {
   // These need npm packages, which on a fresh machine only the build has installed.
   const { writeTypes } = await import('./package-types.mjs');
   const { writeManifest } = await import('./package-manifest.mjs');
+  const { buildInline } = await import('./inline.mjs');
   await writeTypes();
   writeManifest();
+  await buildInline();
 }
 
 if (isMain(import.meta)) await main(packageFiles);

@@ -57,8 +57,8 @@ function node(program, args) {
 /** Importing says and needs nothing on a server, be it Node's build or that of browsers. */
 function importEach(outside, exports) {
   const entries = scripts(exports).map((entry) => path.posix.join('rock-field', entry));
-  const forBrowsers = `./node_modules/rock-field/${exports['./core'].default}`;
-  for (const name of [...entries, forBrowsers]) {
+  const forBrowsers = filesFor(exports, 'browser').map((file) => `./node_modules/rock-field/${file}`);
+  for (const name of [...entries, ...forBrowsers]) {
     const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '--eval', `await import(${JSON.stringify(name)})`], { cwd: outside, encoding: 'utf8' });
     if (status !== 0 || stdout || stderr) throw new Failure(`importing ${name} in Node is not silent:\n${stdout}${stderr}`);
   }
@@ -67,7 +67,7 @@ function importEach(outside, exports) {
 
 /** What browsers get holds no module of Node, and asks for nothing that is not there; the package holds nothing that nobody asks for. */
 async function graph(folder, exports) {
-  const entryPoints = [...scripts(exports).map((entry) => exports[entry].default ?? exports[entry]), './dist/worker.js'];
+  const entryPoints = [...filesFor(exports, 'browser'), './dist/worker.js'];
   const bundled = async (options) => {
     try {
       const { metafile } = await esbuild.build({ absWorkingDir: folder, bundle: true, write: false, metafile: true, format: 'esm', outdir: 'out', logLevel: 'error', ...options });
@@ -77,21 +77,33 @@ async function graph(folder, exports) {
     }
   };
   const browser = await bundled({ entryPoints, platform: 'browser' });
-  const server = await bundled({ entryPoints: [exports['./core'].node], platform: 'node' });
+  const server = await bundled({ entryPoints: filesFor(exports, 'node'), platform: 'node' });
   for (const file of browser) {
     for (const [, address] of readFileSync(path.join(folder, file), 'utf8').matchAll(ADDRESSES)) {
       const target = path.posix.join(path.posix.dirname(file), address);
       if (!existsSync(path.join(folder, target))) throw new Failure(`${file} asks for ${target}, which is not in the package`);
     }
   }
-  const idle = readdirSync(path.join(folder, 'dist')).filter((name) => name.endsWith('.js') && !browser.includes(`dist/${name}`) && !server.includes(`dist/${name}`));
+  const idle = readdirSync(path.join(folder, 'dist'), { recursive: true }).map((name) => name.replaceAll(path.sep, '/')).filter((name) => name.endsWith('.js') && !browser.includes(`dist/${name}`) && !server.includes(`dist/${name}`));
   if (idle.length > 0) throw new Failure(`in the package for nothing: ${idle.join(', ')}; see files in package.json`);
   say(`• Nothing of Node in the ${browser.length} scripts of the browser`);
 }
 
 /** The entries that can be imported. */
 function scripts(exports) {
-  return Object.entries(exports).filter(([, targets]) => (targets.default ?? targets).endsWith('.js')).map(([entry]) => entry);
+  return Object.keys(exports).filter((entry) => filesOf(exports[entry]).some(([, file]) => file.endsWith('.js')));
+}
+
+/** The scripts that Node (`node`) or anything else (`browser`) may be given, each once. */
+function filesFor(exports, platform) {
+  const files = scripts(exports).flatMap((entry) => filesOf(exports[entry]));
+  return [...new Set(files.filter(([conditions]) => !conditions.includes('types') && conditions.includes('node') === (platform === 'node')).map(([, file]) => file))];
+}
+
+/** Every file of an entry, with the conditions that lead to it. */
+function filesOf(target, conditions = []) {
+  if (typeof target === 'string') return [[conditions, target]];
+  return Object.entries(target).flatMap(([condition, inner]) => filesOf(inner, [...conditions, condition]));
 }
 
 if (isMain(import.meta)) {

@@ -52,7 +52,7 @@ export async function buildWeb() {
   });
 }
 
-async function bundle(options) {
+export async function bundle(options) {
   try {
     return await esbuild.build({ ...common, ...options });
   } catch (error) {

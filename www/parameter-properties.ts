@@ -1,9 +1,10 @@
 /** A property for every row of the parameter table: `element.packing = 0.5`, `element.radius = [90, 30, 10]`. */
 
-import { propertyOf } from './element-attributes.ts';
+import { attributeOf, propertyOf } from './element-attributes.ts';
 import { RockFieldError } from './errors.ts';
 import type { Layer, Params, ParamSpec, Triple } from './params.ts';
-import { defaultLayer, FIELD_ROWS, LAYER_ROWS, readValue, writeValue } from './params-flat.ts';
+import { defaultLayer, FIELD_ROWS, LAYER_ROWS, readValue, resolveParams, writeValue } from './params-flat.ts';
+import { writeAttribute } from './reflected-properties.ts';
 
 type LayerKey = Exclude<keyof Layer, 'id'>;
 
@@ -18,22 +19,61 @@ const ROWS: readonly ParamSpec[] = [...FIELD_ROWS, ...LAYER_ROWS];
 
 export const PARAMETER_PROPERTIES: readonly string[] = ROWS.map(propertyOf);
 
+type Owner = HTMLElement & { params: Params };
+
+/**
+ * What was assigned to single properties of an element. Like its attributes these replace what the preset says, whichever came
+ * first: a framework sets attributes and properties in the order of its template, and afterwards only those that changed.
+ */
+const assigned = new WeakMap<HTMLElement, Map<ParamSpec, unknown>>();
+
 /** Makes the accessors, each in terms of `params`. */
-export function defineParameterProperties(prototype: { params: Params }): void {
+export function defineParameterProperties(prototype: Owner): void {
   for (const spec of ROWS) {
     Object.defineProperty(prototype, propertyOf(spec), {
       configurable: true,
       enumerable: true,
-      get(this: { params: Params }): unknown {
+      get(this: Owner): unknown {
         const { params } = this;
         return spec.scope === 'field' ? readValue(params, spec) : params.layers.map((layer) => readValue(layer, spec));
       },
-      set(this: { params: Params }, value: unknown) {
-        const { params } = this;
-        this.params = spec.scope === 'field' ? { ...params, [spec.key]: value } : { ...params, layers: withList(params, spec, value) };
+      set(this: Owner, value: unknown) {
+        // Frameworks assign what a template has as text, and nothing where it has it no longer.
+        if (isAttribute(spec, value)) {
+          const name = attributeOf(spec);
+          // So that it counts as changed also where it says this, or nothing, already: something else was assigned in between.
+          this.setAttribute(name, '');
+          writeAttribute(this, name, value);
+          return;
+        }
+        const others = [...(assigned.get(this) ?? [])].filter(([other]) => other !== spec);
+        this.params = replaced(this.params, spec, value);
+        assigned.set(this, new Map([...others, [spec, structuredClone(value)]]));
       },
     });
   }
+}
+
+/** `params` with what was assigned to single properties. */
+export function withAssigned(element: HTMLElement, params: Params): Params {
+  const values = [...(assigned.get(element) ?? [])];
+  if (values.length === 0) return params;
+  return resolveParams(values.reduce((result, [spec, value]) => replaced(result, spec, value), params));
+}
+
+/** What was assigned to single properties counts no more; with `attributes`, to those of whose attribute that is said. */
+export function forgetAssigned(element: HTMLElement, attributes?: ReadonlySet<string>): void {
+  const values = assigned.get(element);
+  if (!attributes) values?.clear();
+  else for (const spec of [...(values?.keys() ?? [])]) if (attributes.has(attributeOf(spec))) values?.delete(spec);
+}
+
+function isAttribute(spec: ParamSpec, value: unknown): value is string | null | undefined {
+  return value === null || value === undefined || (typeof value === 'string' && (spec.scope === 'layer' || spec.kind !== 'choice'));
+}
+
+function replaced(params: Params, spec: ParamSpec, value: unknown): Params {
+  return spec.scope === 'field' ? { ...params, [spec.key]: value } : { ...params, layers: withList(params, spec, value) };
 }
 
 /** `random` with the values of `old` for the properties named in `lock`. */

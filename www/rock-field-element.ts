@@ -13,9 +13,11 @@ import { History } from './history.ts';
 import type { Layer, Params } from './params.ts';
 import type { LayerRequest } from './params-flat.ts';
 import { copyParams, defaultParams, readValue, resolveParams, writeValue } from './params-flat.ts';
-import { defineParameterProperties, keepLocked, PARAMETER_PROPERTIES } from './parameter-properties.ts';
+import { defineParameterProperties, forgetAssigned, keepLocked, PARAMETER_PROPERTIES, withAssigned } from './parameter-properties.ts';
 import type { ParameterProperties } from './parameter-properties.ts';
-import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
+import { defineReflectedProperties, REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
+import type { ReflectedProperties } from './reflected-properties.ts';
+import type { Backend, CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { SceneElement } from './scene-element.ts';
 import { encodeLink } from './url-codec.ts';
 
@@ -38,14 +40,22 @@ export interface RockFieldEventMap {
 
 /** Assigned before the element was defined, these would hide the accessors. */
 const PROPERTIES: readonly string[] = [
-  'params', 'layers', ...PARAMETER_PROPERTIES, 'view', 'color', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel',
+  ...REFLECTED_PROPERTIES, 'params', 'layers', ...PARAMETER_PROPERTIES,
+  'view', 'color', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel', 'backend',
 ];
 
 /** Attributes that are no parameters and change nothing but manners. */
 const MANNERS = ['poster', 'disabled', 'auto-rotate'];
 
-/** The accessors are made from the parameter table. */
-export interface RockFieldElement extends ParameterProperties {}
+/** The accessors are made from lists: of the parameter table, and of attributes. */
+export interface RockFieldElement extends ParameterProperties, ReflectedProperties {
+  addEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | AddEventListenerOptions): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  removeEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | EventListenerOptions): void;
+  removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
+}
+
+type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEventMap;
 
 /**
  * @attribute preset - Name of a preset; default `journal-fig1`.
@@ -99,7 +109,7 @@ export class RockFieldElement extends SceneElement {
   set params(params: Params) {
     const resolved = resolveParams(params);
     this.#readAttributes();
-    this.#setParams(resolved);
+    this.#takeParams(resolved);
     this.#record();
     this.#schedule();
   }
@@ -107,6 +117,11 @@ export class RockFieldElement extends SceneElement {
   #setParams(params: Params): void {
     this.#params = params;
     this.#stale = true;
+  }
+
+  #takeParams(params: Params): void {
+    forgetAssigned(this);
+    this.#setParams(params);
   }
 
   #record(label = 'edit'): void {
@@ -130,7 +145,7 @@ export class RockFieldElement extends SceneElement {
   }
 
   set view(view: View) {
-    const checked = checkChoice('view', view, VIEWS);
+    const checked = checkChoice('view', view ?? VIEWS[0], VIEWS);
     this.#readAttributes();
     this.sceneView = checked;
   }
@@ -141,7 +156,7 @@ export class RockFieldElement extends SceneElement {
   }
 
   set color(color: ColorMode) {
-    const checked = checkChoice('color', color, COLORS);
+    const checked = checkChoice('color', color ?? COLORS[0], COLORS);
     this.#readAttributes();
     this.sceneColor = checked;
   }
@@ -163,7 +178,7 @@ export class RockFieldElement extends SceneElement {
   }
 
   set interaction(interaction: Interaction) {
-    this.setAttribute('interaction', checkChoice('interaction', interaction, INTERACTIONS));
+    this.setAttribute('interaction', checkChoice('interaction', interaction ?? INTERACTIONS[0], INTERACTIONS));
   }
 
   /** As the attribute: `45deg 55deg 120%`; empty for the framing of its own. */
@@ -172,8 +187,7 @@ export class RockFieldElement extends SceneElement {
   }
 
   set cameraOrbit(orbit: string) {
-    if (orbit === '') this.removeAttribute('camera-orbit');
-    else this.setAttribute('camera-orbit', orbit);
+    writeAttribute(this, 'camera-orbit', orbit);
   }
 
   get metresPerPixel(): number {
@@ -182,7 +196,16 @@ export class RockFieldElement extends SceneElement {
   }
 
   set metresPerPixel(metres: number) {
-    this.setAttribute('metres-per-pixel', String(metres));
+    writeAttribute(this, 'metres-per-pixel', metres);
+  }
+
+  /** What draws the picture; null before it is known. Assigning sets the attribute, which is read when the element is connected. */
+  override get backend(): Backend | null {
+    return super.backend;
+  }
+
+  override set backend(wanted: 'auto' | Backend | null) {
+    writeAttribute(this, 'backend', wanted);
   }
 
   protected override get interactionMode(): Interaction {
@@ -223,7 +246,7 @@ export class RockFieldElement extends SceneElement {
 
   #travel(moved = false): boolean {
     if (moved && this.#history) {
-      this.#setParams(this.#history.present);
+      this.#takeParams(this.#history.present);
       this.#schedule();
     }
     return moved;
@@ -350,13 +373,14 @@ export class RockFieldElement extends SceneElement {
     const read = readAttributes((name) => this.getAttribute(name));
     const { params } = read;
     const has = (...names: string[]) => names.some((name) => unread.has(name));
+    forgetAssigned(this, unread);
     if (!this.#params || has('src', 'preset')) {
-      this.#setParams(params);
+      this.#setParams(this.#withAssigned(params));
     } else {
       const own = { ...this.#params };
       for (const [name, spec] of FIELD_ATTRIBUTES) if (has(name)) writeValue(own, spec, readValue(params, spec));
       if (has(...LAYER_ATTRIBUTES.keys())) own.layers = params.layers;
-      if (has(...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#setParams(own);
+      if (has(...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#setParams(this.#withAssigned(own));
     }
     if (has('src', 'preset', ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#record();
     if (has('src', 'view')) this.sceneView = read.view;
@@ -368,6 +392,17 @@ export class RockFieldElement extends SceneElement {
     this.#metresPerPixel = read.metresPerPixel;
     if (has('interaction')) this.readManners();
     for (const { attribute, message } of read.notices) if (unread.has(attribute)) this.notify(message);
+  }
+
+  #withAssigned(params: Params): Params {
+    try {
+      return withAssigned(this, params);
+    } catch (thrown) {
+      // Of a layer that is no more, or in a notation with other bounds. Nothing may be thrown out of a lifecycle callback.
+      forgetAssigned(this);
+      this.report(errorInfo(thrown));
+      return params;
+    }
   }
 
   #upgrade(name: string): void {
@@ -394,3 +429,4 @@ function isAbort(thrown: unknown): boolean {
 }
 
 defineParameterProperties(RockFieldElement.prototype);
+defineReflectedProperties(RockFieldElement.prototype);

@@ -61,6 +61,43 @@ test('attributes and properties of parameters are two ways to the same field', a
   await close();
 });
 
+test('what a framework assigns: text is the attribute, nothing takes it away, and no order matters', async () => {
+  const { page, errors, warnings, close } = await open(`<rock-field ${SMALL}></rock-field>`);
+  const seen = await page.evaluate(async () => {
+    const radii = ({ layers }) => layers.map(({ radius }) => radius);
+    const b = document.createElement('rock-field');
+    // Properties before the attributes that fill everything, or their layers, otherwise.
+    Object.assign(b, { seed: 7, packing: '0.6', radius: [80, 30, 10], imageWidth: 256, imageHeight: 192, disabled: false, autoRotate: true, backend: 'null' });
+    b.setAttribute('taper-rock', '6 6 2');
+    b.preset = 'journal-fig1';
+    document.body.append(b);
+    await b.getField();
+    const first = [b.seed, b.packing, radii(b), b.taperRock, b.imageWidth, b.getAttribute('packing'), b.getAttribute('preset'), b.hasAttribute('disabled'), b.hasAttribute('auto-rotate'), b.backend];
+    b.preset = 'journal-fig11a';
+    const moved = [b.seed, b.packing, radii(b), b.imageWidth];
+    b.seed = '9';
+    b.radius = '40 12';
+    const texts = [b.seed, radii(b)];
+    Object.assign(b, { seed: undefined, radius: null, packing: undefined, view: undefined, preset: undefined, metresPerPixel: undefined, taperRock: undefined });
+    const gone = [b.seed, radii(b), b.packing, b.preset, b.getAttributeNames().sort()];
+    b.seed = 5;
+    b.params = { ...b.params, seed: 6 };
+    b.preset = 'journal-fig1';
+    const replaced = [b.seed, b.imageWidth];
+    b.remove();
+    return { first, moved, texts, gone, replaced };
+  });
+  assert.deepEqual(seen, {
+    first: [7, 0.6, [80, 30, 10], [6, 6, 2], 256, '0.6', 'journal-fig1', false, true, 'null'],
+    moved: [7, 0.6, [80, 30, 10], 256],
+    texts: [9, [40, 12]],
+    gone: [0, [90, 30, 10], 0.7, '', ['auto-rotate', 'backend']],
+    replaced: [0, 1024],
+  });
+  assert.deepEqual([errors, warnings], [[], []]);
+  await close();
+});
+
 test('attributes changed while it generates: the last ones win, and every malformed one is named once', async () => {
   const { page, errors, close } = await open(`<rock-field ${SMALL}></rock-field>`);
   const result = await page.evaluate(async () => {

@@ -7,7 +7,7 @@ import type { RockFieldListeners, RockFieldProps } from './props.ts';
 declare module 'react' {
   namespace JSX {
     interface IntrinsicElements {
-      'rock-field': Omit<HTMLAttributes<RockFieldElement>, 'color'> & RefAttributes<RockFieldElement> & RockFieldProps & RockFieldListeners;
+      'rock-field': Omit<HTMLAttributes<RockFieldElement>, keyof RockFieldProps> & RefAttributes<RockFieldElement> & RockFieldProps & RockFieldListeners;
     }
   }
 }

@@ -8,6 +8,6 @@ type Listened = { [Type in keyof RockFieldEventMap]: (event: RockFieldEventMap[T
 
 declare module 'vue' {
   interface GlobalComponents {
-    'rock-field': new () => RockFieldElement & { $props: Omit<HTMLAttributes, 'color'> & RockFieldProps & PublicProps; $emit: EmitFn<Listened> };
+    'rock-field': new () => RockFieldElement & { $props: Omit<HTMLAttributes, keyof RockFieldProps> & RockFieldProps & PublicProps; $emit: EmitFn<Listened> };
   }
 }

@@ -1,0 +1,54 @@
+// dist/inline/: the package's scripts with the worker and the wasm in them, for bundlers that take no other files along (www/inline.ts).
+import { readFileSync, readdirSync, rmSync } from 'node:fs';
+import path from 'node:path';
+import { deflateSync } from 'node:zlib';
+import { dist, pkg, root } from './env.mjs';
+import { Failure } from './run.mjs';
+import { bundle } from './web.mjs';
+
+const ENTRIES = ['www/rock-field.ts', 'www/element.ts', 'www/core.ts'];
+const WORKER = 'www/generator/worker.ts';
+
+/** The forms that bundlers recognise, and ours are written in. */
+const WASM = /new URL\('\.\/([\w-]+)_bg\.wasm', import\.meta\.url\)/g;
+const WORKER_ADDRESS = /new URL\('\.\/worker\.js', import\.meta\.url\)/g;
+
+// The glue names its wasm too, in a branch that is never taken. There is no import.meta in a classic script.
+const common = { define: { 'import.meta.url': 'undefined' }, platform: 'browser', sourcemap: false };
+
+export async function buildInline() {
+  const outdir = path.join(dist, 'inline');
+  rmSync(outdir, { recursive: true, force: true });
+  const { outputFiles } = await bundle({ ...common, entryPoints: [WORKER], outdir, write: false, inject: ['www/inline.ts'], plugins: [inline()] });
+  const worker = outputFiles[0].text;
+  await bundle({
+    ...common,
+    entryPoints: ENTRIES,
+    outdir,
+    entryNames: '[name]',
+    chunkNames: 'chunk-[hash]',
+    splitting: true,
+    inject: ['www/inline.ts', 'www/inline-worker.ts'],
+    plugins: [inline(worker)],
+  });
+  const left = readdirSync(outdir).filter((name) => /import\.meta|new URL\("\.\//.test(readFileSync(path.join(outdir, name), 'utf8')));
+  if (left.length > 0) throw new Failure(`addresses of other files are left in dist/inline/: ${left.join(', ')}; scripts/inline.mjs knows one form of them`);
+}
+
+function inline(worker) {
+  return {
+    name: 'inline',
+    setup(build) {
+      build.onLoad({ filter: /[\\/]www[\\/].*\.ts$/ }, ({ path: file }) => {
+        const text = readFileSync(file, 'utf8');
+        const contents = text.replaceAll(WASM, "inlined('$1_bg.wasm', () => import('inlined:$1'))").replaceAll(WORKER_ADDRESS, 'workerAddress()');
+        return { contents, loader: 'ts' };
+      });
+      build.onResolve({ filter: /^inlined:/ }, ({ path: name }) => ({ path: name.slice('inlined:'.length), namespace: 'inlined', sideEffects: false }));
+      build.onLoad({ filter: /.*/, namespace: 'inlined' }, ({ path: name }) => {
+        const text = name === 'worker' ? worker : deflateSync(readFileSync(path.join(pkg, `${name}_bg.wasm`)), { level: 9 }).toString('base64');
+        return { contents: `export default ${JSON.stringify(text)};`, loader: 'js', resolveDir: root };
+      });
+    },
+  };
+}

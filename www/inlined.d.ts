@@ -1,0 +1,5 @@
+/** Made by scripts/inline.mjs. */
+declare module 'inlined:worker' {
+  const script: string;
+  export default script;
+}
