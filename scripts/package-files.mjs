@@ -8,7 +8,7 @@ export async function packageFiles() {
   const { writeTypes } = await import('./package-types.mjs');
   const { writeManifest } = await import('./package-manifest.mjs');
   await writeTypes();
-  writeManifest();
+  await writeManifest();
 }
 
 if (isMain(import.meta)) await main(packageFiles);
