@@ -48,7 +48,7 @@ function section(member, depth) {
 ${heading(depth, id, title, name)}
 <div class="words">${description ? `<p>${inline(closed(ownWords(member)))}</p>` : ''}${note ? markdown(note).html : ''}</div>
 ${facts(member)}
-${liveExample(example, `${word(kind)} ${name}`)}
+${example && liveExample(example, `${word(kind)} ${name}`)}
 </section>`;
 }
 

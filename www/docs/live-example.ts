@@ -10,9 +10,10 @@ const RUN_AFTER_MS = 400;
 
 /** For what stands in a result: it is a document of its own, as far as styles go. */
 const STYLES = `
-:host { display: grid; gap: .75rem; align-content: start; justify-items: start }
-rock-field { width: 100%; height: 18rem }
-rock-field, .bar { justify-self: stretch }
+:host { display: grid; gap: .75rem; align-content: start; justify-items: start; padding-block-end: 1rem }
+:host > * { margin: 0 1rem; max-width: calc(100% - 2rem) }
+:host > rock-field { width: 100%; max-width: none; height: 19rem; margin: 0 }
+:host > .bar { justify-self: stretch }
 button, select { min-height: 2.25rem; padding: 0 .9rem; border: 1px solid var(--line-strong); border-radius: var(--radius); background: var(--surface-raised); color: inherit; font: inherit }
 button { cursor: pointer }
 button:hover { background: var(--surface-sunken) }
