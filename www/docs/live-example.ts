@@ -12,7 +12,7 @@ const RUN_AFTER_MS = 400;
 const STYLES = `
 :host { display: grid; gap: .75rem; align-content: start; justify-items: start; padding-block-end: 1rem }
 :host > * { margin: 0 1rem; max-width: calc(100% - 2rem) }
-:host > rock-field { width: 100%; max-width: none; height: 19rem; margin: 0 }
+:host > rock-field { width: 100%; max-width: none; height: var(--example-height, 19rem); margin: 0 }
 :host > .bar { justify-self: stretch }
 button, select { min-height: 2.25rem; padding: 0 .9rem; border: 1px solid var(--line-strong); border-radius: var(--radius); background: var(--surface-raised); color: inherit; font: inherit }
 button { cursor: pointer }

@@ -37,7 +37,6 @@ export const WORDS = {
   relative: '{range} with the notation `relative`',
 
   open: 'Open in the page',
-  embed: 'Embed',
 } as const;
 
 export type Word = keyof typeof WORDS;
