@@ -34,7 +34,7 @@ const STEPS = [
   { name: 'dependencies', expected: '2 s', needs: ['build'], work: async () => (await import('./check-deps.mjs')).check() },
   { name: 'web', expected: '30 s', needs: ['build'], work: webTests },
   { name: 'package', expected: '10 s', needs: ['build'], work: async () => (await import('./package.mjs')).check() },
-  { name: 'browsers', expected: '5 min', needs: ['build'], work: browserTests },
+  { name: 'browsers', expected: '12 min', needs: ['build'], work: browserTests },
   { name: 'hosts', expected: '30 s', needs: ['build'], work: hosts },
 ];
 
