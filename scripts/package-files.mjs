@@ -9,7 +9,7 @@ export async function packageFiles() {
   const { writeManifest } = await import('./package-manifest.mjs');
   const { buildInline } = await import('./inline.mjs');
   await writeTypes();
-  writeManifest();
+  await writeManifest();
   await buildInline();
 }
 

@@ -3,6 +3,7 @@ import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, renameS
 import { createHash } from 'node:crypto';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
+import { writeDocs } from './docs.mjs';
 import { dist, hashOf, pkg, root } from './env.mjs';
 import { Failure, step } from './run.mjs';
 import { artefacts } from './wasm.mjs';
@@ -15,6 +16,8 @@ const BROWSER_ENTRIES = ['www/main.ts', 'www/generator/worker.ts', 'www/rock-fie
 const NODE_ENTRIES = ['www/core.node.ts'];
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
 const CDN = { entryPoints: { cdn: 'www/rock-field.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser' };
+// The documentation is a guest of the package like any other: it loads rock-field.js and shares no chunk with the page.
+const DOCS = { entryPoints: ['www/docs/docs.ts', 'www/styles/docs.css'], entryNames: '[name]', platform: 'browser' };
 const SERVICE_WORKER = 'www/service-worker.ts';
 const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg'];
 const PAGE = 'index.html';
@@ -45,6 +48,8 @@ export async function buildWeb() {
     await bundle({ ...CDN, outdir: staging });
     for (const { feature } of artefacts) copyFileSync(path.join(pkg, `${feature}_bg.wasm`), path.join(staging, `${feature}_bg.wasm`));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
+    await bundle({ ...DOCS, outdir: path.join(staging, 'docs') });
+    await writeDocs(path.join(staging, 'docs'));
     const meta = relativeTo(staging, browser.metafile);
     writeFileSync(metafile, JSON.stringify(meta));
     await finish(staging, meta);
@@ -61,14 +66,17 @@ export async function bundle(options) {
 }
 
 function requireFiles() {
-  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, ...CDN.inject, SERVICE_WORKER, ...COPIED, PAGE];
+  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, ...CDN.inject, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
   const missing = files.filter((file) => !existsSync(path.join(root, file)));
   if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
 }
 
 /** Writes index.html with the build's id in it, and the service worker that knows the id and the files. */
 async function finish(staging, meta) {
-  const names = readdirSync(staging).filter((name) => !name.endsWith('.map')).sort();
+  const names = readdirSync(staging, { recursive: true, withFileTypes: true })
+    .filter((entry) => entry.isFile() && !entry.name.endsWith('.map'))
+    .map((entry) => path.relative(staging, path.join(entry.parentPath ?? entry.path, entry.name)).replaceAll(path.sep, '/'))
+    .sort();
   const files = Object.fromEntries(names.map((name) => [name, integrity(path.join(staging, name))]));
   const page = readFileSync(path.join(root, PAGE), 'utf8');
   if (!page.includes('</head>')) throw new Failure(`${PAGE} has no </head> to put the build's id before`);

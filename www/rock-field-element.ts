@@ -69,6 +69,7 @@ type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEv
  * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
  * @attribute metres-per-pixel - Size of a pixel of the image; default 0.01.
  * @attribute backend - `auto`, `webgpu`, `webgl`, `canvas2d` or `null` (draws nothing); read when the element is connected.
+ * @csspart hint - Why a gesture did nothing, for a moment.
  * @fires load - The first picture has been painted.
  * @fires progress - A run of more than 200 ms is under way.
  * @fires generate - A field is finished and on screen; `detail` has its statistics.
@@ -240,6 +241,7 @@ export class RockFieldElement extends SceneElement {
     return this.#travel(this.#history?.undo());
   }
 
+  /** Goes forward again to what `undo` left. False where there is nothing. */
   redo(): boolean {
     return this.#travel(this.#history?.redo());
   }

@@ -45,7 +45,8 @@ worker.addEventListener('fetch', (event) => {
   const { request } = event;
   const name = nameOf(request.url);
   if (request.method !== 'GET' || name === undefined) return;
-  if (request.mode === 'navigate') event.respondWith(navigate(request, event.resultingClientId));
+  // The documentation's pages have no build id: they are the network's, and without one what was read before.
+  if (request.mode === 'navigate' && name === PAGE) event.respondWith(navigate(request, event.resultingClientId));
   else if (ours.has(event.clientId)) event.respondWith(fromCacheOrTake(name).catch(() => fetch(request)));
   else event.respondWith(networkFirst(request, name));
 });
@@ -104,16 +105,16 @@ function isOfThisBuild(page: string): boolean {
   return page.includes(`"rock-field-build" content="${__BUILD__}"`);
 }
 
-/** The file of this build that a URL means; `undefined` for anything else. */
+/** The file of this build that a URL means, of a folder its page; `undefined` for anything else. */
 function nameOf(url: string): string | undefined {
   const { scope } = worker.registration;
   const bare = url.replace(/[?#].*$/s, '');
   if (!bare.startsWith(scope)) return undefined;
-  const name = bare.slice(scope.length) || PAGE;
+  const name = bare.slice(scope.length).replace(/(^|\/)$/, `$1${PAGE}`);
   return name === PAGE || name in __FILES__ ? name : undefined;
 }
 
 function urlOf(name: string): string {
   // The directory itself: some hosts redirect index.html to it, and a redirected answer cannot be given to a page.
-  return worker.registration.scope + (name === PAGE ? '' : name);
+  return worker.registration.scope + name.replace(/(^|\/)index\.html$/, '$1');
 }

@@ -28,6 +28,8 @@ export const STRINGS = {
   shareHelp: { en: 'Copies a link that shows exactly these rocks.', ja: 'まったく同じ岩を表示するリンクをコピーします。' },
   embed: { en: 'Copy embed code', ja: '埋め込みコードをコピー' },
   embedHelp: { en: 'Two lines of HTML that show these rocks on any page.', ja: 'どのページにもこの岩を表示できる、2行のHTMLをコピーします。' },
+  docs: { en: 'Docs', ja: 'ドキュメント' },
+  docsHelp: { en: 'How to put these rocks on a page of yours, with live examples.', ja: 'この岩を自分のページに埋め込む方法（英語）。' },
   help: { en: 'Keys and gestures', ja: 'キーとジェスチャー' },
   close: { en: 'Close', ja: '閉じる' },
   dismiss: { en: 'Dismiss', ja: '閉じる' },

@@ -247,6 +247,7 @@ export class ControlPanel extends LitElement {
             ${icon('code')}${store.text('embed')}
           </button>
           <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
+          <a class="button" href="docs/" hreflang="en" data-help=${store.text('docsHelp')}>${store.text('docs')}</a>
         </div>
       </section>
     `;

@@ -1,0 +1,211 @@
+// The documentation as a reader finds it: every page, every link, every example, by hand, by keyboard, by screen reader and without a network.
+import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import path from 'node:path';
+import { after, before, test } from 'node:test';
+import { dist } from '../../scripts/env.mjs';
+import { launch } from './browser.mjs';
+
+/** What the recipes say the documentation needs: scripts of examples are modules from blobs, their styles are inline. */
+const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src 'self'; connect-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; manifest-src 'self'";
+const PAGES = readdirSync(path.join(dist, 'docs')).filter((name) => name.endsWith('.html'));
+/** As many as the documentation lets live; see keeper.ts. */
+const MAX_ALIVE = 10;
+/** A software GPU on a busy machine. */
+const SECONDS = 120;
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+
+let session;
+let down = false;
+
+before(async () => {
+  session = await launch({
+    intercept(request, response) {
+      if (down) request.socket.destroy();
+      else if (request.url.startsWith('/docs/')) response.setHeader('content-security-policy', POLICY);
+      return down;
+    },
+  });
+});
+
+after(() => session?.close());
+
+test('every page opens without an error or a foreign request, fits a phone, and every link in it leads somewhere', async () => {
+  const ids = new Map();
+  const links = [];
+  for (const name of PAGES) {
+    const asked = new Set();
+    const prepare = (page) => void page.context().on('request', (request) => asked.add(new URL(request.url()).origin));
+    const { page, errors, warnings, close } = await session.open(`docs/${name}`, { prepare, viewport: { width: 360, height: 740 } });
+    await page.evaluate(() => customElements.whenDefined('live-example'));
+    const found = await page.evaluate(() => ({
+      lang: document.documentElement.lang,
+      width: document.documentElement.scrollWidth,
+      headings: document.querySelectorAll('h1').length,
+      ids: [...document.querySelectorAll('[id]')].map(({ id }) => id),
+      links: [...document.querySelectorAll('a[href]')].map(({ href }) => href),
+    }));
+    assert.deepEqual([found.lang, found.headings], ['en', 1], name);
+    assert.ok(found.width <= 360, `${name} is ${found.width} px wide on a screen of 360`);
+    assert.equal(new Set(found.ids).size, found.ids.length, `${name} has an id twice`);
+    assert.deepEqual([...asked].filter((origin) => origin !== 'null' && origin !== new URL(session.url).origin), [], name);
+    assert.deepEqual([errors, warnings], [[], []], name);
+    ids.set(`/docs/${name}`, found.ids);
+    links.push(...found.links.map((href) => ({ name, url: new URL(href) })));
+    await close();
+  }
+  for (const { name, url } of links) {
+    const file = url.pathname.endsWith('/') ? `${url.pathname}index.html` : url.pathname;
+    assert.equal(url.origin, new URL(session.url).origin, `${name}: ${url}`);
+    const isPage = file === '/index.html';
+    assert.ok(isPage || ids.has(file), `${name} links to ${url}, which is not there`);
+    assert.ok(isPage || url.hash === '' || ids.get(file).includes(url.hash.slice(1)), `${name} links to ${url}, which has no such anchor`);
+  }
+  assert.ok(links.length > 300);
+});
+
+for (const name of PAGES) {
+  test(`${name}: every example runs, and everything in it can be used, without an error`, { timeout: 10 * SECONDS * 1000 }, async () => {
+    const { page, errors, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
+    await page.evaluate(() => customElements.whenDefined('rock-field'));
+    const examples = await page.locator('live-example').all();
+    for (const example of examples) {
+      const title = await example.getAttribute('data-name');
+      await example.scrollIntoViewIfNeeded();
+      await until(() => example.evaluate(isSettled), `${title} shows its rocks or says why not`);
+      await example.evaluate(useEverything);
+      await until(() => example.evaluate(isSettled), `${title} shows its rocks after it was used`);
+      const said = await example.evaluate((element) => ({
+        message: element.querySelector('.example-message').textContent,
+        waiting: [...element.querySelector('.result').shadowRoot.querySelectorAll('output')].filter(({ value }) => value === '…').length,
+      }));
+      assert.deepEqual([said, errors], [{ message: '', waiting: 0 }, []], title);
+    }
+    if (name === 'gallery.html') await page.waitForFunction(() => document.querySelectorAll('.stage rock-field').length > 0);
+    assert.deepEqual(errors, []);
+    await close();
+  });
+}
+
+test('the result follows the editor, a mistake is named, Reset brings the example back, and Tab leads out', async () => {
+  const { page, errors, close } = await session.open('docs/attributes.html#attribute-seed', { viewport: { width: 1280, height: 800 } });
+  const example = page.locator('#attribute-seed ~ live-example');
+  const editor = example.locator('textarea');
+  const shown = () =>
+    example.evaluate((element) => {
+      const field = element.querySelector('.result').shadowRoot?.querySelector('rock-field');
+      return field ? { seed: field.seed, layers: field.layers.length, rocks: field.field?.stats.rocks ?? 0 } : { seed: NaN };
+    });
+  const original = await editor.inputValue();
+  await until(async () => (await shown()).seed === 7, 'the example is alive');
+  await editor.fill('<rock-field seed="4321" radius="60 20"></rock-field>');
+  await until(async () => {
+    const { seed, layers, rocks } = await shown();
+    return seed === 4321 && layers === 2 && rocks > 0;
+  }, 'the result is what was written');
+  await editor.fill('<p>Nothing</p>\n<script type="module">\n  nonsense();\n</script>');
+  await until(async () => /nonsense is not defined/.test(await example.locator('.example-message').textContent()), 'the mistake is named');
+  await editor.press('End');
+  await editor.press('Tab');
+  assert.notEqual(await page.evaluate(() => document.activeElement.tagName), 'TEXTAREA');
+  await example.getByRole('button', { name: 'Reset' }).click();
+  assert.equal(await editor.inputValue(), original);
+  await until(async () => (await shown()).seed === 7, 'the example is as it was');
+  assert.equal(await example.locator('.example-message').textContent(), '');
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test('only what is near the screen is alive, however far one scrolls', { timeout: 5 * SECONDS * 1000 }, async () => {
+  for (const name of ['gallery.html', 'attributes.html']) {
+    const { page, errors, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
+    const alive = () => page.evaluate(() => [document, ...[...document.querySelectorAll('.result')].map(({ shadowRoot }) => shadowRoot)].reduce((sum, root) => sum + (root?.querySelectorAll('rock-field').length ?? 0), 0));
+    const height = await page.evaluate(() => document.documentElement.scrollHeight);
+    let most = 0;
+    for (let y = 0; y < height; y += height / 20) {
+      await page.evaluate((top) => scrollTo(0, top), y);
+      await page.waitForTimeout(500);
+      most = Math.max(most, await alive());
+    }
+    assert.ok(most > 0 && most <= MAX_ALIVE, `${most} of ${name}`);
+    await page.evaluate(() => scrollTo(0, 0));
+    await until(async () => (await alive()) > 0, 'back at the top something lives again');
+    assert.deepEqual(errors, []);
+    await close();
+  }
+});
+
+test('a screen reader finds nothing wrong on any page, in light and in dark', { timeout: 10 * SECONDS * 1000 }, async () => {
+  for (const colorScheme of ['light', 'dark']) {
+    for (const name of PAGES) {
+      const { page, close } = await session.open(`docs/${name}`, { colorScheme, viewport: { width: 1280, height: 800 } });
+      await page.evaluate(() => customElements.whenDefined('live-example'));
+      await page.waitForTimeout(1000);
+      await page.evaluate(axe);
+      const violations = await page.evaluate(async () => (await globalThis.axe.run()).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html).slice(0, 3).join(' ')}`));
+      assert.deepEqual(violations, [], `${name}, ${colorScheme}`);
+      await close();
+    }
+  }
+});
+
+test('what was read once can be read without a network', async () => {
+  const { page, close } = await session.open('', { serviceWorkers: 'allow' });
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await page.goto(`${session.url}docs/methods.html`);
+  const isKept = async (file) => {
+    for (const name of await caches.keys()) {
+      const kept = await (await caches.open(name)).keys();
+      if (kept.some(({ url }) => url.endsWith(file))) return true;
+    }
+    return false;
+  };
+  for (const file of ['docs/methods.html', 'docs/docs.js', 'docs/docs.css', '/rock-field.js']) await until(() => page.evaluate(isKept, file), `${file} is kept`);
+  down = true;
+  try {
+    await page.reload();
+    assert.equal(await page.locator('h1').textContent(), 'Methods');
+    await page.evaluate(() => Promise.all(['live-example', 'rock-field'].map((tag) => customElements.whenDefined(tag))));
+    await page.goto(session.url);
+    assert.equal(await page.title(), 'rock-field – ground covered with rocks of various sizes');
+  } finally {
+    down = false;
+  }
+  await close();
+});
+
+/** In the page: whether an example's fields are painted, and what has no picture says why. */
+async function isSettled(example) {
+  const root = example.querySelector('.result').shadowRoot;
+  const fields = [...(root?.querySelectorAll('rock-field') ?? [])];
+  const later = new Promise((resolve) => setTimeout(resolve, 50, false));
+  // A run that was cancelled is done too.
+  const run = (field) => field.getField().then(() => true, ({ name }) => name === 'AbortError');
+  const isDone = async (field) => !field.shadowRoot.querySelector('[part=message]').hidden || Promise.race([later, field.ready.then(() => run(field))]);
+  return fields.length > 0 && (await Promise.all(fields.map(isDone))).every(Boolean);
+}
+
+/** In the page: presses every button, moves every slider, makes every choice. */
+async function useEverything(example) {
+  const root = example.querySelector('.result').shadowRoot;
+  const pause = () => new Promise((resolve) => setTimeout(resolve, 100));
+  for (const control of root.querySelectorAll('button, select, input')) {
+    if (control.type === 'range') control.value = String((Number(control.min) + Number(control.value)) / 2);
+    if (control.type === 'range') control.dispatchEvent(new Event('input', { bubbles: true }));
+    else if (control.localName === 'select') control.selectedIndex = 1;
+    else control.click();
+    if (control.localName === 'select') control.dispatchEvent(new Event('change', { bubbles: true }));
+    await pause();
+  }
+}
+
+/** Polls; unlike Playwright's waitForFunction it waits for what a promise becomes. */
+async function until(condition, what) {
+  const end = performance.now() + 1000 * SECONDS;
+  while (!(await condition())) {
+    assert.ok(performance.now() < end, `still not so after ${SECONDS} s: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+}
