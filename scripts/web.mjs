@@ -5,6 +5,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { dist, hashOf, pkg, root } from './env.mjs';
 import { Failure, step } from './run.mjs';
+import { panelApart, panelByAddress, sheetsAsText } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
 
 /** What the browser build put where, for the size check and the dependency check. */
@@ -14,7 +15,10 @@ export const metafile = path.join(pkg, 'web.meta.json');
 const BROWSER_ENTRIES = ['www/main.ts', 'www/generator/worker.ts', 'www/rock-field.ts', 'www/element.ts', 'www/core.ts', 'www/styles/page.css'];
 const NODE_ENTRIES = ['www/core.node.ts'];
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
-const CDN = { entryPoints: { cdn: 'www/rock-field.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser' };
+const CDN = { entryPoints: { cdn: 'www/rock-field.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser', plugins: [panelByAddress] };
+// What an element with `controls` loads when its panel is opened. In one file: what it shares with the element is little, and would
+// be cut out of the element's file, which everybody loads.
+const PANEL = 'www/panel.ts';
 const SERVICE_WORKER = 'www/service-worker.ts';
 const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg'];
 const PAGE = 'index.html';
@@ -40,12 +44,14 @@ export async function buildWeb() {
       splitting: true,
       metafile: true,
       platform: 'browser',
+      plugins: [panelApart],
     });
+    const panel = await bundle({ entryPoints: [PANEL], outdir: staging, entryNames: '[name]', metafile: true, platform: 'browser', plugins: [sheetsAsText] });
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node' });
     await bundle({ ...CDN, outdir: staging });
     for (const { feature } of artefacts) copyFileSync(path.join(pkg, `${feature}_bg.wasm`), path.join(staging, `${feature}_bg.wasm`));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
-    const meta = relativeTo(staging, browser.metafile);
+    const meta = relativeTo(staging, merged(browser.metafile, panel.metafile));
     writeFileSync(metafile, JSON.stringify(meta));
     await finish(staging, meta);
     swapIn(staging);
@@ -61,7 +67,7 @@ async function bundle(options) {
 }
 
 function requireFiles() {
-  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, ...CDN.inject, SERVICE_WORKER, ...COPIED, PAGE];
+  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, ...CDN.inject, PANEL, SERVICE_WORKER, ...COPIED, PAGE];
   const missing = files.filter((file) => !existsSync(path.join(root, file)));
   if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
 }
@@ -112,6 +118,11 @@ function swapIn(staging) {
   if (existsSync(dist)) renameSync(dist, old);
   renameSync(staging, dist);
   rmSync(old, { recursive: true, force: true });
+}
+
+/** Two builds into one folder, as one. */
+function merged(one, other) {
+  return { inputs: { ...one.inputs, ...other.inputs }, outputs: { ...one.outputs, ...other.outputs } };
 }
 
 /** Output names in the metafile as they are in dist/. */
