@@ -18,6 +18,8 @@ export type RockFieldProps = { [Name in Settable]?: RockFieldElement[Name] | und
   loading?: 'eager' | 'lazy' | undefined;
   /** Address of a picture that stands in until the first one is painted. */
   poster?: string | undefined;
+  /** A button that opens the panel; `open`: it begins open. */
+  controls?: boolean | 'open' | undefined;
   disabled?: boolean | undefined;
 };
 
