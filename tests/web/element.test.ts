@@ -84,6 +84,7 @@ test('src fills everything, and every other attribute but the preset replaces wh
   assert.deepEqual(state, {
     ...DEFAULTS,
     params: { ...presetParams('conference-fig9a'), seed: 5 },
+    preset: 'conference-fig9a',
     view: 'diagrams',
     color: 'plain',
     camera: { azimuth: 1, elevation: 0.5, distance: 200, target: [10, 20, 0] },
