@@ -46,9 +46,14 @@ const ICON = 'M2 4.5h6m4 0h2M8 4.5a2 2 0 1 0 4 0a2 2 0 1 0-4 0M2 11.5h2m4 0h6M4 
 const STYLES = `
 .controls-button {
   position: absolute; inset-block-start: 8px; inset-inline-end: 8px; width: 32px; height: 32px; padding: 0; display: grid; place-items: center;
-  border: 0; border-radius: 6px; color: #1e2124; background: rgb(250 250 248 / .92); box-shadow: 0 0 0 1px rgb(0 0 0 / .14); cursor: pointer;
+  border: 0; border-radius: 6px; cursor: pointer; color-scheme: light dark;
+  color: #1e2124; background: rgb(250 250 248 / .92); box-shadow: 0 0 0 1px rgb(128 128 128 / .4);
 }
-.controls-button[data-dark] { color: #e8e8e6; background: rgb(29 31 34 / .9); box-shadow: 0 0 0 1px rgb(255 255 255 / .16) }
+@supports (color: light-dark(red, red)) {
+  .controls-button { color: light-dark(#1e2124, #e8e8e6); background: light-dark(rgb(250 250 248 / .92), rgb(29 31 34 / .9)) }
+}
+.controls-button[data-theme=light] { color-scheme: light }
+.controls-button[data-theme=dark] { color-scheme: dark }
 .controls-button:hover:enabled { box-shadow: 0 0 0 1px currentcolor }
 .controls-button:focus-visible { outline: 2px solid var(--rock-field-accent, Highlight); outline-offset: 2px }
 .controls-button:disabled { opacity: .5; cursor: default }
@@ -146,8 +151,7 @@ export class ControlsButton {
   sync(): void {
     const { element, language } = this.#owner;
     const label = WORDS[this.#hasFailed ? 'failed' : 'controls'][language()];
-    const isDark = element.theme === 'auto' ? matchMedia('(prefers-color-scheme: dark)').matches : element.theme === 'dark';
-    this.#button.toggleAttribute('data-dark', isDark);
+    this.#button.dataset.theme = element.theme;
     this.#button.ariaLabel = label;
     this.#button.title = label;
     this.#panel?.sync();

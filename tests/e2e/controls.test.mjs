@@ -389,6 +389,7 @@ test('small, tall and wide: the panel stays inside, every control can be reached
         });
       }, 24);
       assert.deepEqual(outside, [], name);
+      assert.ok(await page.locator('rock-field .panel-body').evaluate((at) => at.scrollWidth <= at.clientWidth), `${name}: nothing sideways`);
       assert.deepEqual(await page.evaluate(() => [a.scrollTop, a.shadowRoot.querySelector('.controls-panel').scrollTop]), [0, 0]);
       await page.screenshot({ path: screenshotPath(`controls-${name.replace(' ', '-')}`) });
       await closeClean(opened);
