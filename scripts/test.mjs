@@ -34,14 +34,9 @@ const STEPS = [
   { name: 'dependencies', expected: '2 s', needs: ['build'], work: async () => (await import('./check-deps.mjs')).check() },
   { name: 'web', expected: '30 s', needs: ['build'], work: webTests },
   { name: 'package', expected: '10 s', needs: ['build'], work: async () => (await import('./package.mjs')).check() },
-<<<<<<< HEAD
-  { name: 'browsers', expected: '5 min', needs: ['build'], work: browserTests },
+  { name: 'browsers', expected: '12 min', needs: ['build'], work: browserTests },
   { name: 'hosts', expected: '2 min / 70 s', needs: ['build'], work: hosts },
   { name: 'engines', expected: '2 min / 1 min', needs: ['build'], work: async () => (await import('./engines.mjs')).check() },
-=======
-  { name: 'browsers', expected: '12 min', needs: ['build'], work: browserTests },
-  { name: 'hosts', expected: '30 s', needs: ['build'], work: hosts },
->>>>>>> wt-docs
 ];
 
 await main(async () => {

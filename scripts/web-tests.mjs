@@ -5,6 +5,7 @@ import { pathToFileURL } from 'node:url';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 import { Failure } from './run.mjs';
+import { panelApart } from './web-plugins.mjs';
 
 /**
  * Bundles tests/web/*.test.{ts,mjs} into .cache/web-tests/. Packages stay outside, so `import … from 'rock-field/core'` is the built package.
@@ -28,7 +29,8 @@ export async function bundleWebTests() {
     target: 'node20',
     sourcemap: 'inline',
     logLevel: 'warning',
-    plugins: [sourceUrls],
+    // In one bundle, importing the element would import Lit with the panel.
+    plugins: [sourceUrls, panelApart],
   });
   return tests.map((name) => path.join(outdir, name.replace(/\.(ts|mjs)$/, '.mjs')));
 }

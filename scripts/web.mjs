@@ -6,6 +6,7 @@ import * as esbuild from 'esbuild';
 import { writeDocs } from './docs.mjs';
 import { dist, hashOf, pkg, root } from './env.mjs';
 import { Failure, step } from './run.mjs';
+import { panelApart, panelByAddress, sheetsAsText } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
 
 /** What the browser build put where, for the size check and the dependency check. */
@@ -15,7 +16,10 @@ export const metafile = path.join(pkg, 'web.meta.json');
 const BROWSER_ENTRIES = ['www/main.ts', 'www/generator/worker.ts', 'www/rock-field.ts', 'www/element.ts', 'www/core.ts', 'www/styles/page.css'];
 const NODE_ENTRIES = ['www/core.node.ts'];
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
-const CDN = { entryPoints: { cdn: 'www/rock-field.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser' };
+const CDN = { entryPoints: { cdn: 'www/rock-field.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser', plugins: [panelByAddress] };
+// What an element with `controls` loads when its panel is opened. In one file: what it shares with the element is little, and would
+// be cut out of the element's file, which everybody loads.
+const PANEL = 'www/panel.ts';
 // The documentation is a guest of the package like any other: it loads rock-field.js and shares no chunk with the page.
 const DOCS = { entryPoints: ['www/docs/docs.ts', 'www/styles/docs.css'], entryNames: '[name]', platform: 'browser' };
 const SERVICE_WORKER = 'www/service-worker.ts';
@@ -43,14 +47,16 @@ export async function buildWeb() {
       splitting: true,
       metafile: true,
       platform: 'browser',
+      plugins: [panelApart],
     });
+    const panel = await bundle({ entryPoints: [PANEL], outdir: staging, entryNames: '[name]', metafile: true, platform: 'browser', plugins: [sheetsAsText] });
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node' });
     await bundle({ ...CDN, outdir: staging });
     for (const { feature } of artefacts) copyFileSync(path.join(pkg, `${feature}_bg.wasm`), path.join(staging, `${feature}_bg.wasm`));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
     await bundle({ ...DOCS, outdir: path.join(staging, 'docs') });
     await writeDocs(path.join(staging, 'docs'));
-    const meta = relativeTo(staging, browser.metafile);
+    const meta = relativeTo(staging, merged(browser.metafile, panel.metafile));
     writeFileSync(metafile, JSON.stringify(meta));
     await finish(staging, meta);
     swapIn(staging);
@@ -66,7 +72,7 @@ export async function bundle(options) {
 }
 
 function requireFiles() {
-  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, ...CDN.inject, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
+  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, ...CDN.inject, PANEL, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
   const missing = files.filter((file) => !existsSync(path.join(root, file)));
   if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
 }
@@ -120,6 +126,11 @@ function swapIn(staging) {
   if (existsSync(dist)) renameSync(dist, old);
   renameSync(staging, dist);
   rmSync(old, { recursive: true, force: true });
+}
+
+/** Two builds into one folder, as one. */
+function merged(one, other) {
+  return { inputs: { ...one.inputs, ...other.inputs }, outputs: { ...one.outputs, ...other.outputs } };
 }
 
 /** Output names in the metafile as they are in dist/. */

@@ -10,7 +10,7 @@ import { METRES_PER_PIXEL, parseOrbit } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { errorInfo } from './errors.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
-import type { Params, ParamSpec } from './params.ts';
+import type { Params, ParamSpec, PresetName } from './params.ts';
 import { boundsOf, defaultLayer, defaultParams, FIELD_ROWS, LAYER_ROWS, presetParams, readValue, resolveParams, writeValue } from './params-flat.ts';
 import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { COLORS, decodeLink, VIEWS } from './url-codec.ts';
@@ -30,6 +30,8 @@ const NONE = '-';
 
 export interface AttributeState {
   params: Params;
+  /** What they were written against. */
+  preset: PresetName;
   view: View;
   color: ColorMode;
   /** From a link in `src`; null: the whole field. */
@@ -89,6 +91,7 @@ export function readAttributes(get: Get): AttributeState {
   params.layers = readLayers(get, params, note);
   return {
     params,
+    preset: source.preset,
     view: readChoice('view', get('view'), VIEWS, source.view, note),
     color: readChoice('color', get('color'), COLORS, source.color, note),
     camera: source.camera,
@@ -102,6 +105,7 @@ export function readAttributes(get: Get): AttributeState {
 
 interface Source {
   params: Params;
+  preset: PresetName;
   view: View;
   color: ColorMode;
   camera: CameraState | null;
@@ -109,11 +113,13 @@ interface Source {
 
 function readSource(get: Get, note: Note): Source {
   const src = get('src');
-  const blank: Source = { params: defaultParams(), view: VIEWS[0], color: COLORS[0], camera: null };
-  if (src === null) return { ...blank, params: readPreset(get('preset'), note) };
+  const blank: Source = { params: defaultParams(), preset: PRESETS[0].name, view: VIEWS[0], color: COLORS[0], camera: null };
+  if (src === null) return { ...blank, ...readPreset(get('preset'), note) };
   if (src.trim().startsWith('{')) {
     try {
-      return { ...blank, params: resolveParams(JSON.parse(src)) };
+      const request = JSON.parse(src);
+      const params = resolveParams(request);
+      return { ...blank, params, preset: request.preset ?? blank.preset };
     } catch (thrown) {
       note('src', `${errorInfo(thrown).message}; ${PRESETS[0].name} is shown`);
       return blank;
@@ -124,11 +130,11 @@ function readSource(get: Get, note: Note): Source {
   return link;
 }
 
-function readPreset(given: string | null, note: Note): Params {
-  if (given === null) return defaultParams();
-  const found = PRESETS.find(({ name }) => name === given.trim());
-  if (!found) note('preset', `there is no preset called ${quote(given)}; ${PRESETS[0].name} is shown`);
-  return found ? presetParams(found.name) : defaultParams();
+function readPreset(given: string | null, note: Note): Pick<Source, 'params' | 'preset'> {
+  const found = given === null ? undefined : PRESETS.find(({ name }) => name === given.trim());
+  if (given !== null && !found) note('preset', `there is no preset called ${quote(given)}; ${PRESETS[0].name} is shown`);
+  const preset = found?.name ?? PRESETS[0].name;
+  return { params: presetParams(preset), preset };
 }
 
 /** One value of a row; `fallback` where it is none. */

@@ -1,10 +1,10 @@
 /** The page: wires the element, the controls and the address bar to one store. */
 
 import './rock-field.ts';
-import './controls/control-panel.ts';
 import './controls/stage-overlay.ts';
-import { copyText, embedCode } from './controls/clipboard.ts';
-import { showKeys, showText, toast } from './controls/dialogs.ts';
+import { embedCode } from './controls/clipboard.ts';
+import { ControlPanel } from './controls/control-panel.ts';
+import { copyOrShow, showKeys } from './controls/dialogs.ts';
 import { listenToKeys } from './controls/keys.ts';
 import { loadPreferences, savePreferences } from './controls/preferences.ts';
 import { Store } from './controls/store.ts';
@@ -131,20 +131,15 @@ async function withFreshSeed(use: (seed: number) => void): Promise<void> {
   }
 }
 
-async function copy(text: string, done: StringKey, heading: StringKey): Promise<void> {
-  if (await copyText(text)) toast(store.text(done));
-  else showText(store, store.text(heading), text);
-}
-
 const actions: Actions = {
   freshSeed: () => void withFreshSeed((seed) => store.setSeed(seed)),
   randomise: () => void withFreshSeed((seed) => store.randomise(seed)),
   share: () => {
     writeAddress();
-    void copy(pageAddress(), 'copied', 'share');
+    void copyOrShow(store, document.body, pageAddress(), 'copied', 'share');
   },
-  embed: () => void copy(embedCode(link(), location.href), 'embedCopied', 'embed'),
-  help: () => showKeys(store),
+  embed: () => void copyOrShow(store, document.body, embedCode(link(), location.href), 'embedCopied', 'embed'),
+  help: () => showKeys(store, document.body),
 };
 
 async function toggleFullScreen(): Promise<void> {
@@ -164,7 +159,7 @@ function cancel(): void {
 
 // Everything stands; put it on the page.
 
-const panel = document.createElement('control-panel');
+const panel = new ControlPanel();
 panel.className = 'panel';
 panel.id = 'controls';
 panel.setAttribute('role', 'region');

@@ -1,6 +1,8 @@
 /** `<rock-field>`: parameters in, a live field of rocks out. The class alone; `rock-field.ts` registers it. */
 
 import { randomParams } from './controls/randomise.ts';
+import type { Edition } from './controls/store.ts';
+import { ControlsButton } from './controls-button.ts';
 import { ATTRIBUTES, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, readAttributes, VIEWS } from './element-attributes.ts';
 import type { Interaction } from './element-attributes.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
@@ -10,8 +12,9 @@ import { GeneratorClient } from './generator/client.ts';
 import type { Progress } from './generator/protocol.ts';
 import { describeField } from './field-description.ts';
 import { History } from './history.ts';
-import type { Layer, Params } from './params.ts';
-import type { LayerRequest } from './params-flat.ts';
+import { PRESETS } from './params.ts';
+import type { Layer, Params, PresetName } from './params.ts';
+import type { FieldRequest, LayerRequest } from './params-flat.ts';
 import { copyParams, defaultParams, readValue, resolveParams, writeValue } from './params-flat.ts';
 import { defineParameterProperties, forgetAssigned, keepLocked, PARAMETER_PROPERTIES, withAssigned } from './parameter-properties.ts';
 import type { ParameterProperties } from './parameter-properties.ts';
@@ -19,6 +22,7 @@ import { defineReflectedProperties, REFLECTED_PROPERTIES, writeAttribute } from 
 import type { ReflectedProperties } from './reflected-properties.ts';
 import type { Backend, CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { SceneElement } from './scene-element.ts';
+import type { Theme } from './scene-element.ts';
 import { encodeLink } from './url-codec.ts';
 
 /** The events, by name, with their details. None bubbles; all are composed. */
@@ -41,11 +45,11 @@ export interface RockFieldEventMap {
 /** Assigned before the element was defined, these would hide the accessors. */
 const PROPERTIES: readonly string[] = [
   ...REFLECTED_PROPERTIES, 'params', 'layers', ...PARAMETER_PROPERTIES,
-  'view', 'color', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel', 'backend',
+  'view', 'color', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel', 'backend', 'controls',
 ];
 
 /** Attributes that are no parameters and change nothing but manners. */
-const MANNERS = ['poster', 'disabled', 'auto-rotate'];
+const MANNERS = ['poster', 'disabled', 'auto-rotate', 'controls'];
 
 /** The accessors are made from lists: of the parameter table, and of attributes. */
 export interface RockFieldElement extends ParameterProperties, ReflectedProperties {
@@ -68,8 +72,11 @@ type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEv
  * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
  * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
  * @attribute metres-per-pixel - Size of a pixel of the image; default 0.01.
+ * @attribute controls - A button in the picture's corner opens a panel with everything that can be set; `open`: it begins open.
  * @attribute backend - `auto`, `webgpu`, `webgl`, `canvas2d` or `null` (draws nothing); read when the element is connected.
  * @csspart hint - Why a gesture did nothing, for a moment.
+ * @csspart controls-button - The button that opens the panel.
+ * @csspart panel - The panel, while it is open.
  * @fires load - The first picture has been painted.
  * @fires progress - A run of more than 200 ms is under way.
  * @fires generate - A field is finished and on screen; `detail` has its statistics.
@@ -92,8 +99,9 @@ export class RockFieldElement extends SceneElement {
   /** The newest run; settles with its field. */
   #run: Promise<Field> | undefined;
   #isOpen = false;
-  /** Steps of `undo`; edits that follow each other closely are one. */
-  #history: History<Params> | undefined;
+  /** Steps of `undo`, of the panel and of code alike; edits that follow each other closely are one. */
+  #history: History<Edition> | undefined;
+  #controls: ControlsButton | undefined;
   #interaction: Interaction = INTERACTIONS[0];
   #metresPerPixel = METRES_PER_PIXEL;
 
@@ -111,7 +119,7 @@ export class RockFieldElement extends SceneElement {
     const resolved = resolveParams(params);
     this.#readAttributes();
     this.#takeParams(resolved);
-    this.#record();
+    this.#record((params as FieldRequest).preset);
     this.#schedule();
   }
 
@@ -125,10 +133,13 @@ export class RockFieldElement extends SceneElement {
     this.#setParams(params);
   }
 
-  #record(label = 'edit'): void {
+  /** What says the same as the present is no step: the panel's edits come here when they are in the history already. */
+  #record(preset: PresetName = this.#history?.present.preset ?? PRESETS[0].name): void {
     if (!this.#params) return;
-    if (this.#history) this.#history.record(this.#params, label, performance.now());
-    else this.#history = new History(this.#params);
+    const edition: Edition = { params: this.#params, preset };
+    if (!this.#history) this.#history = new History(edition);
+    else if (JSON.stringify(edition) !== JSON.stringify(this.#history.present)) this.#history.record(edition, 'edit', performance.now());
+    this.#controls?.sync();
   }
 
   /** The layers as objects; what an entry leaves out has the table's default. */
@@ -149,6 +160,7 @@ export class RockFieldElement extends SceneElement {
     const checked = checkChoice('view', view ?? VIEWS[0], VIEWS);
     this.#readAttributes();
     this.sceneView = checked;
+    this.#controls?.sync();
   }
 
   get color(): ColorMode {
@@ -160,6 +172,26 @@ export class RockFieldElement extends SceneElement {
     const checked = checkChoice('color', color ?? COLORS[0], COLORS);
     this.#readAttributes();
     this.sceneColor = checked;
+    this.#controls?.sync();
+  }
+
+  override get theme(): Theme {
+    return super.theme;
+  }
+
+  override set theme(theme: Theme) {
+    super.theme = theme;
+    this.#controls?.sync();
+  }
+
+  /** Whether there is a button for the panel; assigning `open` opens it. */
+  get controls(): boolean {
+    return this.hasAttribute('controls');
+  }
+
+  set controls(controls: boolean | 'open') {
+    if (controls === 'open') this.setAttribute('controls', controls);
+    else this.toggleAttribute('controls', Boolean(controls));
   }
 
   override get camera(): CameraState {
@@ -217,7 +249,7 @@ export class RockFieldElement extends SceneElement {
   shareURL(base: string = document.baseURI): string {
     const url = new URL(base, document.baseURI);
     const { params, view, color, framed, camera } = this;
-    url.hash = encodeLink({ params, view, color, camera: framed ? null : camera });
+    url.hash = encodeLink({ params, preset: this.#history?.present.preset ?? PRESETS[0].name, view, color, camera: framed ? null : camera });
     return url.href;
   }
 
@@ -248,8 +280,9 @@ export class RockFieldElement extends SceneElement {
 
   #travel(moved = false): boolean {
     if (moved && this.#history) {
-      this.#takeParams(this.#history.present);
+      this.#takeParams(this.#history.present.params);
       this.#schedule();
+      this.#controls?.sync();
     }
     return moved;
   }
@@ -329,14 +362,37 @@ export class RockFieldElement extends SceneElement {
     // After a pause the field is still there.
     if (!this.field) this.#stale = true;
     this.#schedule();
+    this.#controls?.begin();
   }
 
   protected override closed(): void {
     this.#isOpen = false;
+    this.#controls?.close();
     if (this.#client?.busy) this.#stale = true;
     this.#client?.dispose();
     this.#client = undefined;
     this.#run = undefined;
+  }
+
+  protected override readManners(): void {
+    super.readManners();
+    if (this.controls) this.#controls ??= this.#newControls();
+    this.#controls?.update();
+  }
+
+  #newControls(): ControlsButton {
+    return new ControlsButton({
+      element: this,
+      root: this.shadowRoot as ShadowRoot,
+      language: () => this.language,
+      isOpen: () => this.#isOpen,
+      isSettled: () => !this.#stale && !this.#client?.busy,
+      history: () => {
+        this.#readAttributes();
+        return (this.#history ??= new History<Edition>({ params: this.params, preset: PRESETS[0].name }));
+      },
+      say: (text) => this.notify(text),
+    });
   }
 
   protected override groundSize(): [number, number] {
@@ -384,7 +440,7 @@ export class RockFieldElement extends SceneElement {
       if (has(...LAYER_ATTRIBUTES.keys())) own.layers = params.layers;
       if (has(...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#setParams(this.#withAssigned(own));
     }
-    if (has('src', 'preset', ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#record();
+    if (has('src', 'preset', ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#record(has('src', 'preset') ? read.preset : undefined);
     if (has('src', 'view')) this.sceneView = read.view;
     if (has('src', 'color')) this.sceneColor = read.color;
     if (has('src')) super.camera = read.camera;
@@ -393,6 +449,7 @@ export class RockFieldElement extends SceneElement {
     this.#interaction = read.interaction;
     this.#metresPerPixel = read.metresPerPixel;
     if (has('interaction')) this.readManners();
+    this.#controls?.sync();
     for (const { attribute, message } of read.notices) if (unread.has(attribute)) this.notify(message);
   }
 

@@ -461,7 +461,7 @@ export abstract class SceneElement extends Base {
   }
 
   #rotates(): boolean {
-    return this.hasAttribute('auto-rotate') && !prefersStillness();
+    return (this.getAttribute('auto-rotate') ?? 'false') !== 'false' && !prefersStillness();
   }
 
   #draw(): void {

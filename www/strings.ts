@@ -1,12 +1,14 @@
 /**
- * Every sentence of the page, in English and Japanese. What a parameter is called and does stands in its table (`params.gen.ts`).
+ * Every sentence of the page and the panel, in English and Japanese. What a parameter is called and does stands in its table
+ * (`params.gen.ts`), what may be wrong with a link in `notices.ts`.
  *
  * Vocabulary as in DESIGN: site 母点, cell セル, layer 層, seed シード, rock 岩.
  */
 
 import type { ErrorInfo } from './errors.ts';
+import { filled } from './notices.ts';
+import type { Slots } from './notices.ts';
 import type { Language, Preset, Words } from './params.ts';
-import type { Notice } from './url-codec.ts';
 
 export const LANGUAGES = ['en', 'ja'] as const satisfies readonly Language[];
 
@@ -26,6 +28,7 @@ export const STRINGS = {
   randomise: { en: 'Randomise', ja: 'ランダムに変更' },
   share: { en: 'Share', ja: '共有' },
   shareHelp: { en: 'Copies a link that shows exactly these rocks.', ja: 'まったく同じ岩を表示するリンクをコピーします。' },
+  shareSettingsHelp: { en: 'Copies a link that holds these settings.', ja: 'この設定を含むリンクをコピーします。' },
   embed: { en: 'Copy embed code', ja: '埋め込みコードをコピー' },
   embedHelp: { en: 'Two lines of HTML that show these rocks on any page.', ja: 'どのページにもこの岩を表示できる、2行のHTMLをコピーします。' },
   docs: { en: 'Docs', ja: 'ドキュメント' },
@@ -109,6 +112,7 @@ export const STRINGS = {
   working: { en: 'Generating: {stage}, {percent}', ja: '生成中：{stage}、{percent}' },
   cancelled: { en: 'Cancelled: back to the settings of this picture.', ja: '中止しました。この画像の設定に戻りました。' },
   helpHint: { en: 'Point at a control to read what it does. Press ? for the keys.', ja: '項目を指すと説明が表示されます。? でキー一覧。' },
+  helpHintShort: { en: 'Point at a control to read what it does.', ja: '項目を指すと説明が表示されます。' },
 
   keysPicture: { en: 'In the picture', ja: '画像の操作' },
   keysPage: { en: 'Anywhere on the page', ja: 'ページ全体' },
@@ -137,25 +141,6 @@ export const STRINGS = {
 
 export type StringKey = keyof typeof STRINGS;
 
-/** What is wrong in a link; `{key}` names it. */
-const NOTICES: Record<Notice['code'], Words> = {
-  'too-long': {
-    en: 'The link has {given} characters; only the first {used} were read.',
-    ja: 'リンクが {given} 文字あります。最初の {used} 文字だけを読み込みました。',
-  },
-  'unknown-key': { en: 'The link has something unknown in it, which was ignored: {key}.', ja: 'リンク内の不明な項目を無視しました：{key}' },
-  'unknown-version': { en: 'The link is of version {given}, which this page does not know; it was read as version {used}.', ja: 'リンクのバージョン {given} は不明です。バージョン {used} として読み込みました。' },
-  'unknown-preset': { en: 'There is no preset “{given}”; {used} is shown.', ja: 'プリセット「{given}」はありません。{used} を表示しています。' },
-  'unknown-choice': { en: '{key}: “{given}” is not a choice; {used} is used.', ja: '{key}：「{given}」は選べません。{used} を使います。' },
-  'not-a-number': { en: '{key}: “{given}” is not a number; the preset’s value {used} is used.', ja: '{key}：「{given}」は数値ではありません。プリセットの値 {used} を使います。' },
-  clamped: { en: '{key}: {given} is not allowed ({min} to {max}); {used} is used.', ja: '{key}：{given} は使えません（{min} 〜 {max}）。{used} を使います。' },
-  repeated: { en: '{key} stands more than once in the link; the first one counts.', ja: '{key} がリンク内に複数あります。最初のものを使います。' },
-  'unequal-lists': { en: 'The link’s lists of layers differ in length ({given}); the preset’s layers are shown.', ja: 'リンク内の層の数が一致しません（{given}）。プリセットの層を表示しています。' },
-  'too-many-layers': { en: 'The link has {given} layers ({key}); the first {used} are shown.', ja: 'リンクに {given} 層あります（{key}）。最初の {used} 層を表示しています。' },
-  'bad-ids': { en: 'The layers’ ids ({given}) have to be different whole numbers; {used} is used.', ja: '層の id（{given}）は互いに異なる整数でなければなりません。{used} を使います。' },
-  'bad-camera': { en: 'camera: “{given}” is not a camera position; the whole field is shown.', ja: 'camera：「{given}」はカメラ位置ではありません。全体を表示しています。' },
-};
-
 /** Errors of the element that a person at the page can read and act on; any other shows its own English message. */
 const ERRORS: Record<string, Words> = {
   OutOfRange: { en: '{value} is not allowed; it has to lie in {min} to {max}.', ja: '{value} は使えません。{min} 〜 {max} の範囲で指定してください。' },
@@ -176,15 +161,8 @@ const ERRORS: Record<string, Words> = {
   WorkerLost: { en: 'The generator stopped and was started again. Change a value to try once more.', ja: '生成プログラムが停止したため再起動しました。値を変更すると再実行します。' },
 };
 
-type Slots = Record<string, string | number | undefined>;
-
 export function translate(language: Language, key: StringKey, slots: Slots = {}): string {
   return filled(STRINGS[key][language], slots);
-}
-
-export function noticeText(language: Language, notice: Omit<Notice, 'text'>): string {
-  const { key, given, used, min, max } = notice;
-  return filled(NOTICES[notice.code][language], { key, given, used, min, max });
 }
 
 export function errorText(language: Language, error: ErrorInfo): string {
@@ -212,8 +190,4 @@ export function presetLabel(language: Language, preset: Preset, columns: readonl
 export function pickLanguage(preferred: readonly string[]): Language {
   const found = preferred.map((tag) => LANGUAGES.find((language) => tag.toLowerCase().split('-')[0] === language)).find(Boolean);
   return found ?? 'en';
-}
-
-function filled(text: string, slots: Slots): string {
-  return text.replace(/\{(\w+)\}/g, (_, name: string) => String(slots[name] ?? ''));
 }

@@ -8,7 +8,7 @@
 
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import { FIELD_ROWS, LAYER_ROWS, boundsOf, defaultLayer, presetParams, readValue, writeValue } from './params-flat.ts';
-import { noticeText } from './strings.ts';
+import { noticeText } from './notices.ts';
 import type { Layer, Notation, Params, ParamSpec, PresetName } from './params.ts';
 import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
 

@@ -343,7 +343,7 @@ test('the page works by keyboard alone', async () => {
   await page.keyboard.press('Tab');
   assert.equal(await page.evaluate(() => document.activeElement?.className), 'skip-link');
   await page.keyboard.press('Enter');
-  assert.ok(await page.evaluate(() => document.activeElement?.localName === 'control-panel'));
+  assert.ok(await page.evaluate(() => document.activeElement?.localName === 'rock-field-panel'));
   assert.doesNotMatch(page.url(), /#controls/);
   // Everything that can be pressed or set is reached, in the order of the page, with a visible focus.
   const reached = new Set();

@@ -1,11 +1,13 @@
 // What the panel computes: slider places, notations, random fields, the store.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { embedCode } from '../../www/controls/clipboard.ts';
+import { cdnBeside, embedCode } from '../../www/controls/clipboard.ts';
 import { inNotation } from '../../www/controls/notation.ts';
 import { randomParams } from '../../www/controls/randomise.ts';
 import { sliderScale } from '../../www/controls/slider-scale.ts';
 import { Store } from '../../www/controls/store.ts';
+import type { Edition } from '../../www/controls/store.ts';
+import { History } from '../../www/history.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/params.ts';
 import type { Layer, Notation, Params, ParamSpec } from '../../www/params.ts';
 import { boundsOf, defaultParams, presetParams, resolveParams } from '../../www/params-flat.ts';
@@ -130,4 +132,21 @@ test('the embed code is safe HTML', () => {
   const code = embedCode('v=1&preset=journal-fig1&seed=3', 'https://example.org/rocks/?x="><script>#seed=1');
   assert.match(code, /<script async src="https:\/\/example\.org\/rocks\/cdn\.js"><\/script>/);
   assert.match(code, /src="#v=1&amp;preset=journal-fig1&amp;seed=3"/);
+});
+
+test('a script to embed is known beside panel.js on a server, and nowhere that a bundler put it', () => {
+  assert.equal(cdnBeside('https://example.org/a/panel.js'), 'https://example.org/a/cdn.js');
+  for (const address of ['https://example.org/assets/panel-a1b2.js', 'file:///home/me/node_modules/rock-field/dist/panel.js']) assert.equal(cdnBeside(address), null);
+});
+
+test('a store on the history of an element makes its steps there, and sees those of others', () => {
+  const link = decodeLink('seed=1');
+  const history = new History<Edition>({ params: link.params, preset: link.preset });
+  const shared = new Store(link, { language: 'en', theme: 'auto' }, history);
+  shared.setSeed(2);
+  history.record({ params: { ...history.present.params, seed: 3 }, preset: link.preset });
+  assert.equal(shared.params.seed, 3);
+  shared.undo();
+  assert.equal(history.present.params.seed, 2);
+  assert.ok(history.undo() && !shared.canUndo && shared.params.seed === 1);
 });

@@ -15,7 +15,7 @@ function read(given: Record<string, string>): AttributeState {
 }
 
 const DEFAULTS = {
-  params: defaultParams(), view: '3d', color: 'layer', camera: null, orbit: null, interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
+  params: defaultParams(), preset: PRESETS[0].name, view: '3d', color: 'layer', camera: null, orbit: null, interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
 };
 
 test('absent attributes are the defaults, without a word', () => {
@@ -23,7 +23,7 @@ test('absent attributes are the defaults, without a word', () => {
 });
 
 test('every preset, view and colour can be named', () => {
-  for (const { name } of PRESETS) assert.deepEqual(read({ preset: name }), { ...DEFAULTS, params: presetParams(name) });
+  for (const { name } of PRESETS) assert.deepEqual(read({ preset: name }), { ...DEFAULTS, params: presetParams(name), preset: name });
   for (const view of ['3d', 'wireframe', 'diagrams', 'selection']) assert.deepEqual(read({ view }), { ...DEFAULTS, view });
   for (const color of ['layer', 'rock', 'plain']) assert.deepEqual(read({ color }), { ...DEFAULTS, color });
 });
@@ -84,6 +84,7 @@ test('src fills everything, and every other attribute but the preset replaces wh
   assert.deepEqual(state, {
     ...DEFAULTS,
     params: { ...presetParams('conference-fig9a'), seed: 5 },
+    preset: 'conference-fig9a',
     view: 'diagrams',
     color: 'plain',
     camera: { azimuth: 1, elevation: 0.5, distance: 200, target: [10, 20, 0] },

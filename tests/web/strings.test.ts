@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { LAYER_ROWS } from '../../www/params-flat.ts';
 import { PARAMS, PRESETS } from '../../www/params.ts';
-import { LANGUAGES, STRINGS, errorText, noticeText, pickLanguage, presetLabel, translate } from '../../www/strings.ts';
+import { noticeText } from '../../www/notices.ts';
+import { LANGUAGES, STRINGS, errorText, pickLanguage, presetLabel, translate } from '../../www/strings.ts';
 import { decodeLink } from '../../www/url-codec.ts';
 
 const slots = (text: string) => [...text.matchAll(/\{\w+\}/g)].map(([slot]) => slot).sort();

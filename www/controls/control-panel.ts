@@ -1,4 +1,4 @@
-/** `<control-panel>`: everything that can be set, in one column. */
+/** `<rock-field-panel>`: everything that can be set, in one column: beside the page's picture, or in an element with `controls`. */
 
 import { LitElement, html, nothing } from 'lit';
 import { live } from 'lit/directives/live.js';
@@ -7,9 +7,11 @@ import { FIELD_ROWS, LAYER_ROWS, presetParams } from '../params-flat.ts';
 import { LANGUAGES, LANGUAGE_NAMES, presetLabel } from '../strings.ts';
 import { icon } from './icons.ts';
 import { hasProblem, layerCard } from './layer-card.ts';
+import { colorChoice, viewChoice } from './look.ts';
 import { fillNumberFields, numberField, paramControl, problemOf } from './param-control.ts';
 import { description, iconButton, segments } from './parts.ts';
 import { statistics, summary } from './statistics.ts';
+import { messageLine, progressLine } from './status.ts';
 import { LIST_KEYS, THEMES } from './store.ts';
 import type { TemplateResult } from 'lit';
 import type { PresetName } from '../params.ts';
@@ -20,20 +22,27 @@ const SEED = PARAMS[0];
 /** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
 const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1) ?? '');
 
-/** What the page does that the store cannot. */
+/** What the panel's place does that the store cannot. */
 export interface Actions {
   freshSeed: () => void;
   randomise: () => void;
   share: () => void;
-  embed: () => void;
-  help: () => void;
+  /** Absent where nobody knows the address of a script to embed. */
+  embed?: (() => void) | undefined;
+  /** Lists the page's keys. */
+  help?: () => void;
+  /** An element's panel alone is closed, and cancels in itself: on the page, `<stage-overlay>` has that. */
+  close?: () => void;
+  cancel?: () => void;
 }
 
 export class ControlPanel extends LitElement {
-  static override properties = { store: { attribute: false }, actions: { attribute: false }, isOpen: { state: true } };
+  static override properties = { store: { attribute: false }, actions: { attribute: false }, isEmbedded: { attribute: false }, isOpen: { state: true } };
 
   declare store: Store;
   declare actions: Actions;
+  /** In an element, not on the page: without what is the page's alone. */
+  declare isEmbedded: boolean;
   /** On narrow screens the panel is a sheet that can be folded away. */
   declare isOpen: boolean;
 
@@ -44,6 +53,7 @@ export class ControlPanel extends LitElement {
 
   constructor() {
     super();
+    this.isEmbedded = false;
     this.isOpen = false;
     // What is being pointed at, or has the focus, is explained in the line below.
     this.addEventListener('pointerover', (event) => event.pointerType !== 'touch' && this.#explain(event));
@@ -51,7 +61,7 @@ export class ControlPanel extends LitElement {
     this.addEventListener('focusin', (event) => this.#explain(event));
   }
 
-  /** In the page's own tree: page.css styles it, and labels and descriptions are found by id. */
+  /** In the tree it stands in, whose styles it has; labels and descriptions are found by id there. */
   protected override createRenderRoot(): HTMLElement {
     return this;
   }
@@ -86,11 +96,20 @@ export class ControlPanel extends LitElement {
   }
 
   protected override render(): TemplateResult {
+    const { store, actions, isEmbedded } = this;
     return html`
-      ${this.#toolbar()}
-      <div class="panel-body">${this.#start()} ${this.#layers()} ${this.#ground()} ${this.#statistics()} ${this.#page()}</div>
-      <p class="help-line is-idle" aria-hidden="true" .textContent=${this.store.text('helpHint')}></p>
+      ${this.#toolbar()} ${isEmbedded ? messageLine(store) : nothing}
+      <div class="panel-body">
+        ${this.#start()} ${isEmbedded ? this.#look() : nothing} ${this.#layers()} ${this.#ground()} ${this.#statistics()}
+        ${isEmbedded ? this.#embed() : this.#page()}
+      </div>
+      <p class="help-line is-idle" aria-hidden="true" .textContent=${this.#hint()}></p>
+      ${actions.cancel ? progressLine(store, actions.cancel) : nothing}
     `;
+  }
+
+  #hint(): string {
+    return this.store.text(this.isEmbedded ? 'helpHintShort' : 'helpHint');
   }
 
   #toolbar(): TemplateResult {
@@ -99,19 +118,32 @@ export class ControlPanel extends LitElement {
     const isEdited = this.#isEdited();
     return html`
       <div class="toolbar">
-        <button class="button sheet-toggle" type="button" aria-expanded=${this.isOpen} @click=${() => (this.isOpen = !this.isOpen)}>
-          ${icon('down')}${t('controls')}
-        </button>
-        <h1 class="wordmark"><img src="icon.svg" alt="" width="20" height="20" />${t('title')}</h1>
+        ${this.isEmbedded ? html`<h2 class="panel-title">${t('controls')}</h2>` : this.#pageTitle()}
         ${iconButton({ icon: 'undo', label: t('undo'), action: () => store.undo(), disabled: !store.canUndo })}
         ${iconButton({ icon: 'redo', label: t('redo'), action: () => store.redo(), disabled: !store.canRedo })}
         ${iconButton({ icon: 'reset', label: t('reset'), action: () => store.reset(), disabled: !isEdited && store.params.seed === 0 })}
         ${iconButton({ icon: 'randomise', label: t('randomise'), action: actions.randomise })}
-        <button class="button button-primary share" type="button" title=${t('shareHelp')} aria-label=${t('share')} @click=${actions.share}>
+        <button class="button button-primary share" type="button" title=${t(this.#shareHelp())} aria-label=${t('share')} @click=${actions.share}>
           ${icon('share')}<span>${t('share')}</span>
         </button>
+        ${actions.close ? iconButton({ icon: 'close', label: t('close'), action: actions.close, kind: 'close' }) : nothing}
       </div>
     `;
+  }
+
+  #pageTitle(): TemplateResult {
+    const { store } = this;
+    return html`
+      <button class="button sheet-toggle" type="button" aria-expanded=${this.isOpen} @click=${() => (this.isOpen = !this.isOpen)}>
+        ${icon('down')}${store.text('controls')}
+      </button>
+      <h1 class="wordmark"><img src="icon.svg" alt="" width="20" height="20" />${store.text('title')}</h1>
+    `;
+  }
+
+  /** Another page need not read its address: there the link only holds the settings. */
+  #shareHelp(): StringKey {
+    return this.isEmbedded ? 'shareSettingsHelp' : 'shareHelp';
   }
 
   /** Preset and seed: where everybody begins. */
@@ -151,6 +183,11 @@ export class ControlPanel extends LitElement {
         </div>
       </section>
     `;
+  }
+
+  /** On the page this lies on the picture. */
+  #look(): TemplateResult {
+    return html`<section class="section" aria-label=${this.store.text('view')}>${viewChoice(this.store, false)} ${colorChoice(this.store, false)}</section>`;
   }
 
   /** Whether anything but the seed differs from the preset. */
@@ -243,9 +280,7 @@ export class ControlPanel extends LitElement {
           action: (theme) => store.setTheme(theme),
         })}
         <div class="button-row">
-          <button class="button" type="button" title=${store.text('embedHelp')} data-help=${store.text('embedHelp')} @click=${actions.embed}>
-            ${icon('code')}${store.text('embed')}
-          </button>
+          ${this.#embedButton()}
           <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
           <a class="button" href="docs/" hreflang="en" data-help=${store.text('docsHelp')}>${store.text('docs')}</a>
         </div>
@@ -253,21 +288,36 @@ export class ControlPanel extends LitElement {
     `;
   }
 
+  #embed(): TemplateResult | typeof nothing {
+    return this.actions.embed ? html`<div class="section"><div class="button-row">${this.#embedButton()}</div></div>` : nothing;
+  }
+
+  #embedButton(): TemplateResult {
+    const { store, actions } = this;
+    return html`
+      <button class="button" type="button" title=${store.text('embedHelp')} data-help=${store.text('embedHelp')} @click=${actions.embed}>
+        ${icon('code')}${store.text('embed')}
+      </button>
+    `;
+  }
+
   #explain(event: Event | null): void {
     const line = this.querySelector('.help-line');
-    const target = event?.target instanceof Element ? event.target : document.activeElement;
+    const { activeElement } = this.getRootNode() as Document | ShadowRoot;
+    const target = event?.target instanceof Element ? event.target : activeElement;
     const help = (target as HTMLElement | null)?.closest<HTMLElement>('[data-help]')?.dataset.help;
     if (!line) return;
     // Not by a render: a pointer crosses many controls, and only this line changes.
-    line.textContent = help || this.store.text('helpHint');
+    line.textContent = help || this.#hint();
     line.classList.toggle('is-idle', !help);
   }
 }
 
-customElements.define('control-panel', ControlPanel);
+register('rock-field-panel', ControlPanel);
 
-declare global {
-  interface HTMLElementTagNameMap {
-    'control-panel': ControlPanel;
-  }
+/** Under the first name that is free: a page may have another copy of this script. Made by `new` alone, so any name will do. */
+function register(name: string, element: CustomElementConstructor, count = 1): void {
+  const free = count === 1 ? name : `${name}-${count}`;
+  if (customElements.get(free)) register(name, element, count + 1);
+  else customElements.define(free, element);
 }

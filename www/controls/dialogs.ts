@@ -1,12 +1,16 @@
-/** What appears for a moment: the list of keys, a text to copy by hand, a toast. Each is made when it is first needed. */
+/** What appears for a moment: the list of keys, a text to copy by hand, a toast. Each is made in its place when it is first needed. */
 
 import { html, render } from 'lit';
+import { copyText } from './clipboard.ts';
 import { iconButton } from './parts.ts';
 import type { TemplateResult } from 'lit';
 import type { StringKey } from '../strings.ts';
 import type { Store } from './store.ts';
 
 const TOAST_MS = 2500;
+
+/** Where it appears: the page's body, or the root of an element's panel. */
+export type Place = HTMLElement | ShadowRoot;
 
 const PICTURE_KEYS: readonly [StringKey, StringKey][] = [
   ['orbit', 'orbitBy'],
@@ -24,7 +28,7 @@ const PAGE_KEYS: readonly [StringKey, StringKey][] = [
   ['help', 'helpBy'],
 ];
 
-export function showKeys(store: Store): void {
+export function showKeys(store: Store, place: Place): void {
   const rows = (keys: typeof PAGE_KEYS) => html`
     <dl class="keys">${keys.map(([what, how]) => html`<div><dt>${store.text(what)}</dt><dd>${store.text(how)}</dd></div>`)}</dl>
   `;
@@ -34,21 +38,26 @@ export function showKeys(store: Store): void {
     <h3>${store.text('keysPage')}</h3>
     ${rows(PAGE_KEYS)}
   `;
-  showDialog(store, store.text('help'), content);
+  showDialog(store, place, store.text('help'), content);
 }
 
-/** The last way to a link when the browser gives no clipboard. */
-export function showText(store: Store, heading: string, text: string): void {
-  showDialog(store, heading, html`<p>${store.text('copyByHand')}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`);
-  document.querySelector<HTMLTextAreaElement>('.dialog .copy-text')?.select();
+/** Copies and says so; or, the last way when the browser gives no clipboard, shows the text. */
+export async function copyOrShow(store: Store, place: Place, text: string, done: StringKey, heading: StringKey): Promise<void> {
+  if (await copyText(text, place)) toast(place, store.text(done));
+  else showText(store, place, store.text(heading), text);
 }
 
-export function isDialogOpen(): boolean {
-  return document.querySelector('dialog[open]') !== null;
+function showText(store: Store, place: Place, heading: string, text: string): void {
+  showDialog(store, place, heading, html`<p>${store.text('copyByHand')}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`);
+  place.querySelector<HTMLTextAreaElement>('.dialog .copy-text')?.select();
 }
 
-function showDialog(store: Store, heading: string, content: TemplateResult): void {
-  const dialog = document.querySelector<HTMLDialogElement>('.dialog') ?? made('dialog', 'dialog');
+export function isDialogOpen(place: Place): boolean {
+  return place.querySelector('dialog[open]') !== null;
+}
+
+function showDialog(store: Store, place: Place, heading: string, content: TemplateResult): void {
+  const dialog = place.querySelector<HTMLDialogElement>('.dialog') ?? made(place, 'dialog', 'dialog');
   dialog.setAttribute('aria-labelledby', 'dialog-heading');
   const close = () => dialog.close();
   const closeOnBackdrop = (event: Event) => event.target === dialog && dialog.close();
@@ -68,21 +77,21 @@ function showDialog(store: Store, heading: string, content: TemplateResult): voi
   if (!dialog.open) dialog.showModal();
 }
 
-let toastTimer: ReturnType<typeof setTimeout> | undefined;
+const toastTimers = new WeakMap<HTMLElement, ReturnType<typeof setTimeout>>();
 
 /** Says that something was done; read out by screen readers. */
-export function toast(text: string): void {
-  const line = document.querySelector<HTMLElement>('.toast') ?? made('p', 'toast');
+function toast(place: Place, text: string): void {
+  const line = place.querySelector<HTMLElement>('.toast') ?? made(place, 'p', 'toast');
   line.setAttribute('role', 'status');
   line.textContent = text;
   line.classList.add('is-shown');
-  clearTimeout(toastTimer);
-  toastTimer = setTimeout(() => line.classList.remove('is-shown'), TOAST_MS);
+  clearTimeout(toastTimers.get(line));
+  toastTimers.set(line, setTimeout(() => line.classList.remove('is-shown'), TOAST_MS));
 }
 
-function made<K extends 'dialog' | 'p'>(name: K, className: string): HTMLElementTagNameMap[K] {
+function made<K extends 'dialog' | 'p'>(place: Place, name: K, className: string): HTMLElementTagNameMap[K] {
   const element = document.createElement(name);
   element.className = className;
-  document.body.append(element);
+  place.append(element);
   return element;
 }

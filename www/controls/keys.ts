@@ -6,26 +6,31 @@ import type { Store } from './store.ts';
 
 export function listenToKeys(store: Store, frameAll: () => void): void {
   window.addEventListener('keydown', (event) => {
-    if (event.defaultPrevented || event.isComposing || isDialogOpen()) return;
-    const handled = event.ctrlKey || event.metaKey ? travel(store, event) : !event.altKey && !isTyping(event) && press(store, event.key, frameAll);
+    if (event.defaultPrevented || event.isComposing || isDialogOpen(document.body)) return;
+    const handled = travel(store, event) || (!hasModifier(event) && !isTyping(event) && press(store, event.key, frameAll));
     if (handled) event.preventDefault();
   });
 }
 
-/** Undo and redo are the page's even inside a number field: what was typed there has long been applied. */
-function travel(store: Store, event: KeyboardEvent): boolean {
+/** Undo and redo are the page's, or the panel's, even inside a number field: what was typed there has long been applied. */
+export function travel(store: Store, event: KeyboardEvent): boolean {
   const key = event.key.toLowerCase();
-  if (event.altKey || (key !== 'z' && key !== 'y')) return false;
+  if (event.altKey || !(event.ctrlKey || event.metaKey) || (key !== 'z' && key !== 'y')) return false;
   if (event.target instanceof HTMLElement) delete event.target.dataset.typing;
   if (key === 'y' || event.shiftKey) store.redo();
   else store.undo();
   return true;
 }
 
+/** With one of these a key is the browser's or the system's. */
+export function hasModifier({ altKey, ctrlKey, metaKey }: KeyboardEvent): boolean {
+  return altKey || ctrlKey || metaKey;
+}
+
 function press(store: Store, key: string, frameAll: () => void): boolean {
   const view = VIEWS[Number(key) - 1];
   if (view) store.setView(view);
-  else if (key === '?') showKeys(store);
+  else if (key === '?') showKeys(store, document.body);
   else if (key === 'f' || key === 'F') frameAll();
   else if (key === '[' || key === ']') store.setSeed(store.params.seed + (key === ']' ? 1 : -1));
   else return false;

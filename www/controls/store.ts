@@ -3,7 +3,8 @@
 import { History } from '../history.ts';
 import { MAX_LAYERS, PARAMS } from '../params.ts';
 import { boundsOf, defaultLayer, presetParams, writeValue } from '../params-flat.ts';
-import { errorText, noticeText, translate } from '../strings.ts';
+import { noticeText } from '../notices.ts';
+import { errorText, translate } from '../strings.ts';
 import { inNotation } from './notation.ts';
 import { randomParams } from './randomise.ts';
 import type { ErrorInfo } from '../errors.ts';
@@ -37,8 +38,6 @@ export type Message = (language: Language) => string;
 /** What changed, so that the wiring does no more than it must. */
 export type Change = 'params' | 'look' | 'camera' | 'preferences' | 'field' | 'progress' | 'messages';
 
-
-
 /** A layer that is added has no more than some 10,000 cells: the finest of Fig. 1 has r = 10 at 1024 px. */
 const FINEST_SHARE = 100;
 /** The first layer of a bare field is three times that: the middle one of Fig. 1. */
@@ -68,9 +67,10 @@ export class Store {
   readonly #history: History<Edition>;
   readonly #listeners = new Set<(change: Change) => void>();
 
-  constructor(link: LinkState & { notices: readonly Notice[] }, preferences: { language: Language; theme: Theme }) {
+  /** `history`: an element's, whose steps are then the store's too. */
+  constructor(link: LinkState & { notices: readonly Notice[] }, preferences: { language: Language; theme: Theme }, history?: History<Edition>) {
     const { params, preset, view, color, camera, notices } = link;
-    this.#history = new History({ params, preset });
+    this.#history = history ?? new History({ params, preset });
     this.view = view;
     this.color = color;
     this.camera = camera;

@@ -15,7 +15,7 @@ export function copyButton(text: () => string): HTMLButtonElement {
   button.append(label);
   let saying: ReturnType<typeof setTimeout> | undefined;
   button.addEventListener('click', async () => {
-    label.textContent = word((await copyText(text())) ? 'copied' : 'notCopied');
+    label.textContent = word((await copyText(text(), document.body)) ? 'copied' : 'notCopied');
     clearTimeout(saying);
     saying = setTimeout(() => (label.textContent = word('copy')), SAY_MS);
   });

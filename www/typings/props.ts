@@ -10,6 +10,8 @@ type Others = Pick<RockFieldElement, 'params' | 'layers' | 'view' | 'color' | 'i
   camera: RockFieldElement['camera'] | null;
   /** Read when the element is connected; `null` draws nothing. */
   backend: 'auto' | Backend;
+  /** A button that opens the panel; `open`: it begins open. */
+  controls: boolean | 'open';
 };
 
 /** What an attribute says in the place of the property's value: a word, a number, or a list as `90 30 10`. */

@@ -1,0 +1,34 @@
+// What the bundler is told about the panel of an element, www/panel.ts: it is a file of its own, and has its styles in it.
+import path from 'node:path';
+import * as esbuild from 'esbuild';
+import { root } from './env.mjs';
+
+/** Whoever loads the panel asks for panel.js, which lies beside every chunk. */
+export const panelApart = {
+  name: 'panel-apart',
+  setup(build) {
+    build.onResolve({ filter: /\/panel\.ts$/ }, ({ kind }) => (kind === 'dynamic-import' ? { path: './panel.js', external: true } : undefined));
+  },
+};
+
+/** In a classic script of another origin an import has no address to be relative to. */
+export const panelByAddress = {
+  name: 'panel-by-address',
+  setup(build) {
+    build.onResolve({ filter: /\/load-panel\.ts$/ }, ({ resolveDir }) => ({ path: path.join(resolveDir, 'load-panel.cdn.ts') }));
+  },
+};
+
+/** A style sheet that a script imports is its text, with all that it imports itself. */
+export const sheetsAsText = {
+  name: 'sheets-as-text',
+  setup(build) {
+    build.onResolve({ filter: /\.css$/ }, ({ path: name, importer, resolveDir }) =>
+      importer.endsWith('.ts') ? { path: path.relative(root, path.join(resolveDir, name)), namespace: 'sheet' } : undefined,
+    );
+    build.onLoad({ filter: /./, namespace: 'sheet' }, async ({ path: file }) => {
+      const { outputFiles } = await esbuild.build({ absWorkingDir: root, entryPoints: [file], bundle: true, minify: true, write: false, logLevel: 'warning' });
+      return { contents: outputFiles[0].text.trim(), loader: 'text' };
+    });
+  },
+};

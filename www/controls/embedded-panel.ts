@@ -1,0 +1,180 @@
+/** The panel in an element: a store on the element's own history, wired to the element as main.ts wires the page's. */
+
+import { errorInfo } from '../errors.ts';
+import { translate } from '../strings.ts';
+import { embedCode } from './clipboard.ts';
+import { ControlPanel } from './control-panel.ts';
+import { copyOrShow, isDialogOpen } from './dialogs.ts';
+import { hasModifier, travel } from './keys.ts';
+import { layoutStyles, panelStyles } from './panel-styles.ts';
+import { Store } from './store.ts';
+import type { OpenPanel, PanelOwner } from '../controls-button.ts';
+import type { Params } from '../params.ts';
+import type { RockFieldElement, RockFieldEventMap } from '../rock-field-element.ts';
+import type { Actions } from './control-panel.ts';
+import type { Change } from './store.ts';
+
+/** From here on the panel stands beside the picture, px. */
+const BESIDE_FROM = 600;
+/** From here on it stands below; in less it covers the picture. */
+const BELOW_FROM = 480;
+
+export class EmbeddedPanel implements OpenPanel {
+  readonly #owner: PanelOwner;
+  readonly #element: RockFieldElement;
+  readonly #store: Store;
+  readonly #host = document.createElement('div');
+  readonly #panel = new ControlPanel();
+  readonly #close: () => void;
+  /** The parameters that element and store agreed on last. */
+  #seen: Params;
+  /** Ends every listener. */
+  readonly #listening = new AbortController();
+  readonly #size = new ResizeObserver(([entry]) => entry && this.#layOut(entry.contentRect));
+
+  /** `script`: the address of cdn.js, where it is known. */
+  constructor(owner: PanelOwner, close: () => void, script: string | null) {
+    const { element, root } = owner;
+    this.#owner = owner;
+    this.#element = element;
+    this.#close = close;
+    const history = owner.history();
+    const { view, color, theme, field, backend } = element;
+    this.#store = new Store({ ...history.present, view, color, camera: null, notices: [] }, { language: owner.language(), theme }, history);
+    this.#seen = this.#store.params;
+    if (field) this.#store.showField(field, owner.isSettled() ? this.#seen : null);
+    this.#store.setBackend(backend);
+    this.#store.subscribe((change) => this.#follow(change));
+    this.#listen();
+    const inner = this.#build(this.#actions(script));
+    root.adoptedStyleSheets.push(layoutStyles());
+    root.append(this.#host);
+    this.#listenToKeys(inner);
+    this.#layOut(element.getBoundingClientRect());
+    this.#size.observe(element);
+  }
+
+  focus(): void {
+    this.#panel.focus();
+  }
+
+  get hasFocus(): boolean {
+    return this.#owner.root.activeElement === this.#host;
+  }
+
+  dispose(): void {
+    const { root } = this.#owner;
+    this.#listening.abort();
+    this.#size.disconnect();
+    this.#host.remove();
+    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => sheet !== layoutStyles());
+  }
+
+  // The store follows the element …
+
+  sync(): void {
+    const store = this.#store;
+    const { view, color, theme } = this.#element;
+    const language = this.#owner.language();
+    if (language !== store.language || theme !== store.theme) {
+      Object.assign(store, { language, theme });
+      store.notify('preferences');
+    }
+    if (view !== store.view || color !== store.color) {
+      Object.assign(store, { view, color });
+      store.notify('look');
+    }
+    if (store.params !== this.#seen) {
+      this.#seen = store.params;
+      store.problem = null;
+      store.notify('params');
+    }
+  }
+
+  #listen(): void {
+    const store = this.#store;
+    const on = <K extends keyof RockFieldEventMap>(type: K, listener: (event: RockFieldEventMap[K]) => void) =>
+      this.#element.addEventListener(type, listener as EventListener, { signal: this.#listening.signal });
+    const showBackend = () => store.setBackend(this.#element.backend);
+    on('load', showBackend);
+    on('restored', showBackend);
+    on('generate', ({ detail }) => store.showField(detail.field, detail.superseded ? null : store.params));
+    on('progress', ({ detail }) => store.setProgress(detail));
+    on('error', ({ detail }) => store.fail(detail.error));
+  }
+
+  // … and the element the store, through its properties.
+
+  #follow(change: Change): void {
+    const store = this.#store;
+    if (change === 'look') Object.assign(this.#element, { view: store.view, color: store.color });
+    if (change === 'preferences') this.#dress();
+    if (change !== 'params' || store.params === this.#seen) return;
+    this.#seen = store.params;
+    try {
+      this.#element.params = store.params;
+    } catch (thrown) {
+      store.fail(errorInfo(thrown));
+    }
+  }
+
+  #actions(script: string | null): Actions {
+    const element = this.#element;
+    const store = this.#store;
+    const root = () => this.#panel.getRootNode() as ShadowRoot;
+    const withFreshSeed = (use: (seed: number) => void) => {
+      element.freshSeed().then(use, (thrown: unknown) => store.fail(errorInfo(thrown)));
+    };
+    return {
+      freshSeed: () => withFreshSeed((seed) => store.setSeed(seed)),
+      randomise: () => withFreshSeed((seed) => store.randomise(seed)),
+      share: () => void copyOrShow(store, root(), element.shareURL(), 'copied', 'share'),
+      embed: script === null ? undefined : () => void copyOrShow(store, root(), embedCode(new URL(element.shareURL()).hash.slice(1), script), 'embedCopied', 'embed'),
+      close: this.#close,
+      cancel: () => {
+        element.cancel();
+        store.setProgress(null);
+        store.backToShown();
+      },
+    };
+  }
+
+  #build(actions: Actions): ShadowRoot {
+    this.#host.className = 'controls-panel';
+    this.#host.setAttribute('part', 'panel');
+    const inner = this.#host.attachShadow({ mode: 'open' });
+    inner.adoptedStyleSheets = [panelStyles()];
+    const panel = this.#panel;
+    panel.className = 'panel';
+    panel.setAttribute('role', 'region');
+    panel.tabIndex = -1;
+    Object.assign(panel, { store: this.#store, actions, isEmbedded: true });
+    this.#dress();
+    inner.append(panel);
+    return inner;
+  }
+
+  #dress(): void {
+    const { language, theme } = this.#store;
+    this.#host.lang = language;
+    this.#host.dataset.theme = theme;
+    this.#panel.setAttribute('aria-label', translate(language, 'controls'));
+  }
+
+  #layOut({ width, height }: { width: number; height: number }): void {
+    this.#host.dataset.layout = width >= BESIDE_FROM ? 'beside' : height >= BELOW_FROM ? 'below' : 'over';
+  }
+
+  /** A native control keeps what is typed into it from nobody, but pages know one when they see one: of these they see the element alone. */
+  #listenToKeys(inner: ShadowRoot): void {
+    inner.addEventListener('keydown', (event) => {
+      const key = event as KeyboardEvent;
+      if (!isDialogOpen(inner) && !key.isComposing) {
+        if (key.key === 'Escape') this.#close();
+        if (key.key === 'Escape' || travel(this.#store, key)) key.preventDefault();
+      }
+      if (!hasModifier(key) || key.defaultPrevented) key.stopPropagation();
+    });
+    for (const type of ['keyup', 'keypress', 'beforeinput', 'input']) inner.addEventListener(type, (event) => event.stopPropagation());
+  }
+}

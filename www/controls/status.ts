@@ -1,0 +1,36 @@
+/** What is going on: a message that waits to be dismissed, a run with a button to cancel it. */
+
+import { html, nothing } from 'lit';
+import { icon } from './icons.ts';
+import { iconButton } from './parts.ts';
+import { percent } from './statistics.ts';
+import type { TemplateResult } from 'lit';
+import type { Store } from './store.ts';
+
+/** Only text goes in here: much of it comes from links. */
+export function messageLine(store: Store): TemplateResult | typeof nothing {
+  const { messages, language } = store;
+  const [first] = messages;
+  if (!first) return nothing;
+  return html`
+    <div class="message" role="alert">
+      <p>${first(language)}</p>
+      ${messages.length > 1 ? html`<span class="quiet">1 / ${messages.length}</span>` : nothing}
+      ${iconButton({ icon: 'close', label: store.text('dismiss'), action: () => store.dismiss() })}
+    </div>
+  `;
+}
+
+export function progressLine(store: Store, cancel: () => void): TemplateResult | typeof nothing {
+  const { progress } = store;
+  if (!progress) return nothing;
+  const share = percent(store, progress.fraction).replace(/[.,]\d/, '');
+  const label = store.text('working', { stage: store.text(`stage-${progress.stage}`), percent: share });
+  return html`
+    <div class="progress">
+      <progress max="1" .value=${progress.fraction} aria-label=${label}></progress>
+      <span class="progress-text">${label}</span>
+      <button class="button cancel" type="button" @click=${cancel}>${icon('close')}${store.text('cancel')}</button>
+    </div>
+  `;
+}

@@ -1,0 +1,7 @@
+/** The panel, on demand: nothing of it is fetched before. cdn.js has load-panel.cdn.ts in this file's place. */
+
+import type * as Panel from './panel.ts';
+
+export function loadPanel(): Promise<typeof Panel> {
+  return import('./panel.ts');
+}

@@ -1,0 +1,5 @@
+/** A style sheet as text, with what it imports (scripts/web.mjs). */
+declare module '*.css' {
+  const css: string;
+  export default css;
+}
