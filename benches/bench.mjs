@@ -2,6 +2,7 @@
 //
 //   npm run bench -- --json      one JSON object on stdout (npm's own two lines go away with npm run -s)
 //   npm run bench -- --browser   the same in a worker of Chromium instead of Node
+//   npm run bench -- --embed     what an embed makes its visitors wait for, in Chromium
 //   npm run bench -- --rounds 9  fewer runs of each than the usual 15; medians are of these
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -15,7 +16,13 @@ import { report } from './report.mjs';
 const FIG1 = ['rocks', 'full', 'literal', 'npmRocks', 'npm', 'shapeEdit', 'selectEdit'];
 
 await main(async () => {
-  const { json, browser, rounds } = readArguments();
+  const { json, browser, embed, rounds } = readArguments();
+  if (embed) {
+    const { measureEmbed, reportEmbed } = await import('./embed.mjs');
+    const measured = await measureEmbed(rounds);
+    console.log(json ? JSON.stringify(measured) : reportEmbed(measured, rounds));
+    return;
+  }
   await buildBench();
   const measured = await (browser ? measureInBrowser(rounds) : measureInNode(rounds));
   const sizes = await measureSizes();
@@ -26,7 +33,7 @@ await main(async () => {
 function readArguments() {
   let values;
   try {
-    const options = { json: { type: 'boolean' }, browser: { type: 'boolean' }, rounds: { type: 'string', default: '15' } };
+    const options = { json: { type: 'boolean' }, browser: { type: 'boolean' }, embed: { type: 'boolean' }, rounds: { type: 'string', default: '15' } };
     ({ values } = parseArgs({ options }));
   } catch (error) {
     throw new Failure(error.message);

@@ -35,7 +35,8 @@ async function artefact(name) {
   return brotli(readFileSync(path.join(pkg, `${name}_bg.wasm`))) + brotli(Buffer.from(glue.code));
 }
 
-function brotli(bytes) {
+/** Bytes as a web server would send them. */
+export function brotli(bytes) {
   const { BROTLI_PARAM_QUALITY, BROTLI_PARAM_SIZE_HINT } = constants;
   return brotliCompressSync(bytes, { params: { [BROTLI_PARAM_QUALITY]: 11, [BROTLI_PARAM_SIZE_HINT]: bytes.length } }).length;
 }
