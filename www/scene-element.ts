@@ -3,7 +3,7 @@
  *
  * Nothing is loaded before the element stands in a document, and nothing is drawn unless something changed and it can be seen.
  * Moving the element costs nothing: it is torn down only when it has been out of the document for `IDLE_TIMEOUT_MS`.
- * What is loaded lives for one *cycle*, from `open` to `close`; a cycle's number is compared after every await.
+ * What is loaded lives for one *cycle*, from `open` to `close`.
  */
 
 import type { ErrorInfo } from './errors.ts';
@@ -15,7 +15,8 @@ import type { Field } from './field.ts';
 import { OrbitControls } from './orbit-controls.ts';
 import { pictureSize, takePicture } from './picture.ts';
 import type { PictureOptions } from './picture.ts';
-import { loadRenderer } from './renderer/load.ts';
+import { errorText, RendererKeeper } from './renderer-keeper.ts';
+import type { WantedBackend } from './renderer/load.ts';
 import type { Backend, CameraState, ColorMode, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
 import { SceneCamera } from './scene-camera.ts';
 import { SceneTree } from './scene-tree.ts';
@@ -26,10 +27,6 @@ export type Theme = 'auto' | 'light' | 'dark';
 
 /** How long an element may be out of the document before its worker, device and buffers go. */
 export const IDLE_TIMEOUT_MS = 1000;
-
-/** So many losses within so short a time are no accident: the plan is drawn without the GPU then. */
-const MAX_LOSSES = 3;
-const LOSS_WINDOW_MS = 30_000;
 
 /** What zooms with the wheel, as it is called there. */
 const MODIFIER = /mac/i.test(globalThis.navigator?.platform ?? '') ? '⌘' : 'Ctrl';
@@ -54,10 +51,6 @@ const WORDS = {
 /** On a server there is no HTMLElement; importing must be silent there, and nobody makes an element. */
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
 
-function errorText(thrown: unknown): string {
-  return thrown instanceof Error ? thrown.message : String(thrown);
-}
-
 function prefersStillness(): boolean {
   return matchMedia('(prefers-reduced-motion: reduce)').matches;
 }
@@ -80,7 +73,6 @@ function prefersStillness(): boolean {
 export abstract class SceneElement extends Base {
   #tree!: SceneTree;
 
-  #cycle = 0;
   #isOpen = false;
   #isStarted = false;
   #closing: ReturnType<typeof setTimeout> | undefined;
@@ -89,9 +81,13 @@ export abstract class SceneElement extends Base {
   #controls: OrbitControls | undefined;
   #readiness!: { promise: Promise<void>; resolve: () => void };
 
-  #renderer: SceneRenderer | undefined;
-  #losses: number[] = [];
-  #restoring = false;
+  #kept = new RendererKeeper({
+    wantedBackend: () => this.#wantedBackend(),
+    makeCanvas: () => this.#makeCanvas(),
+    fill: (renderer) => this.#fill(renderer),
+    opened: (renderer) => this.#onRenderer(renderer),
+    report: (error) => this.report(error),
+  });
   #painted = false;
 
   #field: Field | null = null;
@@ -138,7 +134,7 @@ export abstract class SceneElement extends Base {
 
   /** What draws the picture; null before it is known. */
   get backend(): Backend | null {
-    return this.#renderer?.backend ?? null;
+    return this.#kept.renderer?.backend ?? null;
   }
 
   get theme(): Theme {
@@ -195,7 +191,7 @@ export abstract class SceneElement extends Base {
    */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     await this.ready;
-    const renderer = this.#renderer;
+    const renderer = this.#kept.renderer;
     if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
     const size = pictureSize(options, this.#size.pixels);
     const blob = takePicture(renderer, size, this.#camera.forAspect(size[0] / size[1]), options);
@@ -224,7 +220,7 @@ export abstract class SceneElement extends Base {
   /** Shows a field. False when the renderer refused it: that is reported, and the old one stays on screen. */
   protected showField(field: Field): boolean {
     try {
-      this.#renderer?.setField(field);
+      this.#kept.renderer?.setField(field);
     } catch (thrown) {
       this.report({ name: 'RendererFailed', message: `the field could not be shown: ${errorText(thrown)}` });
       return false;
@@ -293,7 +289,6 @@ export abstract class SceneElement extends Base {
       return;
     }
     this.#isOpen = true;
-    this.#cycle += 1;
     this.#listen();
     this.#tree.setLanguage(WORDS.role[this.language], WORDS.label[this.language]);
     this.readManners();
@@ -304,7 +299,7 @@ export abstract class SceneElement extends Base {
   protected start(): void {
     if (this.#isStarted || !this.#isOpen) return;
     this.#isStarted = true;
-    void this.#openRenderer(this.#cycle);
+    this.#kept.open();
     this.opened();
   }
 
@@ -316,15 +311,10 @@ export abstract class SceneElement extends Base {
 
   #close(): void {
     this.#isOpen = false;
-    this.#cycle += 1;
     this.#listening?.abort();
     this.#controls?.dispose();
     this.#controls = undefined;
-    this.#renderer?.dispose();
-    this.#renderer?.canvas.remove();
-    this.#renderer = undefined;
-    this.#losses = [];
-    this.#restoring = false;
+    this.#kept.close();
     this.#camera.stay();
     this.#visibility = undefined;
     this.#size = undefined;
@@ -375,38 +365,21 @@ export abstract class SceneElement extends Base {
 
   // The renderer.
 
-  async #openRenderer(cycle: number, backend = this.#wantedBackend()): Promise<boolean> {
-    let renderer: SceneRenderer;
-    try {
-      renderer = await loadRenderer(() => this.#makeCanvas(), backend);
-    } catch (thrown) {
-      if (cycle === this.#cycle) this.report({ name: 'NoRenderer', message: errorText(thrown) });
-      return false;
-    }
-    if (cycle !== this.#cycle) {
-      renderer.dispose();
-      return false;
-    }
-    try {
-      renderer.setStyle(this.#style);
-      if (this.#field) renderer.setField(this.#field);
-    } catch (thrown) {
-      renderer.dispose();
-      this.report({ name: 'RendererFailed', message: `the picture could not be made: ${errorText(thrown)}` });
-      return false;
-    }
-    this.#renderer = renderer;
-    void renderer.lost.then((reason) => this.#onLost(renderer, reason));
+  #fill(renderer: SceneRenderer): void {
+    renderer.setStyle(this.#style);
+    if (this.#field) renderer.setField(this.#field);
+  }
+
+  #onRenderer(renderer: SceneRenderer): void {
     this.#tree.stage.replaceChildren(renderer.canvas);
     const isMakeshift = renderer.backend === 'canvas2d' && this.#wantedBackend() === 'auto';
     this.#tree.messages.setStanding(isMakeshift ? WORDS.noGpu[this.language] : '');
     this.#size?.measure();
     this.#clearError();
     this.invalidate();
-    return true;
   }
 
-  #wantedBackend(): 'auto' | Backend {
+  #wantedBackend(): WantedBackend {
     const wanted = this.getAttribute('backend');
     return wanted === 'webgpu' || wanted === 'webgl' || wanted === 'canvas2d' || wanted === 'null' ? wanted : 'auto';
   }
@@ -418,26 +391,10 @@ export abstract class SceneElement extends Base {
     return canvas;
   }
 
-  /** The device or context is gone: a new canvas and renderer, the same field, the same camera. */
-  async #onLost(renderer: SceneRenderer, reason: string): Promise<void> {
-    if (this.#renderer !== renderer) return;
-    const cycle = this.#cycle;
-    this.#renderer = undefined;
-    renderer.dispose();
-    const now = performance.now();
-    this.#losses = [...this.#losses.filter((time) => now - time < LOSS_WINDOW_MS), now];
-    const givenUp = this.#losses.length > MAX_LOSSES;
-    this.#restoring = true;
-    // The old canvas keeps its last picture on the screen until the new one is put in its place.
-    const opened = await this.#openRenderer(cycle, givenUp ? 'canvas2d' : this.#wantedBackend());
-    if (!opened || cycle !== this.#cycle) return;
-    if (givenUp) this.report({ name: 'DeviceLost', message: `the graphics device was lost ${this.#losses.length} times: ${reason}` });
-  }
-
   // Size, visibility, frames.
 
   #resized(): void {
-    if (this.#size) this.#renderer?.resize(...this.#size.pixels);
+    if (this.#size) this.#kept.renderer?.resize(...this.#size.pixels);
     this.#dirty = true;
     // A canvas is blank after a change of size: in this very frame there has to be a picture again.
     if (this.#canDraw()) this.#draw();
@@ -465,21 +422,13 @@ export abstract class SceneElement extends Base {
   }
 
   #draw(): void {
-    const renderer = this.#renderer;
-    if (!renderer) return;
     this.#dirty = false;
-    try {
+    const outcome = this.#kept.draw((renderer) => {
       renderer.setCamera(this.camera);
       renderer.render();
-    } catch (thrown) {
-      // A renderer that throws is as good as lost.
-      void this.#onLost(renderer, errorText(thrown));
-      return;
-    }
-    if (this.#restoring) {
-      this.#restoring = false;
-      this.emit('restored');
-    }
+    });
+    if (outcome === 'nothing') return;
+    if (outcome === 'restored') this.emit('restored');
     if (!this.#painted) {
       this.#painted = true;
       this.#tree.hidePoster();
@@ -496,7 +445,7 @@ export abstract class SceneElement extends Base {
   #restyle(change: Partial<SceneStyle>): void {
     this.#style = { ...this.#style, ...change };
     try {
-      this.#renderer?.setStyle(this.#style);
+      this.#kept.renderer?.setStyle(this.#style);
     } catch (thrown) {
       this.report({ name: 'RendererFailed', message: `the view could not be shown: ${errorText(thrown)}` });
     }
@@ -504,7 +453,7 @@ export abstract class SceneElement extends Base {
   }
 
   #hasPicture(): boolean {
-    return this.#field !== null && this.#renderer !== undefined;
+    return this.#field !== null && this.#kept.renderer !== undefined;
   }
 
   #clearError(): void {
