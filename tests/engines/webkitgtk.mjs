@@ -3,10 +3,16 @@ import { freePort, start, until } from './processes.mjs';
 
 const START_MS = 60_000;
 
+/**
+ * 2D painting by the processor; WebGL stays as it is. With WebKitGTK 2.50 the web process ends now and then, whatever the page, while Skia
+ * compiles its GPU shaders: `Unable to load module sksl_gpu`, `integer is too large: 0`.
+ */
+const SKIA_BY_CPU = { WEBKIT_SKIA_ENABLE_CPU_RENDERING: '1' };
+
 /** See `engines.mjs` for what an engine offers. */
 export async function openWebKitGtk(program, { env, timeoutMs }) {
   const port = await freePort();
-  const driver = start(program, [`--port=${port}`], { env });
+  const driver = start(program, [`--port=${port}`], { env: { ...env, ...SKIA_BY_CPU } });
   const send = async (method, address, body) => {
     const response = await fetch(`http://127.0.0.1:${port}${address}`, { method, body: body && JSON.stringify(body), signal: AbortSignal.timeout(2 * timeoutMs) });
     const { value } = await response.json();
