@@ -64,17 +64,17 @@ const ARTEFACTS = {
 } as const satisfies Record<GpuBackend, { load: () => Promise<unknown>; wasm: () => URL }>;
 
 const modules = new Map<GpuBackend, Promise<RendererModule>>();
-/** Instances that trapped: their memory cannot be trusted and a module has only one. */
-const trapped = new Set<GpuBackend>();
+/** Instances that trapped, and how: their memory cannot be trusted and a module has only one. */
+const trapped = new Map<GpuBackend, string>();
 
-export function markTrapped(backend: GpuBackend): void {
-  trapped.add(backend);
+export function markTrapped(backend: GpuBackend, { message }: Error): void {
+  trapped.set(backend, message);
 }
 
 /** The module with its wasm instantiated, once per page; a failed attempt is not remembered. */
 export function loadArtefact(backend: GpuBackend): Promise<RendererModule> {
   if (trapped.has(backend)) {
-    return Promise.reject(new Error('its wasm stopped earlier on this page; reload to try again'));
+    return Promise.reject(new Error(`its wasm stopped earlier on this page (${trapped.get(backend)}); reload to try again`));
   }
   let module = modules.get(backend);
   if (!module) {

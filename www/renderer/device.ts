@@ -67,7 +67,7 @@ export class SharedDevice {
       call();
     } catch (error) {
       if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-      markTrapped(this.backend);
+      markTrapped(this.backend, error);
       this.#trapped = true;
       this.lose(`the renderer stopped: ${error.message}`);
     }
@@ -125,7 +125,7 @@ async function openDevice(backend: GpuBackend, forget: () => void): Promise<Shar
     const raw = await module.Device.create(canvas, lose);
     device = new SharedDevice(backend, module, raw, backend === 'webgl' ? canvas : null, forget);
   } catch (error) {
-    if (error instanceof WebAssembly.RuntimeError) markTrapped(backend);
+    if (error instanceof WebAssembly.RuntimeError) markTrapped(backend, error);
     throw error;
   }
   if (lostEarly !== undefined) throw new Error(lostEarly);
