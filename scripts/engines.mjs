@@ -31,30 +31,13 @@ export async function check(names = []) {
   const found = { pictures: [], problems: [], skipped: [] };
   try {
     // One after the other: the software GPU takes every core.
-    for (const engine of chosen) {
-      const own = await attempted(engine, server.url);
-      for (const key of Object.keys(found)) found[key].push(...own[key]);
-    }
+    for (const engine of chosen) await attempt(engine, server.url, found);
   } finally {
     await server.close();
   }
   const problems = [...found.problems, ...(await compare(found.pictures))];
   if (problems.length > 0) throw new Failure(problems.join('\n  '));
   return found.skipped.join('; ');
-}
-
-/**
- * What one engine shows. WebKitGTK 2.50 is begun anew once: about every tenth time its process, with software GL, ends in its own shader
- * compiler or in the middle of our wasm. It is said when that happens, and what fails twice has failed.
- */
-async function attempted(engine, url) {
-  const tries = engine.browser === 'webkitgtk' ? 2 : 1;
-  for (let count = 1; ; count += 1) {
-    const found = { pictures: [], problems: [], skipped: [] };
-    await attempt(engine, url, found);
-    if (found.problems.length === 0 || count === tries) return found;
-    say(`  ! ${engine.name} is begun anew, once`);
-  }
 }
 
 /** Adds an engine's pictures, what went wrong, or why it was left out, to what was found. */
