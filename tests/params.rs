@@ -75,7 +75,10 @@ fn typescript_table() -> String {
         writeln!(out, "  }},").unwrap();
     }
     out.push_str("] as const satisfies readonly ParamSpec[];\n\n");
-    out.push_str("/** Table 1 of both papers: rows of r, A_s, c_w1, c_w2, c_w3, c_h1, c_h2, c_h3. The first is the default. */\n");
+    out.push_str(
+        "/** Table 1 of both papers, then natural grounds. A row per layer, in the order of the layer's rows without the count; a\n \
+         * choice is the index of its word. The first is the default. */\n",
+    );
     out.push_str("export const PRESETS = [\n");
     for preset in PRESETS {
         let notation = if preset.notation == Notation::Px { "px" } else { "relative" };
@@ -84,11 +87,28 @@ fn typescript_table() -> String {
             .iter()
             .map(|row| format!("[{}]", row.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", ")))
             .collect();
-        writeln!(out, "  {{ name: '{}', notation: '{notation}', layers: [{}] }},", preset.name, rows.join(", "))
-            .unwrap();
+        let fields: Vec<String> =
+            preset.fields.iter().map(|&(key, value)| format!("{key}: {}", field(key, value))).collect();
+        let natural = if preset.natural { ", natural: true" } else { "" };
+        let fields = if fields.is_empty() { String::new() } else { format!(", fields: {{ {} }}", fields.join(", ")) };
+        writeln!(
+            out,
+            "  {{ name: '{}'{natural}, notation: '{notation}'{fields}, layers: [{}] }},",
+            preset.name,
+            rows.join(", ")
+        )
+        .unwrap();
     }
     out.push_str("] as const satisfies readonly Preset[];\n");
     out
+}
+
+/// A value of a field's parameter as code writes it.
+fn field(key: &str, value: f64) -> String {
+    match PARAMS.iter().find(|spec| spec.key == key).unwrap().kind {
+        Kind::Choice(words) => json(words[value as usize]),
+        _ => number(value),
+    }
 }
 
 fn assert_generated(path: &str, content: &str) {
@@ -183,7 +203,22 @@ fn presets_are_table_1_of_both_papers() {
             count += 1;
         }
     }
-    assert_eq!(count, PRESETS.len());
+    assert_eq!(count, PRESETS.iter().filter(|preset| !preset.natural).count());
+    assert!(PRESETS.iter().skip(count).all(|preset| preset.natural), "the papers come first");
+}
+
+#[test]
+fn every_preset_names_known_parameters_and_is_legal() {
+    for preset in PRESETS {
+        for (key, _) in preset.fields {
+            assert!(PARAMS.iter().any(|spec| spec.key == *key && matches!(spec.scope, Scope::Field(..))), "{key}");
+        }
+        let columns = PARAMS.iter().filter(|spec| spec.is_column()).count();
+        for row in preset.layers {
+            assert_eq!(row.len(), if preset.natural { columns } else { 8 }, "{}", preset.name);
+        }
+        preset.params().validate().unwrap();
+    }
 }
 
 #[test]

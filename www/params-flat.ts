@@ -7,7 +7,7 @@
 import { RockFieldError } from './errors.ts';
 import type { FlatRequest } from './generator/protocol.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from './params.ts';
-import type { Bounds, Layer, Notation, Params, ParamSpec, PresetName } from './params.ts';
+import type { Bounds, Layer, Notation, Params, ParamSpec, Preset, PresetName } from './params.ts';
 
 /** What code may ask for: a preset fills everything, each key given then replaces it, `layers` replaces the whole list. */
 export type FieldRequest = { preset?: PresetName | undefined } & { [K in Exclude<keyof Params, 'layers'>]?: Params[K] | undefined } & {
@@ -64,13 +64,17 @@ export function presetParams(name: string): Params {
     throw new RockFieldError({ name: 'UnknownPreset', key: 'preset', value: name, message: `there is no preset called ${quote(name)}` });
   }
   const params = {} as Params;
-  for (const spec of FIELD_ROWS) writeValue(params, spec, defaultOf(spec, preset.notation));
+  const fields: Preset['fields'] = 'fields' in preset ? preset.fields : {};
+  for (const spec of FIELD_ROWS) writeValue(params, spec, fields[spec.key] ?? defaultOf(spec, preset.notation));
   params.notation = preset.notation;
-  // Table 1 has no column for the count.
+  // There is no column for the count.
   const columns = LAYER_ROWS.filter((spec) => spec.kind !== 'optional-integer');
   params.layers = preset.layers.map((row, id) => {
     const layer = defaultLayer(id, preset.notation);
-    columns.forEach((spec, column) => writeValue(layer, spec, row[column]));
+    columns.forEach((spec, column) => {
+      const value = row[column];
+      if (value !== undefined) writeValue(layer, spec, spec.kind === 'choice' ? spec.choices[value]?.value : value);
+    });
     return layer;
   });
   return params;

@@ -7,6 +7,8 @@ export { MAX_LAYERS, PARAMS, PRESETS };
 export type Language = 'en' | 'ja';
 export type Words = Record<Language, string>;
 export type Notation = 'px' | 'relative';
+export type Material = 'mixed' | 'granite' | 'basalt' | 'sandstone' | 'limestone' | 'slate';
+export type Ground = 'soil' | 'sand' | 'gravel';
 /** base, per rock, per vertex */
 export type Triple = [number, number, number];
 
@@ -26,8 +28,8 @@ export interface ParamSpec extends Bounds {
   url: string;
   scope: 'field' | 'layer';
   kind: 'real' | 'integer' | 'optional-integer' | 'choice';
-  /** First stage an edit re-runs. */
-  stage: 'sites' | 'cells' | 'selection' | 'shape' | 'mesh';
+  /** First stage an edit re-runs; `look` re-runs none and is drawn at once. */
+  stage: 'sites' | 'cells' | 'selection' | 'shape' | 'mesh' | 'look';
   /** Bounds in the conference's notation where they differ. */
   relative: Bounds | null;
   unit: Record<Notation, string>;
@@ -36,10 +38,14 @@ export interface ParamSpec extends Bounds {
   choices: readonly { value: string; label: Words }[];
 }
 
-/** Table 1 of the papers: one row per layer of r, A_s, c_w1..3, c_h1..3. */
+/** One row per layer: r, A_s, c_w1..3, c_h1..3, and for natural grounds weathering, roughness, detail, embedding, material. */
 export interface Preset {
   name: string;
+  /** A ground as it is found, shown in natural colours; absent for the papers'. */
+  natural?: true;
   notation: Notation;
+  /** Parameters of the field; the rest have the table's defaults. */
+  fields?: Readonly<Record<string, number | string>>;
   layers: readonly (readonly number[])[];
 }
 
@@ -53,6 +59,11 @@ export interface Layer {
   cellCount: number | null;
   taper: Triple;
   height: Triple;
+  weathering: number;
+  roughness: number;
+  detail: number;
+  embedding: number;
+  material: Material;
 }
 
 export interface Params {
@@ -64,5 +75,12 @@ export interface Params {
   darts: 'saturate' | 'attempts';
   border: 'clip' | 'drop';
   swing: 'shared' | 'separate';
+  variation: number;
+  wetness: number;
+  moss: number;
+  dust: number;
+  ground: Ground;
+  sunAzimuth: number;
+  sunElevation: number;
   layers: Layer[];
 }

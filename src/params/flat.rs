@@ -44,17 +44,7 @@ impl Params {
             return Err(malformed(expected));
         }
 
-        let mut params = Params {
-            seed: 0,
-            image_width: 1,
-            image_height: 1,
-            packing: 0.0,
-            notation: Notation::Px,
-            darts: Default::default(),
-            border: Default::default(),
-            swing: Default::default(),
-            layers: Vec::with_capacity(layer_count),
-        };
+        let mut params = Params { layers: Vec::with_capacity(layer_count), ..Params::EMPTY };
         let field_specs = PARAMS.iter().filter(|spec| matches!(spec.scope, Scope::Field(..)));
         for (spec, &value) in field_specs.zip(flat) {
             if let Scope::Field(_, set) = spec.scope {

@@ -55,6 +55,55 @@ pub enum Swing {
     Separate,
 }
 
+/// What a layer's rocks are made of; only how they are drawn depends on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Material {
+    /// Every rock its own: what a river carries together.
+    #[default]
+    Mixed,
+    /// Interlocking grains of three minerals.
+    Granite,
+    /// Dark, fine, a little porous.
+    Basalt,
+    /// Bedded, each rock tilted its own way.
+    Sandstone,
+    /// Pale and smooth.
+    Limestone,
+    /// Blue-grey, thinly cleaved.
+    Slate,
+}
+
+/// What lies between and around the rocks; only the picture depends on it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Ground {
+    /// Dark crumbs of earth.
+    #[default]
+    Soil,
+    /// Pale fine grains.
+    Sand,
+    /// Pebbles too small to be rocks of their own.
+    Gravel,
+}
+
+/// How a field is lit and worn to the eye: drawn, never generated, and in no hash.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Look {
+    /// How far the rocks differ in colour and value, 0 … 1.
+    pub variation: f64,
+    /// 0 dry … 1 wet: darker and glossy.
+    pub wetness: f64,
+    /// Share of the moss that could grow, 0 … 1.
+    pub moss: f64,
+    /// Dust on what faces up, 0 … 1.
+    pub dust: f64,
+    /// Between and around the rocks.
+    pub ground: Ground,
+    /// Degrees, counted as the camera's azimuth: at 0 the sun stands towards −y, at 90 towards +x.
+    pub sun_azimuth: f64,
+    /// Degrees above the horizon.
+    pub sun_elevation: f64,
+}
+
 /// One layer, in the notation of its [`Params`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
@@ -70,6 +119,16 @@ pub struct Layer {
     pub taper: [f64; 3],
     /// c_h1, c_h2, c_h3 of Eq. 3.
     pub height: [f64; 3],
+    /// 0 the papers' mesh, 0.2 freshly broken stone … 1 rounded by a river.
+    pub weathering: f64,
+    /// Share of the noise that displaces the surface.
+    pub roughness: f64,
+    /// How often every triangle is cut into four.
+    pub detail: u32,
+    /// Share of a rock's height that lies below the ground.
+    pub embedding: f64,
+    /// What the rocks are made of.
+    pub material: Material,
 }
 
 /// Everything a field is a function of.
@@ -91,6 +150,8 @@ pub struct Params {
     pub border: Border,
     /// Shared or separate j1, j2.
     pub swing: Swing,
+    /// How the field is drawn.
+    pub look: Look,
     /// Layers in input order, at most [`MAX_LAYERS`].
     pub layers: Vec<Layer>,
 }
@@ -124,12 +185,5 @@ impl Params {
     /// The first parameter that is out of range, with its key, value and bounds.
     pub fn validate(&self) -> Result<(), Error> {
         Params::from_flat(&self.to_flat()).map(|_| ())
-    }
-}
-
-impl Default for Params {
-    /// Fig. 1 of the journal, seed 0.
-    fn default() -> Self {
-        PRESETS[0].params()
     }
 }

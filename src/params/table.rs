@@ -3,7 +3,7 @@
 //! The rows give rise to two constants, so that a wasm build which only checks bounds does not carry
 //! the texts: [`PARAMS`] (keys and bounds) and [`TEXTS`] (labels and documentation, same order).
 
-use super::{Border, Darts, Layer, Notation, Params, Swing};
+use super::{Border, Darts, Ground, Layer, Look, Material, Notation, Params, Swing};
 
 /// The step of the generator that an edit re-runs first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -16,8 +16,10 @@ pub enum Stage {
     Selection,
     /// p_add and their Delaunay triangulation (Fig. 10).
     Shape,
-    /// Displacement (Eqs 2, 3) and the buffers.
+    /// Displacement (Eqs 2, 3), wear and the buffers.
     Mesh,
+    /// None: only the picture changes.
+    Look,
 }
 
 /// Whether a parameter belongs to the field or to each of its layers.
@@ -146,6 +148,7 @@ macro_rules! table {
 const PX: [&str; 2] = ["px", "px"];
 const LENGTH: [&str; 2] = ["px", "width/100"];
 const HEIGHT: [&str; 2] = ["px", "r"];
+const DEGREES: [&str; 2] = ["°", "°"];
 const NONE: [&str; 2] = ["", ""];
 
 table! {
@@ -212,6 +215,57 @@ table! {
         en "Taper and height share their random numbers (wide rocks are the tall ones), or draw their own.",
         ja "幅と高さで同じ乱数を使う（幅広の岩ほど高い）か、別々の乱数を使うか。",
         choices &[["Shared", "共有"], ["Separate", "別々"]]
+    }
+    {
+        "variation", url "var", Scope::Field(|p| p.look.variation, |p, v| p.look.variation = v), Kind::Real, Look,
+        range [0.0, 1.0] step 0.01 default 0.5, slider [0.0, 1.0] linear,
+        unit NONE, label ["Variation", "ばらつき"],
+        en "How far the rocks differ from each other in colour and value, in natural colours.",
+        ja "自然な配色での、岩ごとの色と明るさの違いの大きさ。"
+    }
+    {
+        "wetness", url "wet", Scope::Field(|p| p.look.wetness, |p, v| p.look.wetness = v), Kind::Real, Look,
+        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Wetness", "濡れ"],
+        en "Wet stone is darker and glossy.",
+        ja "濡れた石は暗く、つやが出ます。"
+    }
+    {
+        "moss", url "moss", Scope::Field(|p| p.look.moss, |p, v| p.look.moss = v), Kind::Real, Look,
+        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Moss", "苔"],
+        en "Moss grows in patches, where the rocks are low and face up.",
+        ja "低い所や上を向いた面に、まだらに苔が生えます。"
+    }
+    {
+        "dust", url "dust", Scope::Field(|p| p.look.dust, |p, v| p.look.dust = v), Kind::Real, Look,
+        range [0.0, 1.0] step 0.01 default 0.2, slider [0.0, 1.0] linear,
+        unit NONE, label ["Dust", "砂ぼこり"],
+        en "Dust of the ground lies low on the rocks and on what faces up.",
+        ja "岩の低い所と上を向いた面に、地面の砂ぼこりが積もります。"
+    }
+    {
+        "ground", url "soil", Scope::Field(|p| p.look.ground as u8 as f64, |p, v| p.look.ground = Ground::ALL.get(v as usize).copied().unwrap_or_default()),
+        Kind::Choice(&["soil", "sand", "gravel"]), Look,
+        range [0.0, 2.0] step 1.0 default 0.0, slider [0.0, 2.0] linear,
+        unit NONE, label ["Ground", "地面"],
+        en "What lies between and around the rocks, in natural colours.",
+        ja "自然な配色での、岩の間とまわりの地面。",
+        choices &[["Soil", "土"], ["Sand", "砂"], ["Gravel", "砂利"]]
+    }
+    {
+        "sunAzimuth", url "sa", Scope::Field(|p| p.look.sun_azimuth, |p, v| p.look.sun_azimuth = v), Kind::Real, Look,
+        range [0.0, 360.0] step 1.0 default 259.0, slider [0.0, 360.0] linear,
+        unit DEGREES, label ["Sun azimuth", "太陽の方位"],
+        en "Where the sun stands, counted like the camera's azimuth: at the same angle it is behind the viewer.",
+        ja "太陽の方位。カメラの方位角と同じ向きに数え、同じ角度なら見る人の背後にあります。"
+    }
+    {
+        "sunElevation", url "se", Scope::Field(|p| p.look.sun_elevation, |p, v| p.look.sun_elevation = v), Kind::Real, Look,
+        range [5.0, 90.0] step 1.0 default 35.0, slider [5.0, 90.0] linear,
+        unit DEGREES, label ["Sun elevation", "太陽の高さ"],
+        en "How high the sun stands; a low sun throws long shadows.",
+        ja "太陽の高さ。低いほど影が長くなります。"
     }
     {
         "radius", url "r", Scope::Layer(|l| l.radius, |l, v| l.radius = v), Kind::Real, Sites,
@@ -284,13 +338,116 @@ table! {
         en "Adds up to this much height, one random number per vertex: the top grows rugged.",
         ja "頂点ごとの乱数で、最大この値まで高さを加え、上面を起伏させます。"
     }
+    {
+        "weathering", url "we", Scope::Layer(|l| l.weathering, |l, v| l.weathering = v), Kind::Real, Mesh,
+        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Weathering", "風化"],
+        en "Off, the papers' facets; from 0.2, freshly broken stone, worn at its edges and corners first; at 1, rounded by a river.",
+        ja "0 は論文どおりの面。0.2 から割れたばかりの石となり、角や稜から先に摩耗して、1 で川の丸石になります。"
+    }
+    {
+        "roughness", url "ro", Scope::Layer(|l| l.roughness, |l, v| l.roughness = v), Kind::Real, Mesh,
+        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Roughness", "粗さ"],
+        en "Bumps of several sizes on the surface.",
+        ja "表面に大小の凹凸を加えます。"
+    }
+    {
+        "detail", url "de", Scope::Layer(|l| f64::from(l.detail), |l, v| l.detail = v as u32), Kind::Integer, Mesh,
+        range [0.0, 3.0] step 1.0 default 0.0, slider [0.0, 3.0] linear,
+        unit NONE, label ["Detail", "細かさ"],
+        en "How often every triangle is cut into four; weathering and roughness need some.",
+        ja "三角形を4分割する回数。風化と粗さの表現には分割が必要です。"
+    }
+    {
+        "embedding", url "em", Scope::Layer(|l| l.embedding, |l, v| l.embedding = v), Kind::Real, Mesh,
+        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Embedding", "埋まり"],
+        en "Share of a rock's height that lies below the ground.",
+        ja "岩の高さのうち、地面の下に埋まる割合。"
+    }
+    {
+        "material", url "mat", Scope::Layer(|l| l.material as u8 as f64, |l, v| l.material = Material::ALL.get(v as usize).copied().unwrap_or_default()),
+        Kind::Choice(&["mixed", "granite", "basalt", "sandstone", "limestone", "slate"]), Look,
+        range [0.0, 5.0] step 1.0 default 0.0, slider [0.0, 5.0] linear,
+        unit NONE, label ["Material", "石質"],
+        en "What the rocks are made of, in natural colours.",
+        ja "自然な配色での岩の種類。",
+        choices &[["Mixed", "混合"], ["Granite", "花崗岩"], ["Basalt", "玄武岩"], ["Sandstone", "砂岩"], ["Limestone", "石灰岩"], ["Slate", "粘板岩"]]
+    }
+}
+
+impl Material {
+    /// In the order of the table's words.
+    pub const ALL: [Material; 6] = [
+        Material::Mixed,
+        Material::Granite,
+        Material::Basalt,
+        Material::Sandstone,
+        Material::Limestone,
+        Material::Slate,
+    ];
+}
+
+impl Ground {
+    /// In the order of the table's words.
+    pub const ALL: [Ground; 3] = [Ground::Soil, Ground::Sand, Ground::Gravel];
+}
+
+impl Params {
+    /// What every value is set over.
+    pub(crate) const EMPTY: Params = Params {
+        seed: 0,
+        image_width: 1,
+        image_height: 1,
+        packing: 0.0,
+        notation: Notation::Px,
+        darts: Darts::Saturate,
+        border: Border::Clip,
+        swing: Swing::Shared,
+        look: Look {
+            variation: 0.0,
+            wetness: 0.0,
+            moss: 0.0,
+            dust: 0.0,
+            ground: Ground::Soil,
+            sun_azimuth: 0.0,
+            sun_elevation: 0.0,
+        },
+        layers: Vec::new(),
+    };
+
+    /// The table's defaults, and no layer.
+    pub fn with_defaults() -> Self {
+        let mut params = Params::EMPTY;
+        for spec in PARAMS {
+            if let Scope::Field(_, set) = spec.scope {
+                set(&mut params, spec.range.default);
+            }
+        }
+        params
+    }
 }
 
 impl Layer {
+    /// What every value is set over.
+    pub(crate) const EMPTY: Layer = Layer {
+        id: 0,
+        radius: 0.0,
+        area_fraction: 0.0,
+        cell_count: None,
+        taper: [0.0; 3],
+        height: [0.0; 3],
+        weathering: 0.0,
+        roughness: 0.0,
+        detail: 0,
+        embedding: 0.0,
+        material: Material::Mixed,
+    };
+
     /// A layer with the table's defaults for `notation`.
     pub fn with_defaults(id: u32, notation: Notation) -> Self {
-        let mut layer =
-            Layer { id, radius: 0.0, area_fraction: 0.0, cell_count: None, taper: [0.0; 3], height: [0.0; 3] };
+        let mut layer = Layer { id, ..Layer::EMPTY };
         for spec in PARAMS {
             if let Scope::Layer(_, set) = spec.scope {
                 set(&mut layer, spec.range(notation).default);
@@ -301,6 +458,11 @@ impl Layer {
 }
 
 impl ParamSpec {
+    /// Whether it has a column in the rows of the presets: every parameter of a layer but the count.
+    pub fn is_column(&self) -> bool {
+        matches!(self.scope, Scope::Layer(..)) && self.kind != Kind::OptionalInteger
+    }
+
     /// Bounds in a notation.
     pub fn range(&self, notation: Notation) -> Range {
         match (notation, self.relative) {

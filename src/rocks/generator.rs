@@ -154,7 +154,7 @@ impl Generator {
     /// The layers' results in input order. Complete once [`Generator::step`] has returned true.
     pub fn layers(&self) -> impl ExactSizeIterator<Item = LayerView<'_>> {
         self.layers.iter().map(|cache| LayerView {
-            layer: cache.layer.as_ref().unwrap_or(&NO_LAYER),
+            layer: cache.layer.as_ref().unwrap_or(&Layer::EMPTY),
             sites: &cache.sites.value,
             cells: &cache.cells.value,
             selection: &cache.selection.value,
@@ -381,7 +381,3 @@ fn read_ahead<'a>(rocks: impl Iterator<Item = (&'a [DVec2], &'a [DVec2], &'a [[u
     });
     core::hint::black_box(touched);
 }
-
-/// Stands in for a layer before the first run.
-const NO_LAYER: Layer =
-    Layer { id: 0, radius: 0.0, area_fraction: 0.0, cell_count: None, taper: [0.0; 3], height: [0.0; 3] };

@@ -217,5 +217,6 @@ pub fn random_layer(random: &mut Random, params: &Params, id: u32) -> Layer {
         cell_count,
         taper: [(); 3].map(|()| random.between(-reach, reach)),
         height: [(); 3].map(|()| random.between(0.0, top)),
+        ..Layer::with_defaults(id, Notation::Px)
     }
 }

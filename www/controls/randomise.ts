@@ -1,6 +1,6 @@
 /** Fields worth looking at, drawn by lot: one to four sizes of rock, the largest few and tall, the smallest many. */
 
-import { clampParams, presetParams } from '../params-flat.ts';
+import { clampParams, defaultLayer, presetParams } from '../params-flat.ts';
 import type { Layer, Params, Triple } from '../params.ts';
 
 /** Side of the image that the sizes below are meant for, px; other images scale them, so the number of rocks stays bounded. */
@@ -30,7 +30,7 @@ export function randomParams(params: Params, seed: number): Params {
     const taper: Triple = [length(overhang * r), length(between(0, 0.15) * r), length(between(0, 0.12) * r)];
     const heights: Triple = [height(steepness * between(0.3, 0.7)), height(steepness * between(0, 0.6)), height(steepness * between(0.1, 0.4))];
     const areaFraction = rounded(isFinest ? between(0.35, 0.6) : between(0.1, 0.3));
-    layers.push({ id, radius: length(r), areaFraction, cellCount: null, taper, height: heights });
+    layers.push({ ...defaultLayer(id, notation), radius: length(r), areaFraction, taper, height: heights });
     radius /= between(2.2, 3.8);
   }
   const { packing, darts, border, swing } = presetParams('journal-fig1');
