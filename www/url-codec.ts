@@ -111,13 +111,9 @@ export function decodeLink(text: string): DecodedLink {
 function readParams(reader: Reader, preset: Params): Params {
   const params = { ...preset };
   // Choices first: the notation decides the bounds of the numbers.
-  for (const spec of FIELD_ROWS.filter(({ kind }) => kind === 'choice')) {
-    const words = spec.choices.map(({ value }) => value);
-    writeValue(params, spec, reader.choice(spec.url, words, String(readValue(preset, spec))));
-  }
-  for (const spec of FIELD_ROWS.filter(({ kind }) => kind !== 'choice')) {
+  for (const spec of [...FIELD_ROWS.filter(({ kind }) => kind === 'choice'), ...FIELD_ROWS.filter(({ kind }) => kind !== 'choice')]) {
     const given = reader.take(spec.url);
-    if (given !== undefined) writeValue(params, spec, reader.number(spec, params.notation, given, readValue(preset, spec)));
+    if (given !== undefined) writeValue(params, spec, reader.value(spec, params.notation, given, readValue(preset, spec)));
   }
   params.layers = readLayers(reader, preset, params.notation);
   return params;
@@ -144,9 +140,7 @@ function readLayers(reader: Reader, preset: Params, notation: Notation): Layer[]
     const layer = { ...baseLayer(preset, index, notation), id: ids?.[index] ?? index };
     for (const spec of LAYER_ROWS) {
       const given = lists.get(spec.url)?.[index];
-      if (given === undefined) continue;
-      const isNone = spec.kind === 'optional-integer' && given.trim() === NONE;
-      writeValue(layer, spec, isNone ? null : reader.number(spec, notation, given, readValue(layer, spec)));
+      if (given !== undefined) writeValue(layer, spec, reader.value(spec, notation, given, readValue(layer, spec)));
     }
     return layer;
   });
@@ -218,8 +212,15 @@ class Reader {
     return found ?? fallback;
   }
 
-  number(spec: ParamSpec, notation: Notation, given: string, fallback: unknown): unknown {
+  /** What stands in one place of a row: a word, a number, or a hyphen for none. */
+  value(spec: ParamSpec, notation: Notation, given: string, fallback: unknown): unknown {
     const item = given.trim();
+    if (spec.kind === 'choice') {
+      if (spec.choices.some(({ value }) => value === item)) return item;
+      this.note('unknown-choice', spec.url, given, String(fallback));
+      return fallback;
+    }
+    if (spec.kind === 'optional-integer' && item === NONE) return null;
     if (!NUMBER.test(item)) {
       this.note('not-a-number', spec.url, given, fallback === null ? '' : String(fallback));
       return fallback;

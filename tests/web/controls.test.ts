@@ -96,6 +96,15 @@ test('random fields are legal, and bounded in number', () => {
   }
 });
 
+test('a random field keeps the wear and the look of what it was drawn from', () => {
+  for (let seed = 0; seed < 50; seed += 1) {
+    const base = presetParams('lava-field');
+    const { layers, ...field } = randomParams(base, seed);
+    assert.deepEqual([field.border, field.ground, field.sunElevation], [base.border, base.ground, base.sunElevation]);
+    for (const { material, weathering, cellCount } of layers) assert.deepEqual([material, weathering, cellCount], ['basalt', 0.35, null]);
+  }
+});
+
 test('layers come and go, with ids that are never taken over', () => {
   const page = store();
   page.removeLayer(1);

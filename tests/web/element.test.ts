@@ -106,6 +106,14 @@ test('every row of the table has an attribute, which replaces what the preset sa
   assert.equal(read({ radius: '1 2 3 4' }).params.layers.length, 4);
 });
 
+test('a choice of a layer is a list of words; a word that is none is the preset\'s, with one notice that names it', () => {
+  const materials = (given: Record<string, string>) => read(given).params.layers.map(({ material }) => material);
+  assert.deepEqual(materials({ material: 'granite slate, basalt' }), ['granite', 'slate', 'basalt']);
+  assert.deepEqual(materials({ material: 'granite Slate x', preset: 'lava-field' }), ['granite', 'basalt', 'basalt']);
+  assert.deepEqual(read({ material: 'granite Slate x' }).notices.map(({ attribute }) => attribute), ['material']);
+  assert.deepEqual(read({ material: '' }).params.layers, []);
+});
+
 test('a list of another length than the first is left out, with one notice that names it', () => {
   const { params, notices } = read({ radius: '50 20', 'area-fraction': '0.1 0.2 0.3' });
   assert.deepEqual(params.layers.map(({ radius, areaFraction }) => [radius, areaFraction]), defaultParams().layers.slice(0, 2).map(({ areaFraction }, k) => [[50, 20][k], areaFraction]));

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { MAX_LAYERS, PRESETS } from '../../www/params.ts';
 import type { Params, ParamSpec, PresetName } from '../../www/params.ts';
-import { FIELD_ROWS, LAYER_ROWS, boundsOf, defaultLayer, defaultParams, presetParams, resolveParams, writeValue } from '../../www/params-flat.ts';
+import { FIELD_ROWS, LAYER_ROWS, boundsOf, defaultLayer, defaultParams, presetParams, readValue, resolveParams, writeValue } from '../../www/params-flat.ts';
 import { COLORS, MAX_LINK_LENGTH, VIEWS, decodeLink, encodeLink } from '../../www/url-codec.ts';
 import type { NoticeCode } from '../../www/url-codec.ts';
 
@@ -56,6 +56,19 @@ for (const spec of LAYER_ROWS) {
       }
     }
   });
+
+  if (spec.kind === 'choice') {
+    test(`${spec.url}: what is no word of it is the preset's, with one notice that names it`, () => {
+      const words = spec.choices.map(({ value }) => value);
+      const last = words.at(-1);
+      for (const wrong of ['abc', '0', '', words[0]!.toUpperCase(), 'toString', '<b>']) {
+        const { notices, params } = decodeLink(`#${spec.url}=${last},${encodeURIComponent(wrong)},${last}`);
+        assert.deepEqual(notices.map(({ code, key }) => [code, key]), [['unknown-choice', spec.url]], wrong);
+        assert.deepEqual(params.layers.map((layer) => readValue(layer, spec)), [last, words[0], last]);
+      }
+    });
+    continue;
+  }
 
   test(`${spec.url}: what is no legal number is put right, with one notice that names it`, () => {
     const { min, max } = boundsOf(spec, 'px');
