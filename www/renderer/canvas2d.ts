@@ -48,6 +48,11 @@ export class Canvas2dRenderer implements SceneRenderer {
     this.#style = { ...style };
   }
 
+  /** Nothing of it is seen in a plan. */
+  setLook(): void {}
+
+  setQuality(): void {}
+
   setCamera(camera: CameraState): void {
     this.#camera = { ...camera, target: [...camera.target] };
   }
