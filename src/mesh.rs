@@ -6,12 +6,14 @@ use glam::{DVec2, DVec3};
 ///
 /// Rock k owns `indices[rock_starts[k] .. rock_starts[k + 1]]` and the vertices
 /// `vertex_starts[k] .. vertex_starts[k + 1]`: n rim vertices at z = 0, then n top vertices. Vertex v stands at
-/// `positions[3·v .. 3·v + 3]`, px, z up. Triangles are counter-clockwise seen from above before displacement.
+/// `positions[3·v .. 3·v + 3]`, px, z up. Triangles are counter-clockwise seen from above before displacement. Of a rock that
+/// is cut finer there are 2^detail times as many rim vertices; of one that is weathered or embedded they lie below the ground.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
     /// 3 per vertex, px.
     pub positions: Vec<f32>,
-    /// 3 per vertex, unit: area-weighted over the adjacent faces, (0, 0, 1) where they cancel.
+    /// 3 per vertex, unit: area-weighted over the adjacent faces, (0, 0, 1) where they cancel. Where weathering has put the faces at
+    /// the rim below the ground, they count for the rim alone.
     pub normals: Vec<f32>,
     /// 3 per triangle.
     pub indices: Vec<u32>,
