@@ -144,7 +144,7 @@ presets! {
     // weathering, roughness, detail, embedding, material
     natural {
         //                                                             r     A_s   c_w1  c_w2  c_w3  c_h1  c_h2  c_h3   we    ro   de   em
-        "riverbed" { imageWidth: 640.0, imageHeight: 640.0, border: DROP, swing: SEPARATE, ground: GRAVEL, variation: 0.55, dust: 0.25, moss: 0.2, sunAzimuth: 245.0, sunElevation: 45.0 }
+        "riverbed" { imageWidth: 640.0, imageHeight: 640.0, border: DROP, swing: SEPARATE, ground: GRAVEL, variation: 0.42, dust: 0.4, moss: 0.25, sunAzimuth: 245.0, sunElevation: 45.0 }
             [20.0, 0.03, 0.0, 1.0, 0.8, 6.8, 4.0, 2.0, 1.0, 0.3, 3.0, 0.25, MIXED]
             [14.0, 0.1, 0.0, 0.7, 0.56, 4.76, 2.8, 1.4, 1.0, 0.3, 2.0, 0.25, MIXED]
             [10.0, 0.22, 0.0, 0.5, 0.4, 3.4, 2.0, 1.0, 1.0, 0.3, 2.0, 0.25, MIXED]
