@@ -12,8 +12,8 @@ var<private> cover_shade: f32;
 
 // Linear; between the stones.
 fn soil_albedo(ground: f32) -> vec3f {
-  let c = select(vec3f(0.125, 0.094, 0.066), vec3f(0.4, 0.335, 0.245), ground == 1.0);
-  return select(c, vec3f(0.16, 0.148, 0.128), ground == 2.0);
+  let c = select(vec3f(0.115, 0.092, 0.069), vec3f(0.4, 0.335, 0.245), ground == 1.0);
+  return select(c, vec3f(0.19, 0.174, 0.148), ground == 2.0);
 }
 
 // Stones of about half a `period`, one per cell of a jittered and turned grid; `here` the share of cells that have one.
@@ -59,7 +59,7 @@ fn scatter(at: vec2f, period: f32, here: f32, own: f32, footprint: f32) {
         let back = vec2f(bent.x * cos(angle) + bent.y * sin(angle), -bent.x * sin(angle) + bent.y * cos(angle));
         cover_slope = mix(cover_slope, -back, seen);
         let kind = mixed_kind(fract(s.x * 3.7 + s.z));
-        let albedo = mix(soil_albedo(globals.scene.x) * (0.75 + 0.6 * s.x), 0.85 * individual(kind_albedo(kind), s.xzw), own);
+        let albedo = mix(soil_albedo(globals.scene.x) * (0.75 + 0.6 * s.x), individual(kind_albedo(kind), s.xzw), own);
         cover_albedo = mix(cover_albedo, albedo, seen);
         cover_open = mix(cover_open, smoothstep(0.0, 0.75, dome), seen);
       }
@@ -83,14 +83,16 @@ fn ground_cover(at: vec2f, footprint: f32) {
   cover_albedo = soil_albedo(ground) * hue * (1.0 + 0.13 * patches + 0.16 * fine + 0.2 * grit);
   if ground == 1.0 {
     // Wind ripples, and now and then a pebble.
-    let ripple = sin(dot(at, vec2f(0.42, 0.31)) + 2.2 * noise2(at / 19.0)) * shown(12.0, footprint);
-    cover_albedo *= 1.0 + 0.05 * ripple;
-    cover_slope += vec2f(0.42, 0.31) * 0.22 * cos(dot(at, vec2f(0.42, 0.31)) + 2.2 * noise2(at / 19.0)) * shown(12.0, footprint);
+    const ACROSS = vec2f(0.4, 0.29);
+    let phase = dot(at, ACROSS) + 3.0 * noise2(at / 43.0) + 1.5 * noise2(at / 15.0);
+    let strength = (0.5 + 0.5 * noise2(at / 61.0)) * shown(12.0, footprint);
+    cover_albedo *= 1.0 + 0.05 * sin(phase) * strength;
+    cover_slope += ACROSS * 0.24 * cos(phase) * strength;
     cover_open = 1.0;
     scatter(at, 1.6, 0.12, 1.0, footprint);
     scatter(at, 4.3, 0.05 + 0.04 * patches, 1.0, footprint);
   } else if ground == 2.0 {
-    cover_albedo *= mix(1.1, 0.7, shown(2.0, footprint));
+    cover_albedo *= mix(1.0, 0.85, shown(2.0, footprint));
     scatter(at, 1.7, 0.95, 1.0, footprint);
     scatter(at, 3.1, 0.8 + 0.2 * patches, 1.0, footprint);
     if quality > 0.0 {
@@ -116,7 +118,8 @@ fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f3
   }
   let patches = noise2(at.xy / 83.0 + 31.0) + 0.55 * noise2(at.xy / 29.0) + 0.3 * noise2(at.xy / 9.0);
   let edge = 0.3 * noise2((at.xy + at.z) / 2.6) * shown(2.6, footprint);
-  let want = patches + edge + 0.4 * (upward - 0.7) + 0.5 * sheltered - 0.012 * height;
+  let want = patches + edge + 0.4 * (upward - 0.7) + 0.9 * sheltered - 0.012 * height
+    - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
   // Half the moss covers about a third.
   return smoothstep(0.0, 0.32, want - mix(1.25, -0.75, moss)) * smoothstep(0.1, 0.5, upward);
 }

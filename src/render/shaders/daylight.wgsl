@@ -145,11 +145,12 @@ fn bumped(normal: vec3f, slope: vec3f) -> vec3f {
   return normalize(normal - (slope - normal * dot(slope, normal)));
 }
 
-// From light to the picture: exposure for the sun's height, a film's curve (Narkowicz' fit of ACES), and far away the air.
+// From light to the picture: exposure for the sun's height, a film's curve (in the form of
+// Narkowicz' fit of ACES, with less of a toe), and far away the air.
 fn developed(light: vec3f, distance: f32, pixel: vec2f) -> vec4f {
-  let exposure = 0.43 / (0.42 + 0.8 * field.sun.z);
+  let exposure = 0.42 / (0.42 + 0.8 * field.sun.z);
   let x = light * exposure;
-  let film = (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
+  let film = (x * (2.2 * x + 0.25)) / (x * (2.2 * x + 0.75) + 0.2);
   let air = 1.0 - exp(-distance / (150.0 * max(field.size.x, field.size.y)));
   return finish(mix(film, globals.backdrop_low.rgb, air), pixel);
 }

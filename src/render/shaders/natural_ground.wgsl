@@ -40,7 +40,7 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   ground_cover(world.xy, footprint);
   let up = vec3f(0.0, 0.0, 1.0);
   let seen = sky_seen(world, up, pixel.xy);
-  var albedo = cover_albedo * mix(0.35, 1.0, cover_open);
+  var albedo = cover_albedo * mix(0.45, 1.0, cover_open);
   var slope = vec3f(cover_slope, 0.0);
   // Between and under the rocks it stays damp and collects what is fine.
   let damp = 1.0 - smoothstep(0.35, 0.95, seen);
@@ -54,7 +54,7 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   }
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
-  albedo *= 1.0 - 0.6 * shaded;
+  albedo *= 1.0 - 0.5 * shaded;
   let light = daylight(albedo, rough, world, up, bumped(up, slope), to_eye, seen * mix(0.6, 1.0, cover_open));
 
   // Far outside the field it runs out into the backdrop.

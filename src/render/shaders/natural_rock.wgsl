@@ -71,7 +71,7 @@ fn fs_main(
   let low = exp(-max(world.z, 0.0) / (2.0 + 0.1 * field.size.z)) * 1.1;
   let lies = smoothstep(0.45, 1.0, relief.z) * 0.55 + low;
   let dusty = dust * smoothstep(0.25, 1.0, lies + 0.5 * loose + 0.4 * dust - 0.2 * wear);
-  albedo = mix(albedo, soil_albedo(globals.scene.x) * 1.25, 0.85 * dusty);
+  albedo = mix(albedo, soil_albedo(globals.scene.x) * 1.15, 0.7 * dusty);
   rough = mix(rough, 0.95, dusty);
 
   let moss = moss_cover(world, base.z, world.z, 1.0 - seen, footprint);

@@ -9,13 +9,13 @@ var<private> stone_rough: f32;
 
 // Mean linear albedo.
 fn kind_albedo(kind: f32) -> vec3f {
-  var c = vec3f(0.27, 0.262, 0.25);
-  c = select(c, vec3f(0.105, 0.107, 0.108), kind == 2.0);
-  c = select(c, vec3f(0.33, 0.268, 0.195), kind == 3.0);
-  c = select(c, vec3f(0.43, 0.41, 0.36), kind == 4.0);
-  c = select(c, vec3f(0.15, 0.159, 0.16), kind == 5.0);
-  c = select(c, vec3f(0.5, 0.478, 0.43), kind == 6.0);
-  c = select(c, vec3f(0.245, 0.172, 0.14), kind == 7.0);
+  var c = vec3f(0.235, 0.228, 0.214);
+  c = select(c, vec3f(0.122, 0.122, 0.12), kind == 2.0);
+  c = select(c, vec3f(0.27, 0.227, 0.174), kind == 3.0);
+  c = select(c, vec3f(0.35, 0.335, 0.3), kind == 4.0);
+  c = select(c, vec3f(0.152, 0.16, 0.158), kind == 5.0);
+  c = select(c, vec3f(0.41, 0.395, 0.36), kind == 6.0);
+  c = select(c, vec3f(0.215, 0.166, 0.142), kind == 7.0);
   return c;
 }
 
@@ -34,8 +34,8 @@ fn mixed_kind(share: f32) -> f32 {
 // Value and hue of one stone among its like; `own` three numbers of 0…1.
 fn individual(albedo: vec3f, own: vec3f) -> vec3f {
   let variation = globals.weather.x;
-  let value = exp2((own.x - 0.5) * 1.7 * variation);
-  let warm = (own.y - 0.5) * 0.24 * variation;
+  let value = exp2((own.x - 0.5) * 1.3 * variation);
+  let warm = (own.y - 0.5) * 0.18 * variation;
   return albedo * value * vec3f(1.0 + warm, 1.0, 1.0 - warm);
 }
 
@@ -51,27 +51,27 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   // What all stones have: patches, mottling and grain over four octaves.
   let broad = noise3(at / 19.0);
   value += 0.3 * broad.w;
-  warm += 0.1 * broad.x;
+  warm += 0.045 * broad.x;
   slope += 0.1 * broad.xyz;
   let mid_seen = shown(5.0, footprint);
   var mid = vec4f(0.0);
   if mid_seen > 0.0 {
     mid = noise3(at / 5.0 + 17.0) * mid_seen;
     value += 0.26 * mid.w;
-    warm += 0.06 * mid.x;
-    slope += 0.16 * mid.xyz;
+    warm += 0.03 * mid.x;
+    slope += 0.14 * mid.xyz;
   }
   let fine_seen = shown(1.7, footprint);
   if quality > 0.0 && fine_seen > 0.0 {
     let fine = noise3(at / 1.7 + 5.0) * fine_seen;
-    value += 0.26 * fine.w;
-    slope += 0.16 * fine.xyz;
+    value += 0.34 * fine.w;
+    slope += 0.24 * fine.xyz;
   }
   let micro_seen = shown(0.55, footprint);
   if quality > 1.0 && micro_seen > 0.0 {
     let micro = noise3(at / 0.55) * micro_seen;
-    value += 0.22 * micro.w;
-    slope += 0.14 * micro.xyz;
+    value += 0.3 * micro.w;
+    slope += 0.24 * micro.xyz;
   }
 
   var albedo = kind_albedo(kind);
