@@ -8,10 +8,8 @@
  * The picture's own coordinates run from -1 to 1, x right, y up.
  */
 
+import { FOV_Y } from './renderer/fov.ts';
 import type { CameraState, View } from './renderer/renderer.ts';
-
-/** Vertical field of view, radians: 36°. The same number is in `src/render/camera.rs`. */
-export const FOV_Y = (36 * Math.PI) / 180;
 
 const TAN = Math.tan(FOV_Y / 2);
 const MIN_ELEVATION = (5 * Math.PI) / 180;
