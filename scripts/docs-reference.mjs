@@ -10,8 +10,9 @@ const { encodeLink, presetLabel, presetName, presetParams, translate, word, LAYE
 
 /** How attributes are told apart; what stands in none of these is of the last. */
 const GROUPS = [
-  { name: 'Which rocks', has: ({ name, spec }) => ['src', 'preset'].includes(name) || spec?.scope === 'field' },
+  { name: 'Which rocks', has: ({ name, spec }) => ['src', 'preset'].includes(name) || (spec?.scope === 'field' && spec.stage !== 'look') },
   { name: 'The layers', has: ({ spec }) => spec?.scope === 'layer' },
+  { name: 'The look', has: ({ spec }) => spec?.stage === 'look' },
   { name: 'View and camera', has: ({ name }) => ['view', 'color', 'camera-orbit', 'auto-rotate', 'metres-per-pixel'].includes(name) },
   { name: 'Manners', has: () => true },
 ];
@@ -97,9 +98,9 @@ function attributeType({ type, spec }) {
   return word('perLayer');
 }
 
-function defaultText({ default: fallback, spec }) {
+function defaultText({ default: fallback, name, spec }) {
   if (fallback !== undefined) return `<code>${fallback}</code>`;
-  return spec ? 'the preset’s' : '';
+  return spec || name === 'color' ? 'the preset’s' : '';
 }
 
 function range({ min, max, unit, relative }) {
