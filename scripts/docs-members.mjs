@@ -101,11 +101,15 @@ async function parameterExample(spec) {
 }
 
 async function choiceExample(spec) {
-  const { attributeOf, propertyOf } = await tables();
+  const { attributeOf, presetParams, propertyOf } = await tables();
+  const preset = presetOf(spec);
+  const isList = spec.scope === 'layer';
+  const name = propertyOf(spec);
   // What is not the default is what there is to see.
   const [first, ...rest] = [...spec.choices].reverse();
   const options = [first, ...rest].map(({ value }) => `  <option>${value}</option>`).join('\n');
-  return `<rock-field ${attributeOf(spec)}="${first.value}"></rock-field>
+  const words = isList ? presetParams(preset).layers.map(() => first.value).join(' ') : first.value;
+  return `<rock-field ${attributesFor(preset)}${attributeOf(spec)}="${words}"></rock-field>
 <select aria-label="${spec.label.en}">
 ${options}
 </select>
@@ -113,15 +117,16 @@ ${options}
 <script type="module">
   const field = document.querySelector('rock-field');
   document.querySelector('select').onchange = ({ target }) => {
-    field.${propertyOf(spec)} = target.value;
+    field.${name} = ${isList ? `field.${name}.map(() => target.value)` : 'target.value'};
   };
 </script>`;
 }
 
-/** Lists get the first preset's values, so that the example has its layers. */
+/** Lists get the preset's values, so that the example has its layers. */
 async function numberExample(spec) {
-  const { attributeOf, boundsOf, presetParams, propertyOf, readValue, PRESETS } = await tables();
-  const params = presetParams(PRESETS[0].name);
+  const { attributeOf, boundsOf, presetParams, propertyOf, readValue } = await tables();
+  const preset = presetOf(spec);
+  const params = presetParams(preset);
   const isList = spec.scope === 'layer';
   const { min, max } = boundsOf(spec, 'px').slider;
   const values = isList ? params.layers.map((layer) => shown(spec, readValue(layer, spec))) : [shown(spec, readValue(params, spec))];
@@ -129,8 +134,8 @@ async function numberExample(spec) {
   const assignment = isList
     ? `const [, ...others] = field.${name};\n    field.${name} = [target.valueAsNumber, ...others];`
     : `field.${name} = target.valueAsNumber;`;
-  const range = { min: spec.kind === 'integer' ? 128 : min, max: SLIDER_MAX[name] ?? max, step: SLIDER_STEP[name] ?? spec.step };
-  return `<rock-field ${attributeOf(spec)}="${values.join(' ')}"></rock-field>
+  const range = { min: SLIDER_MIN[name] ?? min, max: SLIDER_MAX[name] ?? max, step: SLIDER_STEP[name] ?? spec.step };
+  return `<rock-field ${attributesFor(preset)}${attributeOf(spec)}="${values.join(' ')}"></rock-field>
 <label>
   ${label(spec)}
   <input type="range" min="${range.min}" max="${range.max}" step="${range.step}" value="${values[0]}">
@@ -144,13 +149,23 @@ async function numberExample(spec) {
 </script>`;
 }
 
+/** Of what no paper has there is nothing to see in the default preset. */
+function presetOf({ stage, component, scope }) {
+  const isNatural = stage === 'look' || (scope === 'layer' && stage === 'mesh' && component === null);
+  return isNatural ? 'forest-floor' : 'journal-fig1';
+}
+
+function attributesFor(preset) {
+  return preset === 'journal-fig1' ? '' : `preset="${preset}" `;
+}
+
 /** An example is no place for 8192 px, or for a slider whose one half shows nothing. */
+const SLIDER_MIN = { imageWidth: 128, imageHeight: 128 };
 const SLIDER_MAX = { imageWidth: 2048, imageHeight: 2048, radius: 200, cellCount: 100 };
 const SLIDER_STEP = { radius: 1 };
 
 function shown(spec, value) {
-  if (spec.kind === 'integer') return 700;
-  return value ?? 20;
+  return spec.key in SLIDER_MIN ? 700 : (value ?? 20);
 }
 
 function label(spec) {

@@ -6,12 +6,13 @@ import { codeBlock, escaped, heading, inline, liveExample, markdown } from './do
 import { root } from './env.mjs';
 import { tables } from './tables.mjs';
 
-const { encodeLink, presetLabel, presetParams, word, LAYER_ROWS, PRESETS } = await tables();
+const { encodeLink, presetLabel, presetName, presetParams, translate, word, LAYER_ROWS, PAPERS, PRESETS } = await tables();
 
 /** How attributes are told apart; what stands in none of these is of the last. */
 const GROUPS = [
-  { name: 'Which rocks', has: ({ name, spec }) => ['src', 'preset'].includes(name) || spec?.scope === 'field' },
+  { name: 'Which rocks', has: ({ name, spec }) => ['src', 'preset'].includes(name) || (spec?.scope === 'field' && spec.stage !== 'look') },
   { name: 'The layers', has: ({ spec }) => spec?.scope === 'layer' },
+  { name: 'The look', has: ({ spec }) => spec?.stage === 'look' },
   { name: 'View and camera', has: ({ name }) => ['view', 'color', 'camera-orbit', 'auto-rotate', 'metres-per-pixel'].includes(name) },
   { name: 'Manners', has: () => true },
 ];
@@ -97,9 +98,9 @@ function attributeType({ type, spec }) {
   return word('perLayer');
 }
 
-function defaultText({ default: fallback, spec }) {
+function defaultText({ default: fallback, name, spec }) {
   if (fallback !== undefined) return `<code>${fallback}</code>`;
-  return spec ? 'the preset’s' : '';
+  return spec || name === 'color' ? 'the preset’s' : '';
 }
 
 function range({ min, max, unit, relative }) {
@@ -132,13 +133,13 @@ function groupedByKind(all) {
 /** Every preset, live, with its link and its line. */
 export async function gallery() {
   const columns = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1));
-  const papers = [
-    { id: 'journal', name: 'Journal (2011)' },
-    { id: 'conference', name: 'Conference (2010)' },
+  const groups = [
+    { id: 'natural', name: 'Natural grounds', has: ({ natural }) => natural, label: (preset) => presetName('en', preset) },
+    ...PAPERS.map((paper) => ({ id: paper, name: translate('en', paper), has: ({ name }) => name.startsWith(paper), label: (preset) => presetLabel('en', preset, columns).replace(/_(\w+)/g, '<sub>$1</sub>') })),
   ];
-  const html = papers.map(({ id, name }) => {
-    const figures = PRESETS.filter((preset) => preset.name.startsWith(id)).map((preset) => {
-      const label = presetLabel('en', preset, columns).replace(/_(\w+)/g, '<sub>$1</sub>');
+  const html = groups.map(({ id, name, has, label: labelOf }) => {
+    const figures = PRESETS.filter(has).map((preset) => {
+      const label = labelOf(preset);
       const link = encodeLink({ params: presetParams(preset.name), preset: preset.name });
       const line = `<rock-field preset="${preset.name}"></rock-field>`;
       return `<figure class="preset" id="${preset.name}"><div class="stage"><rock-field preset="${preset.name}" loading="lazy"></rock-field></div>
@@ -148,7 +149,7 @@ export async function gallery() {
     });
     return `${heading(2, id, name, name)}<div class="gallery">${figures.join('\n')}</div>`;
   });
-  return { html: html.join('\n'), contents: papers };
+  return { html: html.join('\n'), contents: groups };
 }
 
 /** The types as the sources have them, comments and all. */

@@ -13,7 +13,7 @@ const PAGES = [
   { file: 'index.html', title: 'Start', prose: 'start', className: 'prose start', description: 'A custom element that grows a field of rocks from one seed: how to put it on a page.' },
   { file: 'recipes.html', title: 'Recipes', prose: 'recipes', description: 'rock-field in plain HTML, from a CDN, under a strict policy, in React, Vue, Svelte, Next, with bundlers, in Node and with three.js.' },
   { file: 'concepts.html', title: 'Concepts', prose: 'concepts', description: 'Links and seeds, gestures and accessibility, performance and many elements, errors.' },
-  { file: 'gallery.html', title: 'Gallery', make: gallery, className: 'wide', description: 'All presets, live: the figures of the two papers.' },
+  { file: 'gallery.html', title: 'Gallery', make: gallery, className: 'wide', description: 'All presets, live: natural grounds, and the figures of the two papers.' },
   { file: 'reference.html', title: 'Everything at a glance', group: 'Reference', make: overview, description: 'Every attribute, property, method, event, slot, CSS part and custom property of <rock-field>.' },
   { file: 'attributes.html', title: 'Attributes', kinds: ['attribute'], description: 'Every attribute of <rock-field>, and the property that goes with it, beside a live example.' },
   { file: 'properties.html', title: 'Properties', kinds: ['property'], description: 'The properties of <rock-field> that have no attribute, beside live examples.' },

@@ -102,7 +102,7 @@ async function knowledge() {
     attributeTypes: {
       preset: oneOf(PRESETS.map(({ name }) => name)),
       view: oneOf(VIEWS),
-      color: oneOf(COLORS),
+      color: { type: { text: union(COLORS) } },
       interaction: oneOf(INTERACTIONS),
       loading: oneOf(LOADINGS),
       backend: { type: { text: `'auto' | ${backends}` }, default: 'auto' },

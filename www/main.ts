@@ -2,28 +2,35 @@
 
 import './rock-field.ts';
 import './controls/stage-overlay.ts';
-import { embedCode } from './controls/clipboard.ts';
 import { ControlPanel } from './controls/control-panel.ts';
-import { copyOrShow, showKeys } from './controls/dialogs.ts';
 import { listenToKeys } from './controls/keys.ts';
+import { loadLater } from './controls/load-later.ts';
 import { loadPreferences, savePreferences } from './controls/preferences.ts';
 import { Store } from './controls/store.ts';
 import { RockFieldError, errorInfo } from './errors.ts';
-import { keepOffline } from './offline.ts';
 import { translate } from './strings.ts';
 import { decodeLink, encodeLink } from './url-codec.ts';
 import type { Actions } from './controls/control-panel.ts';
 import type { Change } from './controls/store.ts';
+import type { PresetName } from './params.ts';
 import type { RockFieldEventMap } from './rock-field-element.ts';
 import type { RockFieldElement } from './rock-field.ts';
 import type { StringKey } from './strings.ts';
+import type { DecodedLink } from './url-codec.ts';
 
 /** A drag makes some 60 edits a second; Safari allows 100 changes of the address in 30 s. */
 const ADDRESS_DELAY_MS = 300;
 
-const store = new Store(decodeLink(location.search + location.hash), loadPreferences());
+/** What the page shows where no link says anything. Links without a preset are the codec's own, as they were when they were written. */
+const OPENING: PresetName = 'riverbed';
+
+const store = new Store(readLink(location.search + location.hash), loadPreferences());
 const stage = found('.stage');
 const field = document.createElement('rock-field');
+
+function readLink(text: string): DecodedLink {
+  return decodeLink(text || `#preset=${OPENING}`);
+}
 
 function found(selector: string): HTMLElement {
   const element = document.querySelector<HTMLElement>(selector);
@@ -44,7 +51,7 @@ function showParams(): void {
   try {
     field.params = { ...store.params, preset: store.preset };
   } catch (thrown) {
-    store.fail(errorInfo(thrown));
+    void store.fail(errorInfo(thrown));
   }
 }
 
@@ -71,14 +78,14 @@ function listen<K extends keyof RockFieldEventMap>(element: RockFieldElement, ty
 
 listen(field, 'load', () => {
   store.setBackend(field.backend);
-  void keepOffline();
+  void loadLater().then(({ keepOffline }) => keepOffline());
 });
 listen(field, 'generate', ({ detail }) => {
   store.setBackend(field.backend);
   store.showField(detail.field, detail.superseded ? null : store.params);
 });
 listen(field, 'progress', ({ detail }) => store.setProgress(detail));
-listen(field, 'error', ({ detail }) => store.fail(detail.error));
+listen(field, 'error', ({ detail }) => void store.fail(detail.error));
 listen(field, 'restored', () => {
   store.setBackend(field.backend);
   store.say((language) => translate(language, 'lostPicture'));
@@ -116,30 +123,38 @@ function writeAddress(): void {
 window.addEventListener('hashchange', () => {
   // An edit on its way to the address is older than what was put there.
   clearTimeout(addressTimer);
-  const opened = decodeLink(location.hash);
+  const opened = readLink(location.hash);
   store.open(opened);
   field.camera = opened.camera;
 });
 
 // What the buttons do.
 
-async function withFreshSeed(use: (seed: number) => void): Promise<void> {
+async function withFreshSeed(use: (seed: number) => void | Promise<void>): Promise<void> {
   try {
-    use(await field.freshSeed());
+    await use(await field.freshSeed());
   } catch (thrown) {
-    store.fail(errorInfo(thrown));
+    void store.fail(errorInfo(thrown));
   }
 }
 
 const actions: Actions = {
   freshSeed: () => void withFreshSeed((seed) => store.setSeed(seed)),
-  randomise: () => void withFreshSeed((seed) => store.randomise(seed)),
-  share: () => {
+  randomise: () => void withFreshSeed(async (seed) => {
+    const { randomParams } = await loadLater();
+    store.edit(randomParams(store.params, seed));
+  }),
+  newField: () => document.createElement('rock-field'),
+  share: async () => {
     writeAddress();
-    void copyOrShow(store, document.body, pageAddress(), 'copied', 'share');
+    const { copyOrShow } = await loadLater();
+    await copyOrShow(store, document.body, pageAddress(), 'copied', 'share');
   },
-  embed: () => void copyOrShow(store, document.body, embedCode(link(), location.href), 'embedCopied', 'embed'),
-  help: () => showKeys(store, document.body),
+  embed: async () => {
+    const { copyOrShow, embedCode } = await loadLater();
+    await copyOrShow(store, document.body, embedCode(link(), location.href), 'embedCopied', 'embed');
+  },
+  help: async () => (await loadLater()).showKeys(store, document.body),
 };
 
 async function toggleFullScreen(): Promise<void> {
@@ -177,7 +192,7 @@ field.className = 'picture';
 field.interaction = 'always';
 stage.append(field, overlay);
 stage.after(panel);
-listenToKeys(store, () => field.frameAll());
+listenToKeys(store, { frameAll: () => field.frameAll(), help: () => void actions.help?.() });
 
 found('.skip-link').addEventListener('click', (event) => {
   // Not by the address: that is the field's.

@@ -1,5 +1,6 @@
 /** What may be wrong with a link, in English and Japanese. Apart from the page's sentences, since an element reads links too. */
 
+import { filled } from './filled.ts';
 import type { Language, Words } from './params.ts';
 import type { Notice } from './url-codec.ts';
 
@@ -22,14 +23,7 @@ const NOTICES: Record<Notice['code'], Words> = {
   'bad-camera': { en: 'camera: “{given}” is not a camera position; the whole field is shown.', ja: 'camera：「{given}」はカメラ位置ではありません。全体を表示しています。' },
 };
 
-export type Slots = Record<string, string | number | undefined>;
-
 export function noticeText(language: Language, notice: Omit<Notice, 'text'>): string {
   const { key, given, used, min, max } = notice;
   return filled(NOTICES[notice.code][language], { key, given, used, min, max });
-}
-
-/** `text` with its `{…}` filled in. */
-export function filled(text: string, slots: Slots): string {
-  return text.replace(/\{(\w+)\}/g, (_, name: string) => String(slots[name] ?? ''));
 }

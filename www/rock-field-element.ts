@@ -1,8 +1,7 @@
 /** `<rock-field>`: parameters in, a live field of rocks out. The class alone; `rock-field.ts` registers it. */
 
-import { randomParams } from './controls/randomise.ts';
 import type { Edition } from './controls/store.ts';
-import { ControlsButton } from './controls-button.ts';
+import type { ControlsButton } from './controls-button.ts';
 import { ATTRIBUTES, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, readAttributes, VIEWS } from './element-attributes.ts';
 import type { Interaction } from './element-attributes.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
@@ -298,7 +297,7 @@ export class RockFieldElement extends SceneElement {
   async randomize({ lock = [] }: { lock?: readonly string[] } = {}): Promise<void> {
     const stranger = lock.find((name) => name !== 'layers' && !PARAMETER_PROPERTIES.includes(name));
     if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${JSON.stringify(stranger)}` });
-    const seed = await this.freshSeed();
+    const [seed, { randomParams }] = await Promise.all([this.freshSeed(), import('./controls/randomise.ts')]);
     const params = keepLocked(randomParams(this.params, seed), this.params, lock);
     this.#history?.hold();
     this.params = params;
@@ -415,12 +414,23 @@ export class RockFieldElement extends SceneElement {
 
   protected override readManners(): void {
     super.readManners();
-    if (this.controls) this.#controls ??= this.#newControls();
+    if (this.controls && !this.#controls) void this.#loadControls();
     this.#controls?.update();
   }
 
-  #newControls(): ControlsButton {
-    return new ControlsButton({
+  /** Few elements have a panel: for the others nothing of it is fetched. */
+  async #loadControls(): Promise<void> {
+    try {
+      const { ControlsButton } = await import('./controls-button.ts');
+      this.#controls ??= this.#newControls(ControlsButton);
+      this.#controls.update();
+    } catch (thrown) {
+      this.report(errorInfo(thrown));
+    }
+  }
+
+  #newControls(Button: typeof ControlsButton): ControlsButton {
+    return new Button({
       element: this,
       root: this.shadowRoot as ShadowRoot,
       language: () => this.language,

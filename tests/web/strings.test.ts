@@ -4,13 +4,14 @@ import { test } from 'node:test';
 import { LAYER_ROWS } from '../../www/params-flat.ts';
 import { PARAMS, PRESETS } from '../../www/params.ts';
 import { noticeText } from '../../www/notices.ts';
-import { LANGUAGES, STRINGS, errorText, pickLanguage, presetLabel, translate } from '../../www/strings.ts';
+import { LATER, errorText, presetLabel } from '../../www/strings-later.ts';
+import { LANGUAGES, STRINGS, pickLanguage, presetName, translate } from '../../www/strings.ts';
 import { decodeLink } from '../../www/url-codec.ts';
 
 const slots = (text: string) => [...text.matchAll(/\{\w+\}/g)].map(([slot]) => slot).sort();
 
 test('every string exists in both languages, with the same slots', () => {
-  for (const [key, words] of Object.entries(STRINGS)) {
+  for (const [key, words] of Object.entries({ ...STRINGS, ...LATER })) {
     for (const language of LANGUAGES) assert.ok(words[language].trim(), `${key} ${language}`);
     assert.deepEqual(slots(words.ja), slots(words.en), key);
   }
@@ -40,6 +41,15 @@ test('errors are put into words; an unknown one shows its own message', () => {
   assert.match(errorText('en', budget), /3072 MiB.*1536 MiB/);
   assert.match(errorText('ja', budget), /3072 MiB.*1536 MiB/);
   assert.equal(errorText('ja', { name: 'SomethingNew', message: 'as it is' }), 'as it is');
+});
+
+test('no sentence has two places', () => {
+  assert.deepEqual(Object.keys(LATER).filter((key) => key in STRINGS), []);
+});
+
+test('each preset has a name of its own in both languages', () => {
+  for (const language of LANGUAGES) assert.equal(new Set(PRESETS.map((preset) => presetName(language, preset))).size, PRESETS.length);
+  assert.deepEqual([presetName('en', { name: 'riverbed' }), presetName('ja', { name: 'riverbed' }), presetName('en', { name: 'journal-fig12a' })], ['Riverbed', '河原', 'Journal (2011), Fig. 12 (a)']);
 });
 
 test('each preset of a paper has a name of its own', () => {

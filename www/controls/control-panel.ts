@@ -1,31 +1,37 @@
 /** `<rock-field-panel>`: everything that can be set, in one column: beside the page's picture, or in an element with `controls`. */
 
 import { LitElement, html, nothing } from 'lit';
-import { live } from 'lit/directives/live.js';
-import { MAX_LAYERS, PARAMS, PRESETS } from '../params.ts';
-import { FIELD_ROWS, LAYER_ROWS, presetParams } from '../params-flat.ts';
-import { LANGUAGES, LANGUAGE_NAMES, presetLabel } from '../strings.ts';
+import { MAX_LAYERS, PARAMS } from '../params.ts';
+import { FIELD_ROWS, presetParams } from '../params-flat.ts';
+import { LANGUAGES, LANGUAGE_NAMES, presetName } from '../strings.ts';
 import { icon } from './icons.ts';
 import { hasProblem, layerCard } from './layer-card.ts';
+import { loadLater } from './load-later.ts';
 import { colorChoice, viewChoice } from './look.ts';
 import { fillNumberFields, numberField, paramControl, problemOf } from './param-control.ts';
 import { description, iconButton, segments } from './parts.ts';
-import { statistics, summary } from './statistics.ts';
 import { messageLine, progressLine } from './status.ts';
+import { summary } from './summary.ts';
 import { LIST_KEYS, THEMES } from './store.ts';
 import type { TemplateResult } from 'lit';
-import type { PresetName } from '../params.ts';
+import type { ParamSpec } from '../params.ts';
+import type { RockFieldElement } from '../rock-field-element.ts';
 import type { StringKey } from '../strings.ts';
+import type { Later } from './load-later.ts';
 import type { Problem, Store } from './store.ts';
 
 const SEED = PARAMS[0];
-/** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
-const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1) ?? '');
+const GROUND_ROWS: readonly ParamSpec[] = FIELD_ROWS.filter((spec) => spec !== SEED && spec.stage !== 'look');
+const LOOK_ROWS: readonly ParamSpec[] = FIELD_ROWS.filter(({ stage }) => stage === 'look');
+/** The light falls on all colours; the rest is of natural ones. */
+const SUN_ROWS = LOOK_ROWS.filter(({ key }) => key.startsWith('sun'));
 
 /** What the panel's place does that the store cannot. */
 export interface Actions {
   freshSeed: () => void;
   randomise: () => void;
+  /** An element like the one whose panel this is. */
+  newField: () => RockFieldElement;
   share: () => void;
   /** Absent where nobody knows the address of a script to embed. */
   embed?: (() => void) | undefined;
@@ -50,6 +56,8 @@ export class ControlPanel extends LitElement {
   readonly #openLayers = new Set<number>();
   #unsubscribe: (() => void) | undefined;
   #seenProblem: Problem | null = null;
+  #later: Later | undefined;
+  #loading: Promise<Later> | undefined;
 
   constructor() {
     super();
@@ -68,8 +76,9 @@ export class ControlPanel extends LitElement {
 
   override connectedCallback(): void {
     super.connectedCallback();
-    const [first] = this.store.params.layers;
-    if (first) this.#openLayers.add(first.id);
+    const { params: { layers: [first] }, color } = this.store;
+    // Of a natural ground the look comes first, and the layers as an overview.
+    if (first && color !== 'natural') this.#openLayers.add(first.id);
     this.#unsubscribe = this.store.subscribe(() => this.requestUpdate());
   }
 
@@ -84,6 +93,20 @@ export class ControlPanel extends LitElement {
     const { problem } = this.store;
     if (problem && problem !== this.#seenProblem) this.#reveal();
     this.#seenProblem = problem;
+    if (this.store.field && !this.#later) this.#loadLater().catch((thrown: unknown) => console.warn(thrown));
+  }
+
+  #loadLater(): Promise<Later> {
+    this.#loading ??= loadLater();
+    const loading = this.#loading;
+    loading.then(
+      (later) => {
+        this.#later = later;
+        this.requestUpdate();
+      },
+      () => (this.#loading = undefined),
+    );
+    return loading;
   }
 
   /** A message under a control that nobody sees is no message. */
@@ -100,7 +123,7 @@ export class ControlPanel extends LitElement {
     return html`
       ${this.#toolbar()} ${isEmbedded ? messageLine(store) : nothing}
       <div class="panel-body">
-        ${this.#start()} ${isEmbedded ? this.#look() : nothing} ${this.#layers()} ${this.#ground()} ${this.#statistics()}
+        ${this.#start()} ${isEmbedded ? this.#view() : nothing} ${this.#look()} ${this.#layers()} ${this.#ground()} ${this.#statistics()}
         ${isEmbedded ? this.#embed() : this.#page()}
       </div>
       <p class="help-line is-idle" aria-hidden="true" .textContent=${this.#hint()}></p>
@@ -155,20 +178,12 @@ export class ControlPanel extends LitElement {
       <section class="start" aria-label=${store.text('preset')}>
         <div class="control" data-param="preset" data-help=${store.text('presetHelp')}>
           <div class="control-head">
-            <label class="control-label" for="preset">${store.text('preset')}</label>
+            <span class="control-label" id="preset-label">${store.text('preset')}</span>
             ${this.#isEdited() ? html`<span class="quiet">${store.text('edited')}</span>` : nothing}
           </div>
-          <select class="select" id="preset" aria-describedby="preset-help" .value=${live(preset)} @change=${this.#choosePreset}>
-            ${(['journal', 'conference'] as const).map(
-              (paper) => html`
-                <optgroup label=${store.text(paper)}>
-                  ${PRESETS.filter(({ name }) => name.startsWith(paper)).map(
-                    (row) => html`<option value=${row.name} ?selected=${row.name === preset}>${presetLabel(language, row, COLUMNS)}</option>`,
-                  )}
-                </optgroup>
-              `,
-            )}
-          </select>
+          <button class="select preset-button" type="button" id="preset" aria-haspopup="dialog" aria-labelledby="preset-label preset-name" aria-describedby="preset-help" @click=${this.#choosePreset}>
+            <span id="preset-name">${presetName(language, { name: preset })}</span>${icon('down')}
+          </button>
           ${description('preset', store.text('presetHelp'), null)}
         </div>
         <div class="control" data-param="seed" data-help=${SEED.doc[language]}>
@@ -186,8 +201,19 @@ export class ControlPanel extends LitElement {
   }
 
   /** On the page this lies on the picture. */
-  #look(): TemplateResult {
+  #view(): TemplateResult {
     return html`<section class="section" aria-label=${this.store.text('view')}>${viewChoice(this.store, false)} ${colorChoice(this.store, false)}</section>`;
+  }
+
+  #look(): TemplateResult {
+    const isNatural = this.store.color === 'natural';
+    const rows = isNatural ? LOOK_ROWS : SUN_ROWS;
+    return html`
+      <details class="section" ?open=${isNatural}>
+        <summary><h2>${this.store.text('look')}</h2>${icon('down')}</summary>
+        ${rows.map((spec) => paramControl(this.store, spec, null))}
+      </details>
+    `;
   }
 
   /** Whether anything but the seed differs from the preset. */
@@ -196,8 +222,13 @@ export class ControlPanel extends LitElement {
     return JSON.stringify({ ...params, seed: 0 }) !== JSON.stringify(presetParams(preset));
   }
 
-  #choosePreset = (event: Event): void => {
-    this.store.choosePreset((event.target as HTMLSelectElement).value as PresetName);
+  #choosePreset = async (): Promise<void> => {
+    const { choosePreset } = await this.#loadLater();
+    const { store, actions } = this;
+    const root = this.getRootNode();
+    // From above, grounds are no pictures.
+    const canDraw = store.backend === 'webgpu' || store.backend === 'webgl';
+    choosePreset(store, root instanceof ShadowRoot ? root : document.body, canDraw ? actions.newField : null);
   };
 
   #layers(): TemplateResult {
@@ -240,11 +271,10 @@ export class ControlPanel extends LitElement {
   }
 
   #ground(): TemplateResult {
-    const rows = FIELD_ROWS.filter((spec) => spec !== SEED);
     return html`
       <details class="section" ?open=${true}>
         <summary><h2>${this.store.text('ground')}</h2>${icon('down')}</summary>
-        ${rows.map((spec) => paramControl(this.store, spec, null))}
+        ${GROUND_ROWS.map((spec) => paramControl(this.store, spec, null))}
       </details>
     `;
   }
@@ -253,7 +283,7 @@ export class ControlPanel extends LitElement {
     return html`
       <details class="section" ?open=${true}>
         <summary><h2>${this.store.text('statistics')}</h2>${icon('down')}</summary>
-        ${statistics(this.store)}
+        ${this.#later?.statistics(this.store) ?? html`<p class="quiet">${this.store.text('notYet')}</p>`}
       </details>
       <p class="visually-hidden" role="status">${this.store.progress ? '' : summary(this.store)}</p>
     `;

@@ -3,22 +3,22 @@
 import { html, render } from 'lit';
 import { copyText } from './clipboard.ts';
 import { iconButton } from './parts.ts';
+import type { Place } from './parts.ts';
 import type { TemplateResult } from 'lit';
+import { later, LATER } from '../strings-later.ts';
+import type { LaterKey } from '../strings-later.ts';
 import type { StringKey } from '../strings.ts';
 import type { Store } from './store.ts';
 
 const TOAST_MS = 2500;
 
-/** Where it appears: the page's body, or the root of an element's panel. */
-export type Place = HTMLElement | ShadowRoot;
-
-const PICTURE_KEYS: readonly [StringKey, StringKey][] = [
+const PICTURE_KEYS: readonly [LaterKey, LaterKey][] = [
   ['orbit', 'orbitBy'],
   ['pan', 'panBy'],
   ['zoom', 'zoomBy'],
 ];
 
-const PAGE_KEYS: readonly [StringKey, StringKey][] = [
+const PAGE_KEYS: readonly [StringKey | LaterKey, LaterKey][] = [
   ['frameAll', 'frameBy'],
   ['view', 'viewsBy'],
   ['seeds', 'seedsBy'],
@@ -29,13 +29,14 @@ const PAGE_KEYS: readonly [StringKey, StringKey][] = [
 ];
 
 export function showKeys(store: Store, place: Place): void {
+  const words = (key: StringKey | LaterKey) => (key in LATER ? later(store.language, key as LaterKey) : store.text(key as StringKey));
   const rows = (keys: typeof PAGE_KEYS) => html`
-    <dl class="keys">${keys.map(([what, how]) => html`<div><dt>${store.text(what)}</dt><dd>${store.text(how)}</dd></div>`)}</dl>
+    <dl class="keys">${keys.map(([what, how]) => html`<div><dt>${words(what)}</dt><dd>${words(how)}</dd></div>`)}</dl>
   `;
   const content = html`
-    <h3>${store.text('keysPicture')}</h3>
+    <h3>${later(store.language, 'keysPicture')}</h3>
     ${rows(PICTURE_KEYS)}
-    <h3>${store.text('keysPage')}</h3>
+    <h3>${later(store.language, 'keysPage')}</h3>
     ${rows(PAGE_KEYS)}
   `;
   showDialog(store, place, store.text('help'), content);
@@ -48,15 +49,11 @@ export async function copyOrShow(store: Store, place: Place, text: string, done:
 }
 
 function showText(store: Store, place: Place, heading: string, text: string): void {
-  showDialog(store, place, heading, html`<p>${store.text('copyByHand')}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`);
+  showDialog(store, place, heading, html`<p>${later(store.language, 'copyByHand')}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`);
   place.querySelector<HTMLTextAreaElement>('.dialog .copy-text')?.select();
 }
 
-export function isDialogOpen(place: Place): boolean {
-  return place.querySelector('dialog[open]') !== null;
-}
-
-function showDialog(store: Store, place: Place, heading: string, content: TemplateResult): void {
+export function showDialog(store: Store, place: Place, heading: string, content: TemplateResult): HTMLDialogElement {
   const dialog = place.querySelector<HTMLDialogElement>('.dialog') ?? made(place, 'dialog', 'dialog');
   dialog.setAttribute('aria-labelledby', 'dialog-heading');
   const close = () => dialog.close();
@@ -75,6 +72,7 @@ function showDialog(store: Store, place: Place, heading: string, content: Templa
   );
   dialog.onclick = closeOnBackdrop;
   if (!dialog.open) dialog.showModal();
+  return dialog;
 }
 
 const toastTimers = new WeakMap<HTMLElement, ReturnType<typeof setTimeout>>();

@@ -4,9 +4,11 @@ import { errorInfo } from '../errors.ts';
 import { translate } from '../strings.ts';
 import { embedCode } from './clipboard.ts';
 import { ControlPanel } from './control-panel.ts';
-import { copyOrShow, isDialogOpen } from './dialogs.ts';
+import { copyOrShow } from './dialogs.ts';
 import { hasModifier, travel } from './keys.ts';
 import { layoutStyles, panelStyles } from './panel-styles.ts';
+import { isDialogOpen } from './parts.ts';
+import { randomParams } from './randomise.ts';
 import { Store } from './store.ts';
 import type { OpenPanel, PanelOwner } from '../controls-button.ts';
 import type { Params } from '../params.ts';
@@ -101,7 +103,7 @@ export class EmbeddedPanel implements OpenPanel {
     on('restored', showBackend);
     on('generate', ({ detail }) => store.showField(detail.field, detail.superseded ? null : store.params));
     on('progress', ({ detail }) => store.setProgress(detail));
-    on('error', ({ detail }) => store.fail(detail.error));
+    on('error', ({ detail }) => void store.fail(detail.error));
   }
 
   // … and the element the store, through its properties.
@@ -115,7 +117,7 @@ export class EmbeddedPanel implements OpenPanel {
     try {
       this.#element.params = store.params;
     } catch (thrown) {
-      store.fail(errorInfo(thrown));
+      void store.fail(errorInfo(thrown));
     }
   }
 
@@ -124,11 +126,16 @@ export class EmbeddedPanel implements OpenPanel {
     const store = this.#store;
     const root = () => this.#panel.getRootNode() as ShadowRoot;
     const withFreshSeed = (use: (seed: number) => void) => {
-      element.freshSeed().then(use, (thrown: unknown) => store.fail(errorInfo(thrown)));
+      element.freshSeed().then(use, (thrown: unknown) => void store.fail(errorInfo(thrown)));
     };
     return {
       freshSeed: () => withFreshSeed((seed) => store.setSeed(seed)),
-      randomise: () => withFreshSeed((seed) => store.randomise(seed)),
+      randomise: () => withFreshSeed((seed) => store.edit(randomParams(store.params, seed))),
+      newField: () => {
+        const field = new (element.constructor as new () => RockFieldElement)();
+        field.backend = element.backend;
+        return field;
+      },
       share: () => void copyOrShow(store, root(), element.shareURL(), 'copied', 'share'),
       embed: script === null ? undefined : () => void copyOrShow(store, root(), embedCode(new URL(element.shareURL()).hash.slice(1), script), 'embedCopied', 'embed'),
       close: this.#close,

@@ -1,13 +1,18 @@
 /** The page's own keys. The picture has keys too, while it has the focus. */
 
 import { VIEWS } from '../url-codec.ts';
-import { isDialogOpen, showKeys } from './dialogs.ts';
+import { isDialogOpen } from './parts.ts';
 import type { Store } from './store.ts';
 
-export function listenToKeys(store: Store, frameAll: () => void): void {
+export interface PageActions {
+  frameAll: () => void;
+  help: () => void;
+}
+
+export function listenToKeys(store: Store, actions: PageActions): void {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.isComposing || isDialogOpen(document.body)) return;
-    const handled = travel(store, event) || (!hasModifier(event) && !isTyping(event) && press(store, event.key, frameAll));
+    const handled = travel(store, event) || (!hasModifier(event) && !isTyping(event) && press(store, event.key, actions));
     if (handled) event.preventDefault();
   });
 }
@@ -27,10 +32,10 @@ export function hasModifier({ altKey, ctrlKey, metaKey }: KeyboardEvent): boolea
   return altKey || ctrlKey || metaKey;
 }
 
-function press(store: Store, key: string, frameAll: () => void): boolean {
+function press(store: Store, key: string, { frameAll, help }: PageActions): boolean {
   const view = VIEWS[Number(key) - 1];
   if (view) store.setView(view);
-  else if (key === '?') showKeys(store, document.body);
+  else if (key === '?') help();
   else if (key === 'f' || key === 'F') frameAll();
   else if (key === '[' || key === ']') store.setSeed(store.params.seed + (key === ']' ? 1 : -1));
   else return false;

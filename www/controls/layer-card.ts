@@ -2,11 +2,11 @@
 
 import { html, nothing } from 'lit';
 import { MAX_LAYERS } from '../params.ts';
-import { LAYER_ROWS } from '../params-flat.ts';
+import { LAYER_ROWS, readValue } from '../params-flat.ts';
 import { icon } from './icons.ts';
 import { paramControl, problemOf, shownNumber } from './param-control.ts';
 import { iconButton, segments } from './parts.ts';
-import { rockCount } from './statistics.ts';
+import { rockCount } from './summary.ts';
 import type { TemplateResult } from 'lit';
 import type { Layer, ParamSpec } from '../params.ts';
 import type { Store } from './store.ts';
@@ -17,6 +17,10 @@ const COLORS = 8;
 const FALLBACK_COUNT = 20;
 
 const COUNT = LAYER_ROWS.find(({ kind }) => kind === 'optional-integer');
+const SIZE_ROWS = LAYER_ROWS.filter(({ stage }) => stage !== 'mesh' && stage !== 'look');
+const SHAPE_ROWS = LAYER_ROWS.filter(({ component }) => component !== null);
+const WEAR_ROWS = LAYER_ROWS.filter(({ stage, component }) => stage === 'mesh' && component === null);
+const LOOK_ROWS = LAYER_ROWS.filter(({ stage }) => stage === 'look');
 
 export interface LayerCard {
   store: Store;
@@ -60,19 +64,32 @@ function numbers(store: Store, layer: Layer): string {
   return [`r ${shownNumber(layer.radius)}${notation === 'px' ? ` ${unit}` : ''}`, count].filter(Boolean).join(' · ');
 }
 
-function controls(store: Store, layer: Layer, index: number): (TemplateResult | typeof nothing)[] {
-  let last = '';
-  return LAYER_ROWS.map((spec) => {
-    const isCount = spec === COUNT;
-    const isArea = spec.key === 'areaFraction';
-    const startsGroup = spec.component === 0 && spec.key !== last;
-    last = spec.key;
-    if (isCount && layer.cellCount === null) return nothing;
-    if (isArea && layer.cellCount !== null) return fillBy(store, layer, index);
-    return html`
-      ${startsGroup ? html`<hr />` : nothing} ${isArea ? fillBy(store, layer, index) : nothing} ${paramControl(store, spec, index)}
-    `;
-  });
+function controls(store: Store, layer: Layer, index: number): TemplateResult {
+  const isNatural = store.color === 'natural';
+  const isWorn = WEAR_ROWS.some((spec) => readValue(layer, spec) !== spec.default);
+  const rows = (specs: readonly ParamSpec[]) => specs.map((spec) => paramControl(store, spec, index));
+  return html`
+    ${SIZE_ROWS.map((spec) => sizeControl(store, spec, layer, index))} ${isNatural ? rows(LOOK_ROWS) : nothing}
+    ${part(store.text('shape'), !isWorn, rows(SHAPE_ROWS))} ${part(store.text('wear'), isWorn, rows(WEAR_ROWS))}
+  `;
+}
+
+/** What shapes the rocks of the papers and what wears natural ones are seldom wanted at once. */
+function part(name: string, isOpen: boolean, content: TemplateResult[]): TemplateResult {
+  return html`
+    <details class="part" ?open=${isOpen}>
+      <summary>${name}${icon('down')}</summary>
+      ${content}
+    </details>
+  `;
+}
+
+function sizeControl(store: Store, spec: ParamSpec, layer: Layer, index: number): TemplateResult | typeof nothing {
+  const isCount = spec === COUNT;
+  const isArea = spec.key === 'areaFraction';
+  if (isCount && layer.cellCount === null) return nothing;
+  if (isArea && layer.cellCount !== null) return fillBy(store, layer, index);
+  return html`${isArea ? fillBy(store, layer, index) : nothing} ${paramControl(store, spec, index)}`;
 }
 
 /** By area or by count: a count replaces the area. */

@@ -4,7 +4,7 @@ import { html } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { boundsOf, readValue } from '../params-flat.ts';
 import { translate } from '../strings.ts';
-import { describedBy, description, mathText, segments } from './parts.ts';
+import { describedBy, description, mathText, menu, segments } from './parts.ts';
 import { sliderScale } from './slider-scale.ts';
 import type { TemplateResult } from 'lit';
 import type { ParamSpec } from '../params.ts';
@@ -12,6 +12,9 @@ import type { Store } from './store.ts';
 
 /** Digits shown of a number; its value keeps all of them. */
 const SHOWN_DIGITS = 7;
+
+/** More words than these do not fit into a line. */
+const MOST_SEGMENTS = 4;
 
 /** The control of a row, for layer `layer` (an index) or, with `null`, for the field. */
 export function paramControl(store: Store, spec: ParamSpec, layer: number | null): TemplateResult {
@@ -32,7 +35,8 @@ function idOf(spec: ParamSpec, layer: number | null): string {
 function choiceControl(store: Store, spec: ParamSpec, layer: number | null): TemplateResult {
   const { language, params } = store;
   const owner = layer === null ? params : params.layers[layer];
-  return segments({
+  const choose = spec.choices.length > MOST_SEGMENTS ? menu : segments;
+  return choose({
     name: idOf(spec, layer),
     label: spec.label[language],
     help: spec.doc[language],

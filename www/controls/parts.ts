@@ -1,9 +1,17 @@
 /** Small pieces that every part of the panel is made of. */
 
 import { html } from 'lit';
+import { live } from 'lit/directives/live.js';
 import { icon } from './icons.ts';
 import type { TemplateResult } from 'lit';
 import type { IconName } from './icons.ts';
+
+/** Where dialogs appear: the page's body, or the root of an element's panel. */
+export type Place = HTMLElement | ShadowRoot;
+
+export function isDialogOpen(place: Place): boolean {
+  return place.querySelector('dialog[open]') !== null;
+}
 
 /** `Taper base c_w1` with its symbol set as one: italic, the index below. A lone last letter is a symbol too. */
 export function mathText(text: string): (string | TemplateResult)[] {
@@ -68,6 +76,25 @@ export function segments<T extends string>({ name, label, hideLabel = false, hel
           `,
         )}
       </div>
+      ${description(name, help, problem)}
+    </div>
+  `;
+}
+
+/** A choice of many. */
+export function menu<T extends string>({ name, label, help = '', options, value, action, problem }: Segments<T>): TemplateResult {
+  return html`
+    <div class="control field-row" data-param=${name} data-help=${help}>
+      <label class="control-label" for=${name}>${label}</label>
+      <select
+        class="select"
+        id=${name}
+        aria-describedby=${describedBy(name, help, problem)}
+        .value=${live(value)}
+        @change=${({ target }: Event) => action((target as HTMLSelectElement).value as T)}
+      >
+        ${options.map((option) => html`<option value=${option.value} ?selected=${option.value === value}>${option.label}</option>`)}
+      </select>
       ${description(name, help, problem)}
     </div>
   `;

@@ -3,7 +3,7 @@
 import { LitElement, html, nothing } from 'lit';
 import { colorChoice, viewChoice } from './look.ts';
 import { iconButton } from './parts.ts';
-import { summary } from './statistics.ts';
+import { summary } from './summary.ts';
 import { messageLine, progressLine } from './status.ts';
 import type { TemplateResult } from 'lit';
 import type { Store } from './store.ts';

@@ -3,7 +3,7 @@
 import { html, nothing } from 'lit';
 import { icon } from './icons.ts';
 import { iconButton } from './parts.ts';
-import { percent } from './statistics.ts';
+import { percent } from './summary.ts';
 import type { TemplateResult } from 'lit';
 import type { Store } from './store.ts';
 

@@ -5,9 +5,8 @@ import { presetColor, sameRocks } from '../look.ts';
 import { MAX_LAYERS, PARAMS } from '../params.ts';
 import { boundsOf, defaultLayer, presetParams, writeValue } from '../params-flat.ts';
 import { noticeText } from '../notices.ts';
-import { errorText, translate } from '../strings.ts';
-import { inNotation } from './notation.ts';
-import { randomParams } from './randomise.ts';
+import { translate } from '../strings.ts';
+import { loadLater } from './load-later.ts';
 import type { ErrorInfo } from '../errors.ts';
 import type { Field } from '../field.ts';
 import type { Progress } from '../generator/protocol.ts';
@@ -125,7 +124,7 @@ export class Store {
   setParam(spec: ParamSpec, layer: number | null, value: number | string | null): void {
     const label = `${spec.url} ${layer}`;
     if (spec.key === 'notation') {
-      this.setNotation(value as Notation);
+      void this.setNotation(value as Notation);
     } else if (layer === null) {
       this.edit(written(this.params, spec, value), label);
     } else {
@@ -134,8 +133,9 @@ export class Store {
     }
   }
 
-  setNotation(notation: Notation): void {
+  async setNotation(notation: Notation): Promise<void> {
     if (notation === this.params.notation) return;
+    const { inNotation } = await loadLater();
     const { params, clamped } = inNotation(this.params, notation);
     this.edit(params);
     if (clamped) this.say((language) => translate(language, 'notationClamped'));
@@ -154,10 +154,6 @@ export class Store {
   /** The preset as printed, with seed 0. */
   reset(): void {
     this.edit(presetParams(this.preset));
-  }
-
-  randomise(seed: number): void {
-    this.edit(randomParams(this.params, seed));
   }
 
   addLayer(): void {
@@ -274,17 +270,16 @@ export class Store {
   }
 
   /** An error of the element: under its control, or on the line for the page when it has none. */
-  fail(error: ErrorInfo): void {
+  async fail(error: ErrorInfo): Promise<void> {
+    const { params } = this;
+    const { key = '', layer, message } = error;
+    this.setProgress(null);
+    // In its own words where ours cannot be had.
+    const errorText = await loadLater().then((later) => later.errorText, () => () => message);
     const text = (language: Language) => errorText(language, error);
-    const { key = '', layer } = error;
     const spec = PARAMS.find((candidate) => candidate.key === key);
-    this.progress = null;
-    if (spec || LIST_KEYS.includes(key)) {
-      this.setProblem({ key, layer: spec?.scope === 'layer' ? (layer ?? this.#finestLayer()) : null, component: null, text });
-    } else {
-      this.say(text);
-    }
-    this.notify('progress');
+    if (!spec && !LIST_KEYS.includes(key)) this.say(text);
+    else if (this.params === params) this.setProblem({ key, layer: spec?.scope === 'layer' ? (layer ?? this.#finestLayer()) : null, component: null, text });
   }
 
   /** Where an error of no particular layer belongs: what is too much for the memory is too many small rocks. */

@@ -3,8 +3,8 @@
  * the `diagrams` view, the selected cells with theirs in all others.
  */
 
-import { FOV_Y } from '../camera.ts';
 import type { Field, FieldLayer } from '../field.ts';
+import { FOV_Y } from './fov.ts';
 import type { CameraState, Look, SceneRenderer, SceneStyle } from './renderer.ts';
 
 /** As INK in `src/render/palette.rs`: by layer id modulo 8. */

@@ -1,8 +1,6 @@
 /** Finds the best backend that really works and makes a renderer of it. */
 
-import { Canvas2dRenderer } from './canvas2d.ts';
 import { GpuRenderer } from './gpu.ts';
-import { NullRenderer } from './null.ts';
 import type { Backend, SceneRenderer } from './renderer.ts';
 
 /** `auto` tries WebGPU, WebGL2, then canvas 2D; a name asks for that backend alone. */
@@ -31,9 +29,9 @@ export async function loadRenderer(makeCanvas: () => HTMLCanvasElement, wanted: 
 async function open(backend: Backend, makeCanvas: () => HTMLCanvasElement): Promise<SceneRenderer> {
   switch (backend) {
     case 'null':
-      return new NullRenderer(makeCanvas());
+      return new (await import('./null.ts')).NullRenderer(makeCanvas());
     case 'canvas2d':
-      return new Canvas2dRenderer(makeCanvas());
+      return new (await import('./canvas2d.ts')).Canvas2dRenderer(makeCanvas());
     case 'webgpu':
     case 'webgl':
       return GpuRenderer.create(backend, makeCanvas);

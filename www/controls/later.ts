@@ -1,0 +1,10 @@
+/** What the first picture does not need, in one file that is loaded when it stands, or earlier if somebody is quick. */
+
+export { embedCode } from './clipboard.ts';
+export { copyOrShow, showKeys } from './dialogs.ts';
+export { choosePreset } from './preset-picker.ts';
+export { inNotation } from './notation.ts';
+export { randomParams } from './randomise.ts';
+export { statistics } from './statistics.ts';
+export { keepOffline } from '../offline.ts';
+export { errorText } from '../strings-later.ts';

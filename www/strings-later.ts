@@ -1,0 +1,91 @@
+/** The sentences of what comes later: errors, the statistics, the presets to choose from, the keys. As in `strings.ts`. */
+
+import type { ErrorInfo } from './errors.ts';
+import { filled } from './filled.ts';
+import type { Slots } from './filled.ts';
+import { figureOf } from './strings.ts';
+import type { Language, Preset, Words } from './params.ts';
+
+export const LATER = {
+  layerCount: { en: '{n} layers', ja: '{n} 層' },
+  natural: { en: 'Natural grounds', ja: '自然の地面' },
+  copyByHand: { en: 'The browser does not let this page copy. Copy the text here:', ja: 'ブラウザがコピーを許可していません。ここからコピーしてください：' },
+  rocks: { en: 'Rocks', ja: '岩' },
+  triangles: { en: 'Triangles', ja: '三角形' },
+  covered: { en: 'Ground covered', ja: '被覆率' },
+  sites: { en: 'Sites', ja: '母点' },
+  ofTarget: { en: 'of N_p', ja: '／ N_p' },
+  asked: { en: 'A_s asked', ja: 'A_s 要求' },
+  reached: { en: 'Reached', ja: '達成' },
+  sitesSaturated: { en: 'No free pixel was left', ja: '空き画素がなくなりました' },
+  cellsSaturated: { en: 'Ran out of free cells', ja: '空きセルがなくなりました' },
+  saturatedKey: { en: '● saturated: no free pixel (sites) or no free cell (area) was left.', ja: '● 飽和：空き画素（母点）または空きセル（面積）がなくなりました。' },
+  saturated: { en: 'saturated', ja: '飽和' },
+  time: { en: 'Time, ms', ja: '時間（ms）' },
+  total: { en: 'Total', ja: '合計' },
+  cached: { en: 'A dash: taken from the cache.', ja: '「–」はキャッシュから再利用。' },
+  backend: { en: 'Drawn with', ja: '描画' },
+  keysPicture: { en: 'In the picture', ja: '画像の操作' },
+  keysPage: { en: 'Anywhere on the page', ja: 'ページ全体' },
+  orbit: { en: 'Orbit', ja: '回転' },
+  orbitBy: { en: 'drag, one finger, or arrow keys', ja: 'ドラッグ、1本指、矢印キー' },
+  pan: { en: 'Pan', ja: '移動' },
+  panBy: { en: 'right drag, two fingers, or Shift + arrow keys', ja: '右ドラッグ、2本指、Shift + 矢印キー' },
+  zoom: { en: 'Zoom', ja: '拡大・縮小' },
+  zoomBy: { en: 'wheel, pinch, or + and −', ja: 'ホイール、ピンチ、+ と −' },
+  frameBy: { en: 'F or double-click', ja: 'F またはダブルクリック' },
+  viewsBy: { en: '1, 2, 3, 4', ja: '1、2、3、4' },
+  seeds: { en: 'Previous, next seed', ja: '前・次のシード' },
+  seedsBy: { en: '[ and ]', ja: '[ と ]' },
+  helpBy: { en: '?', ja: '?' },
+  sliders: { en: 'Sliders', ja: 'スライダー' },
+  slidersBy: { en: 'arrow keys, Page Up, Page Down, Home, End', ja: '矢印キー、Page Up、Page Down、Home、End' },
+  undoBy: { en: 'Ctrl + Z or ⌘ Z', ja: 'Ctrl + Z または ⌘ Z' },
+  redoBy: { en: 'Shift + Ctrl + Z or Shift + ⌘ Z', ja: 'Shift + Ctrl + Z または Shift + ⌘ Z' },
+} as const satisfies Record<string, Words>;
+
+export type LaterKey = keyof typeof LATER;
+
+export function later(language: Language, key: LaterKey, slots: Slots = {}): string {
+  return filled(LATER[key][language], slots);
+}
+
+/** Errors of the element that a person at the page can read and act on; any other shows its own English message. */
+const ERRORS: Record<string, Words> = {
+  OutOfRange: { en: '{value} is not allowed; it has to lie in {min} to {max}.', ja: '{value} は使えません。{min} 〜 {max} の範囲で指定してください。' },
+  NotAnInteger: { en: '{value} has to be a whole number.', ja: '{value} は整数でなければなりません。' },
+  TooManyLayers: { en: 'At most {max} layers.', ja: '層は {max} 個までです。' },
+  OverBudget: {
+    en: 'This field would need about {valueMiB} MiB of memory; this device’s budget is {maxMiB} MiB. Change this value; the picture stays until then.',
+    ja: 'この設定には約 {valueMiB} MiB のメモリが必要です（上限 {maxMiB} MiB）。この値を変更してください。それまで画像は変わりません。',
+  },
+  WasmUnavailable: {
+    en: 'The generator could not be loaded. Check the connection, then reload the page.',
+    ja: '生成プログラムを読み込めませんでした。接続を確認して、ページを再読み込みしてください。',
+  },
+  WorkerUnavailable: {
+    en: 'The browser refused to start the generator’s worker. Reload the page, or try another browser.',
+    ja: 'ブラウザが生成用ワーカーを起動できませんでした。再読み込みするか、別のブラウザをお試しください。',
+  },
+  WorkerLost: { en: 'The generator stopped and was started again. Change a value to try once more.', ja: '生成プログラムが停止したため再起動しました。値を変更すると再実行します。' },
+};
+
+export function errorText(language: Language, error: ErrorInfo): string {
+  const words = ERRORS[error.name];
+  if (!words) return error.message;
+  const mebibytes = (bytes: unknown) => (typeof bytes === 'number' ? Math.ceil(bytes / 2 ** 20) : '?');
+  const { min, max } = error;
+  return filled(words[language], { value: String(error.value), min, max, valueMiB: mebibytes(error.value), maxMiB: mebibytes(max) });
+}
+
+/** `journal-fig11a` → `Fig. 11 (a)`, with what sets it apart: `r 90 · c_h1 45`, or the layers' areas. */
+export function presetLabel(language: Language, preset: Preset, columns: readonly string[]): string {
+  const { layers } = preset;
+  const figure = figureOf(preset.name);
+  const areas = layers.map(([, area = 0]) => Math.round(100 * area)).join(' / ');
+  if (layers.length > 1) return `${figure} – ${later(language, 'layerCount', { n: layers.length })} · ${areas} %`;
+  const [only = []] = layers;
+  // The area is 0.5 in all of them.
+  const numbers = only.flatMap((value, index) => (index !== 1 && value !== 0 ? [`${columns[index]} ${value}`] : []));
+  return `${figure} – ${numbers.join(' · ')}`;
+}
