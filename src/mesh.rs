@@ -98,15 +98,21 @@ impl RockBuilder {
     }
 
     /// Sums the face normals at the vertices, weighted by area: that is, unnormalised cross products.
-    pub(crate) fn finish(&mut self, triangles: &[[u16; 3]]) {
+    ///
+    /// A face at the rim of a worn rock lies below the ground and is no part of what is seen: its normal counts only at the first
+    /// `buried` vertices.
+    pub(crate) fn finish(&mut self, triangles: &[[u16; 3]], buried: usize) {
         self.normals.clear();
         self.normals.resize(self.points.len(), DVec3::ZERO);
         for triangle in triangles {
             let [a, b, c] = triangle.map(usize::from);
             let origin = self.points[a];
             let normal = (self.points[b] - origin).cross(self.points[c] - origin);
+            let at_rim = a.min(b).min(c) < buried;
             for v in [a, b, c] {
-                self.normals[v] += normal;
+                if !at_rim || v < buried {
+                    self.normals[v] += normal;
+                }
             }
         }
     }

@@ -7,6 +7,7 @@ import type { Edition } from './controls/store.ts';
 import type { History } from './history.ts';
 import { loadPanel } from './load-panel.ts';
 import type { Language } from './params.ts';
+import type { ColorMode } from './renderer/renderer.ts';
 import type { RockFieldElement } from './rock-field-element.ts';
 
 /** What the panel needs of its element beside what is public. */
@@ -18,6 +19,8 @@ export interface PanelOwner {
   isOpen: () => boolean;
   /** Whether what is shown is what the parameters say. */
   isSettled: () => boolean;
+  /** Null while the colour is the preset's. */
+  chosenColor: () => ColorMode | null;
   history: () => History<Edition>;
   say: (text: string) => void;
 }

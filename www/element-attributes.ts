@@ -9,6 +9,7 @@
 import { METRES_PER_PIXEL, parseOrbit } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { errorInfo } from './errors.ts';
+import { presetColor } from './look.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import type { Params, ParamSpec, PresetName } from './params.ts';
 import { boundsOf, defaultLayer, defaultParams, FIELD_ROWS, LAYER_ROWS, presetParams, readValue, resolveParams, writeValue } from './params-flat.ts';
@@ -33,7 +34,8 @@ export interface AttributeState {
   /** What they were written against. */
   preset: PresetName;
   view: View;
-  color: ColorMode;
+  /** Null: nobody chose one, it is the preset's own. */
+  color: ColorMode | null;
   /** From a link in `src`; null: the whole field. */
   camera: CameraState | null;
   /** Where the camera is while the whole field is framed; null: as the field is framed by itself. */
@@ -93,7 +95,7 @@ export function readAttributes(get: Get): AttributeState {
     params,
     preset: source.preset,
     view: readChoice('view', get('view'), VIEWS, source.view, note),
-    color: readChoice('color', get('color'), COLORS, source.color, note),
+    color: readColor(get('color'), source, note),
     camera: source.camera,
     orbit: readOrbit(get('camera-orbit'), note),
     interaction: readChoice('interaction', get('interaction'), INTERACTIONS, INTERACTIONS[0], note),
@@ -107,13 +109,13 @@ interface Source {
   params: Params;
   preset: PresetName;
   view: View;
-  color: ColorMode;
+  color: ColorMode | null;
   camera: CameraState | null;
 }
 
 function readSource(get: Get, note: Note): Source {
   const src = get('src');
-  const blank: Source = { params: defaultParams(), preset: PRESETS[0].name, view: VIEWS[0], color: COLORS[0], camera: null };
+  const blank: Source = { params: defaultParams(), preset: PRESETS[0].name, view: VIEWS[0], color: null, camera: null };
   if (src === null) return { ...blank, ...readPreset(get('preset'), note) };
   if (src.trim().startsWith('{')) {
     try {
@@ -183,6 +185,12 @@ function readChoice<T extends string>(name: string, given: string | null, choice
   const found = choices.find((choice) => choice === given.trim());
   if (found === undefined) note(name, `${quote(given)} is none of ${choices.join(', ')}; ${fallback} is used`);
   return found ?? fallback;
+}
+
+function readColor(given: string | null, { color, preset }: Source, note: Note): ColorMode | null {
+  const wanted = readChoice('color', given, COLORS, color ?? presetColor(preset), note);
+  // What is malformed is as good as absent: of another preset it would be another colour.
+  return given !== null && given.trim() === wanted ? wanted : color;
 }
 
 function readOrbit(given: string | null, note: Note): Orbit | null {

@@ -35,14 +35,14 @@ function found(selector: string): HTMLElement {
 
 function follow(change: Change): void {
   if (change === 'params') showParams();
-  if (change === 'look') Object.assign(field, { view: store.view, color: store.color });
+  if (change === 'look') Object.assign(field, { view: store.view, color: store.chosenColor });
   if (change === 'preferences') showPreferences();
   if (change === 'params' || change === 'look' || change === 'camera') scheduleAddress();
 }
 
 function showParams(): void {
   try {
-    field.params = store.params;
+    field.params = { ...store.params, preset: store.preset };
   } catch (thrown) {
     store.fail(errorInfo(thrown));
   }
@@ -171,7 +171,7 @@ Object.assign(overlay, { store, actions: { cancel, frameAll: () => field.frameAl
 
 store.subscribe(follow);
 showPreferences();
-Object.assign(field, { params: store.params, view: store.view, color: store.color, camera: store.camera });
+Object.assign(field, { params: { ...store.params, preset: store.preset }, view: store.view, color: store.chosenColor, camera: store.camera });
 field.className = 'picture';
 // Nothing scrolls here.
 field.interaction = 'always';

@@ -12,6 +12,7 @@ import { GeneratorClient } from './generator/client.ts';
 import type { Progress } from './generator/protocol.ts';
 import { describeField } from './field-description.ts';
 import { History } from './history.ts';
+import { lookOf, presetColor, sameLook, sameRocks } from './look.ts';
 import { PRESETS } from './params.ts';
 import type { Layer, Params, PresetName } from './params.ts';
 import type { FieldRequest, LayerRequest } from './params-flat.ts';
@@ -67,7 +68,7 @@ type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEv
  * @attribute seed - Whole number of 32 bits. Like every other parameter of the table in kebab case it replaces what `src` or the preset says.
  * @attribute radius - Disc radii, one per layer: `90 30 10`. Every other parameter of a layer is such a list too.
  * @attribute view - `3d`, `wireframe`, `diagrams` or `selection`.
- * @attribute color - `layer`, `rock` or `plain`.
+ * @attribute color - `layer`, `rock`, `plain` or `natural`; when absent, `natural` for natural presets and `layer` for the papers'.
  * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
  * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
  * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
@@ -102,11 +103,18 @@ export class RockFieldElement extends SceneElement {
   /** Steps of `undo`, of the panel and of code alike; edits that follow each other closely are one. */
   #history: History<Edition> | undefined;
   #controls: ControlsButton | undefined;
+  /** Null: nobody chose one, it is the preset's own. */
+  #color: ColorMode | null = null;
+  /** What the field on screen was made from. */
+  #shown: Params | null = null;
+  /** What runs under way were written against. */
+  #presets = new WeakMap<Params, PresetName>();
   #interaction: Interaction = INTERACTIONS[0];
   #metresPerPixel = METRES_PER_PIXEL;
 
   /**
-   * All parameters; a copy, both ways. Assigning starts a run, the latest wins; several assignments in one task are one run.
+   * All parameters; a copy, both ways. Assigning starts a run, the latest wins; several assignments in one task are one run. What
+   * is only seen, like `dust` or `sunAzimuth`, starts none.
    *
    * @throws {RockFieldError} naming key, value and bounds; nothing has changed.
    */
@@ -115,17 +123,39 @@ export class RockFieldElement extends SceneElement {
     return copyParams(this.#params ?? defaultParams());
   }
 
-  set params(params: Params) {
+  set params(params: Params & Pick<FieldRequest, 'preset'>) {
     const resolved = resolveParams(params);
     this.#readAttributes();
     this.#takeParams(resolved);
-    this.#record((params as FieldRequest).preset);
+    this.#record(params.preset);
+    this.#dress();
     this.#schedule();
   }
 
   #setParams(params: Params): void {
+    const isDressed = this.#params !== null && sameRocks(this.#params, params) && !sameLook(this.#params, params);
+    if (!isDressed) this.#stale = true;
     this.#params = params;
-    this.#stale = true;
+  }
+
+  get #preset(): PresetName {
+    return this.#history?.present.preset ?? PRESETS[0].name;
+  }
+
+  /** Shows the parameters' look, unless their rocks are still to come: these then bring it. */
+  #dress(): void {
+    const params = this.#params;
+    const isPending = this.field !== null && !this.#isSettled && !(params && this.#shown && sameRocks(this.#shown, params));
+    if (params && !isPending) this.#putOn(params, this.#preset);
+  }
+
+  #putOn(params: Params, preset: PresetName): void {
+    this.setSceneLook(lookOf(params));
+    this.sceneColor = this.#color ?? presetColor(preset);
+  }
+
+  get #isSettled(): boolean {
+    return !this.#stale && !this.#client?.busy;
   }
 
   #takeParams(params: Params): void {
@@ -134,7 +164,7 @@ export class RockFieldElement extends SceneElement {
   }
 
   /** What says the same as the present is no step: the panel's edits come here when they are in the history already. */
-  #record(preset: PresetName = this.#history?.present.preset ?? PRESETS[0].name): void {
+  #record(preset: PresetName = this.#preset): void {
     if (!this.#params) return;
     const edition: Edition = { params: this.#params, preset };
     if (!this.#history) this.#history = new History(edition);
@@ -163,16 +193,23 @@ export class RockFieldElement extends SceneElement {
     this.#controls?.sync();
   }
 
+  /** As the attribute; assigning `null` lets it follow the preset again. */
   get color(): ColorMode {
     this.#readAttributes();
-    return this.sceneColor;
+    return this.#color ?? presetColor(this.#preset);
   }
 
-  set color(color: ColorMode) {
-    const checked = checkChoice('color', color ?? COLORS[0], COLORS);
+  set color(color: ColorMode | null) {
+    const checked = color === null || color === undefined ? null : checkChoice('color', color, COLORS);
     this.#readAttributes();
-    this.sceneColor = checked;
+    this.#chooseColor(checked);
     this.#controls?.sync();
+  }
+
+  #chooseColor(color: ColorMode | null): void {
+    this.#color = color;
+    if (color) this.sceneColor = color;
+    else this.#dress();
   }
 
   override get theme(): Theme {
@@ -249,7 +286,7 @@ export class RockFieldElement extends SceneElement {
   shareURL(base: string = document.baseURI): string {
     const url = new URL(base, document.baseURI);
     const { params, view, color, framed, camera } = this;
-    url.hash = encodeLink({ params, preset: this.#history?.present.preset ?? PRESETS[0].name, view, color, camera: framed ? null : camera });
+    url.hash = encodeLink({ params, preset: this.#preset, view, color, camera: framed ? null : camera });
     return url.href;
   }
 
@@ -281,6 +318,7 @@ export class RockFieldElement extends SceneElement {
   #travel(moved = false): boolean {
     if (moved && this.#history) {
       this.#takeParams(this.#history.present.params);
+      this.#dress();
       this.#schedule();
       this.#controls?.sync();
     }
@@ -294,6 +332,7 @@ export class RockFieldElement extends SceneElement {
       return Promise.reject(new RockFieldError({ name: 'NotConnected', message: 'put the element into the document first' }));
     }
     const { params } = this;
+    this.#presets.set(params, this.#preset);
     this.#stale = false;
     const run = this.#generator().generate(params, { onProgress: (progress) => this.#tellProgress(progress) });
     this.#run = run;
@@ -386,7 +425,8 @@ export class RockFieldElement extends SceneElement {
       root: this.shadowRoot as ShadowRoot,
       language: () => this.language,
       isOpen: () => this.#isOpen,
-      isSettled: () => !this.#stale && !this.#client?.busy,
+      isSettled: () => this.#isSettled,
+      chosenColor: () => this.#color,
       history: () => {
         this.#readAttributes();
         return (this.#history ??= new History<Edition>({ params: this.params, preset: PRESETS[0].name }));
@@ -401,12 +441,16 @@ export class RockFieldElement extends SceneElement {
   }
 
   #generator(): GeneratorClient {
-    this.#client ??= new GeneratorClient({ onField: (field, superseded) => this.#show(field, superseded) });
+    this.#client ??= new GeneratorClient({ onField: (field, superseded, params) => this.#show(field, superseded, params) });
     return this.#client;
   }
 
-  #show(field: Field, superseded: boolean): void {
+  #show(field: Field, superseded: boolean, params: Params): void {
     if (!this.showField(field)) return;
+    this.#shown = params;
+    // Its look may have been edited since it was asked for.
+    if (this.#params && sameRocks(this.#params, params)) this.#putOn(this.#params, this.#preset);
+    else this.#putOn(params, this.#presets.get(params) ?? this.#preset);
     this.describe(describeField(field, this.#metresPerPixel, this.language));
     this.emit('generate', { stats: field.stats, field, superseded });
   }
@@ -442,7 +486,8 @@ export class RockFieldElement extends SceneElement {
     }
     if (has('src', 'preset', ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys())) this.#record(has('src', 'preset') ? read.preset : undefined);
     if (has('src', 'view')) this.sceneView = read.view;
-    if (has('src', 'color')) this.sceneColor = read.color;
+    if (has('src', 'color')) this.#chooseColor(read.color);
+    this.#dress();
     if (has('src')) super.camera = read.camera;
     if (has('camera-orbit', 'metres-per-pixel')) this.setFraming(read.orbit, read.metresPerPixel);
     if (has('camera-orbit')) super.camera = read.camera;

@@ -17,7 +17,7 @@ import { pictureSize, takePicture } from './picture.ts';
 import type { PictureOptions } from './picture.ts';
 import { errorText, RendererKeeper } from './renderer-keeper.ts';
 import type { WantedBackend } from './renderer/load.ts';
-import type { Backend, CameraState, ColorMode, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
+import type { Backend, CameraState, ColorMode, Look, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
 import { SceneCamera } from './scene-camera.ts';
 import { SceneTree } from './scene-tree.ts';
 import { StageSize } from './stage-size.ts';
@@ -92,6 +92,7 @@ export abstract class SceneElement extends Base {
 
   #field: Field | null = null;
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
+  #look: Look | null = null;
   #theme: Theme = 'auto';
   #camera = new SceneCamera(() => ({ extent: this.#extent(), aspect: this.#size?.aspect ?? 2, view: this.#style.view }));
 
@@ -215,6 +216,12 @@ export abstract class SceneElement extends Base {
 
   protected set sceneColor(color: ColorMode) {
     this.#restyle({ color });
+  }
+
+  /** Drawn with the next frame: whoever changes it with the field calls this in the same task. */
+  protected setSceneLook(look: Look): void {
+    this.#look = look;
+    this.#tell((renderer) => renderer.setLook(look));
   }
 
   /** Shows a field. False when the renderer refused it: that is reported, and the old one stays on screen. */
@@ -367,6 +374,7 @@ export abstract class SceneElement extends Base {
 
   #fill(renderer: SceneRenderer): void {
     renderer.setStyle(this.#style);
+    if (this.#look) renderer.setLook(this.#look);
     if (this.#field) renderer.setField(this.#field);
   }
 
@@ -443,9 +451,14 @@ export abstract class SceneElement extends Base {
   }
 
   #restyle(change: Partial<SceneStyle>): void {
-    this.#style = { ...this.#style, ...change };
+    const style = { ...this.#style, ...change };
+    this.#style = style;
+    this.#tell((renderer) => renderer.setStyle(style));
+  }
+
+  #tell(work: (renderer: SceneRenderer) => void): void {
     try {
-      this.#kept.renderer?.setStyle(this.#style);
+      if (this.#kept.renderer) work(this.#kept.renderer);
     } catch (thrown) {
       this.report({ name: 'RendererFailed', message: `the view could not be shown: ${errorText(thrown)}` });
     }

@@ -78,6 +78,7 @@ export const STRINGS = {
   'color-layer': { en: 'Layer', ja: '層' },
   'color-rock': { en: 'Rock', ja: '岩' },
   'color-plain': { en: 'Plain', ja: '単色' },
+  'color-natural': { en: 'Natural', ja: '自然' },
   frameAll: { en: 'Frame all', ja: '全体を表示' },
   fullScreen: { en: 'Full screen', ja: '全画面表示' },
   leaveFullScreen: { en: 'Leave full screen', ja: '全画面表示を終了' },

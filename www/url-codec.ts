@@ -7,6 +7,7 @@
  */
 
 import { MAX_LAYERS, PRESETS } from './params.ts';
+import { presetColor } from './look.ts';
 import { FIELD_ROWS, LAYER_ROWS, boundsOf, defaultLayer, presetParams, readValue, writeValue } from './params-flat.ts';
 import { noticeText } from './notices.ts';
 import type { Layer, Notation, Params, ParamSpec, PresetName } from './params.ts';
@@ -18,7 +19,7 @@ export const LINK_VERSION = '1';
 export const MAX_LINK_LENGTH = 16_384;
 
 export const VIEWS = ['3d', 'wireframe', 'diagrams', 'selection'] as const satisfies readonly View[];
-export const COLORS = ['layer', 'rock', 'plain'] as const satisfies readonly ColorMode[];
+export const COLORS = ['layer', 'rock', 'plain', 'natural'] as const satisfies readonly ColorMode[];
 
 /** How much of a wrong key or value is repeated in a notice. */
 const MAX_QUOTE_LENGTH = 32;
@@ -64,7 +65,8 @@ export interface LinkState {
   /** What the link is written against. */
   preset: PresetName;
   view: View;
-  color: ColorMode;
+  /** `null`: the preset's own. */
+  color: ColorMode | null;
   /** `null`: the whole field in view. */
   camera: CameraState | null;
 }
@@ -74,7 +76,7 @@ export interface DecodedLink extends LinkState {
 }
 
 export function encodeLink(state: Pick<LinkState, 'params'> & Partial<LinkState> & { defaultCamera?: CameraState | null }): string {
-  const { params, preset = PRESETS[0].name, view = VIEWS[0], color = COLORS[0], camera = null, defaultCamera = null } = state;
+  const { params, preset = PRESETS[0].name, view = VIEWS[0], color = null, camera = null, defaultCamera = null } = state;
   const base = presetParams(preset);
   const pairs = [`v=${LINK_VERSION}`, `preset=${preset}`];
   for (const spec of FIELD_ROWS) {
@@ -90,7 +92,7 @@ export function encodeLink(state: Pick<LinkState, 'params'> & Partial<LinkState>
   }
   if (params.layers.some((layer, index) => layer.id !== index)) pairs.push(`id=${params.layers.map((layer) => layer.id).join(',')}`);
   if (view !== VIEWS[0]) pairs.push(`view=${view}`);
-  if (color !== COLORS[0]) pairs.push(`color=${color}`);
+  if (color !== null && color !== presetColor(preset)) pairs.push(`color=${color}`);
   const eye = camera && cameraText(camera);
   if (eye && eye !== (defaultCamera && cameraText(defaultCamera))) pairs.push(`camera=${eye}`);
   return pairs.join('&');
@@ -102,22 +104,19 @@ export function decodeLink(text: string): DecodedLink {
   const preset = reader.choice('preset', PRESETS.map(({ name }) => name), PRESETS[0].name, 'unknown-preset');
   const params = readParams(reader, presetParams(preset));
   const view = reader.choice('view', VIEWS, VIEWS[0]);
-  const color = reader.choice('color', COLORS, COLORS[0]);
+  const own = presetColor(preset);
+  const color = reader.choice('color', COLORS, own);
   const camera = readCamera(reader);
   reader.finish();
-  return { params, preset, view, color, camera, notices: reader.notices };
+  return { params, preset, view, color: color === own ? null : color, camera, notices: reader.notices };
 }
 
 function readParams(reader: Reader, preset: Params): Params {
   const params = { ...preset };
   // Choices first: the notation decides the bounds of the numbers.
-  for (const spec of FIELD_ROWS.filter(({ kind }) => kind === 'choice')) {
-    const words = spec.choices.map(({ value }) => value);
-    writeValue(params, spec, reader.choice(spec.url, words, String(readValue(preset, spec))));
-  }
-  for (const spec of FIELD_ROWS.filter(({ kind }) => kind !== 'choice')) {
+  for (const spec of [...FIELD_ROWS.filter(({ kind }) => kind === 'choice'), ...FIELD_ROWS.filter(({ kind }) => kind !== 'choice')]) {
     const given = reader.take(spec.url);
-    if (given !== undefined) writeValue(params, spec, reader.number(spec, params.notation, given, readValue(preset, spec)));
+    if (given !== undefined) writeValue(params, spec, reader.value(spec, params.notation, given, readValue(preset, spec)));
   }
   params.layers = readLayers(reader, preset, params.notation);
   return params;
@@ -144,9 +143,7 @@ function readLayers(reader: Reader, preset: Params, notation: Notation): Layer[]
     const layer = { ...baseLayer(preset, index, notation), id: ids?.[index] ?? index };
     for (const spec of LAYER_ROWS) {
       const given = lists.get(spec.url)?.[index];
-      if (given === undefined) continue;
-      const isNone = spec.kind === 'optional-integer' && given.trim() === NONE;
-      writeValue(layer, spec, isNone ? null : reader.number(spec, notation, given, readValue(layer, spec)));
+      if (given !== undefined) writeValue(layer, spec, reader.value(spec, notation, given, readValue(layer, spec)));
     }
     return layer;
   });
@@ -218,8 +215,15 @@ class Reader {
     return found ?? fallback;
   }
 
-  number(spec: ParamSpec, notation: Notation, given: string, fallback: unknown): unknown {
+  /** What stands in one place of a row: a word, a number, or a hyphen for none. */
+  value(spec: ParamSpec, notation: Notation, given: string, fallback: unknown): unknown {
     const item = given.trim();
+    if (spec.kind === 'choice') {
+      if (spec.choices.some(({ value }) => value === item)) return item;
+      this.note('unknown-choice', spec.url, given, String(fallback));
+      return fallback;
+    }
+    if (spec.kind === 'optional-integer' && item === NONE) return null;
     if (!NUMBER.test(item)) {
       this.note('not-a-number', spec.url, given, fallback === null ? '' : String(fallback));
       return fallback;

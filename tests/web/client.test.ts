@@ -88,6 +88,22 @@ test('a request is answered with its field, and no worker is made before the fir
   client.dispose();
 });
 
+test('a field comes with the parameters it was asked with, also when a newer request is on its way', async () => {
+  const given: unknown[] = [];
+  const { client, worker } = setUp({ onField: (field, superseded, of) => given.push([field.stats.rocks, of]) });
+  const [first, second] = [params(1), params(2)];
+  client.generate(first).catch(() => {});
+  worker().says({ type: 'ready' });
+  const a = worker().lastStart.id;
+  const done = client.generate(second);
+  const b = worker().lastStart.id;
+  worker().finishes(a);
+  worker().finishes(b);
+  await done;
+  assert.deepEqual(given, [[a, first], [b, second]]);
+  client.dispose();
+});
+
 test('the latest request wins: the ones before it reject as aborted, and are shown when they finish first', async () => {
   const { client, shown, worker } = setUp();
   const first = client.generate(params(1));

@@ -7,6 +7,7 @@ import { randomParams } from '../../www/controls/randomise.ts';
 import { sliderScale } from '../../www/controls/slider-scale.ts';
 import { Store } from '../../www/controls/store.ts';
 import type { Edition } from '../../www/controls/store.ts';
+import type { Field } from '../../www/field.ts';
 import { History } from '../../www/history.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/params.ts';
 import type { Layer, Notation, Params, ParamSpec } from '../../www/params.ts';
@@ -96,6 +97,15 @@ test('random fields are legal, and bounded in number', () => {
   }
 });
 
+test('a random field keeps the wear and the look of what it was drawn from', () => {
+  for (let seed = 0; seed < 50; seed += 1) {
+    const base = presetParams('lava-field');
+    const { layers, ...field } = randomParams(base, seed);
+    assert.deepEqual([field.border, field.ground, field.sunElevation], [base.border, base.ground, base.sunElevation]);
+    for (const { material, weathering, cellCount } of layers) assert.deepEqual([material, weathering, cellCount], ['basalt', 0.35, null]);
+  }
+});
+
 test('layers come and go, with ids that are never taken over', () => {
   const page = store();
   page.removeLayer(1);
@@ -126,6 +136,33 @@ test('the seed goes round, a preset keeps it, reset does not', () => {
   assert.deepEqual(page.params, presetParams('journal-fig12a'));
   page.undo();
   assert.equal(page.params.seed, 5);
+});
+
+test('the colour follows the preset until one is chosen that is not its own', () => {
+  const page = store('#preset=riverbed');
+  assert.equal(page.color, 'natural');
+  page.choosePreset('journal-fig1');
+  assert.equal(page.color, 'layer');
+  page.setColor('layer');
+  page.undo();
+  assert.equal(page.color, 'natural', 'the preset\'s own is no choice');
+  page.setColor('plain');
+  page.choosePreset('scree');
+  assert.equal(page.color, 'plain');
+  page.setColor('natural');
+  page.choosePreset('journal-fig12a');
+  assert.equal(page.color, 'layer');
+});
+
+test('a cancelled run gives the look back that it was begun with', () => {
+  const page = store('#preset=riverbed');
+  page.showField({} as Field, page.params);
+  const dust = SLIDERS.find(({ key }) => key === 'dust')!;
+  page.setParam(dust, null, 0.9);
+  assert.equal(page.shownParams, page.params, 'it is shown without a run');
+  page.setParam(SLIDERS.find(({ key }) => key === 'radius')!, 0, 50);
+  page.backToShown();
+  assert.deepEqual([page.params.dust, page.params.layers[0]!.radius], [0.9, 34]);
 });
 
 test('the embed code is safe HTML', () => {

@@ -6,16 +6,17 @@ import type { AttributeState } from '../../www/element-attributes.ts';
 import { orbitCamera, parseOrbit } from '../../www/camera-orbit.ts';
 import { describeField } from '../../www/field-description.ts';
 import type { Field } from '../../www/field.ts';
-import { PRESETS } from '../../www/params.ts';
-import type { Layer } from '../../www/params.ts';
-import { defaultLayer, defaultParams, presetParams, resolveParams } from '../../www/params-flat.ts';
+import { lookOf, presetColor, sameLook, sameRocks } from '../../www/look.ts';
+import { PARAMS, PRESETS } from '../../www/params.ts';
+import type { Layer, ParamSpec } from '../../www/params.ts';
+import { defaultLayer, defaultParams, encodeParams, presetParams, readValue, resolveParams, writeValue } from '../../www/params-flat.ts';
 
 function read(given: Record<string, string>): AttributeState {
   return readAttributes((name) => given[name] ?? null);
 }
 
 const DEFAULTS = {
-  params: defaultParams(), preset: PRESETS[0].name, view: '3d', color: 'layer', camera: null, orbit: null, interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
+  params: defaultParams(), preset: PRESETS[0].name, view: '3d', color: null, camera: null, orbit: null, interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
 };
 
 test('absent attributes are the defaults, without a word', () => {
@@ -25,7 +26,13 @@ test('absent attributes are the defaults, without a word', () => {
 test('every preset, view and colour can be named', () => {
   for (const { name } of PRESETS) assert.deepEqual(read({ preset: name }), { ...DEFAULTS, params: presetParams(name), preset: name });
   for (const view of ['3d', 'wireframe', 'diagrams', 'selection']) assert.deepEqual(read({ view }), { ...DEFAULTS, view });
-  for (const color of ['layer', 'rock', 'plain']) assert.deepEqual(read({ color }), { ...DEFAULTS, color });
+  for (const color of ['layer', 'rock', 'plain', 'natural']) assert.deepEqual(read({ color }), { ...DEFAULTS, color });
+});
+
+test('an explicit colour is kept, the preset\'s own too; without one, or with a malformed one, it is the preset\'s', () => {
+  assert.deepEqual([read({ preset: 'riverbed' }).color, read({ preset: 'riverbed', color: 'natural' }).color, read({ color: 'layer' }).color], [null, 'natural', 'layer']);
+  assert.match(read({ preset: 'riverbed', color: 'Natural' }).notices[0]!.message, /natural is used/);
+  assert.deepEqual(PRESETS.map(({ name }) => presetColor(name)), PRESETS.map((preset) => ('natural' in preset ? 'natural' : 'layer')));
 });
 
 test('a seed is any whole number of 32 bits', () => {
@@ -47,7 +54,8 @@ test('a malformed attribute is its default, or the nearest legal value, and exac
     [{ preset: '' }, ({ params }) => params, defaultParams()],
     [{ preset: 'toString' }, ({ params }) => params, defaultParams()],
     [{ view: '4d' }, ({ view }) => view, '3d'],
-    [{ color: 'LAYER' }, ({ color }) => color, 'layer'],
+    [{ color: 'LAYER' }, ({ color }) => color, null],
+    [{ color: 'LAYER', src: '#preset=riverbed&color=plain' }, ({ color }) => color, 'plain'],
     [{ packing: '1.5' }, ({ params }) => params.packing, 1],
     [{ packing: 'much' }, ({ params }) => params.packing, 0.7],
     [{ 'image-width': '0' }, ({ params }) => params.imageWidth, 1],
@@ -106,6 +114,14 @@ test('every row of the table has an attribute, which replaces what the preset sa
   assert.equal(read({ radius: '1 2 3 4' }).params.layers.length, 4);
 });
 
+test('a choice of a layer is a list of words; a word that is none is the preset\'s, with one notice that names it', () => {
+  const materials = (given: Record<string, string>) => read(given).params.layers.map(({ material }) => material);
+  assert.deepEqual(materials({ material: 'granite slate, basalt' }), ['granite', 'slate', 'basalt']);
+  assert.deepEqual(materials({ material: 'granite Slate x', preset: 'lava-field' }), ['granite', 'basalt', 'basalt']);
+  assert.deepEqual(read({ material: 'granite Slate x' }).notices.map(({ attribute }) => attribute), ['material']);
+  assert.deepEqual(read({ material: '' }).params.layers, []);
+});
+
 test('a list of another length than the first is left out, with one notice that names it', () => {
   const { params, notices } = read({ radius: '50 20', 'area-fraction': '0.1 0.2 0.3' });
   assert.deepEqual(params.layers.map(({ radius, areaFraction }) => [radius, areaFraction]), defaultParams().layers.slice(0, 2).map(({ areaFraction }, k) => [[50, 20][k], areaFraction]));
@@ -124,6 +140,31 @@ test('camera-orbit is azimuth, angle from above and distance, each perhaps auto'
   near(orbit!.elevation!, Math.PI / 2 - 0.5);
   assert.deepEqual(orbit!.distance, { value: 120, unit: '%' });
   assert.deepEqual(read({ 'camera-orbit': 'auto auto 12m' }).orbit, { azimuth: null, elevation: null, distance: { value: 12, unit: 'm' } });
+});
+
+test('every row is either of the rocks or of the look, and an edit of it is of that alone', () => {
+  for (const spec of PARAMS as readonly ParamSpec[]) {
+    const [before, after] = [presetParams('riverbed'), presetParams('riverbed')];
+    const [owner, old] = spec.scope === 'field' ? [after, before] : [after.layers[1]!, before.layers[1]!];
+    const others = spec.kind === 'choice' ? spec.choices.map(({ value }) => value) : [spec.min, spec.max];
+    writeValue(owner, spec, others.find((value) => value !== readValue(old, spec)));
+    const isLook = spec.stage === 'look';
+    assert.deepEqual([sameRocks(before, after), sameLook(before, after)], [isLook, !isLook], spec.url);
+    assert.equal(JSON.stringify(lookOf(before)) === JSON.stringify(lookOf(after)), !isLook, spec.url);
+    assert.notDeepEqual(encodeParams(before), encodeParams(after));
+  }
+});
+
+test('layers of other ids, or another number, are other rocks', () => {
+  const [one, other] = [defaultParams(), defaultParams()];
+  other.layers[1]!.id = 9;
+  assert.equal(sameRocks(one, other), false);
+  assert.equal(sameRocks(one, { ...one, layers: one.layers.slice(1) }), false);
+});
+
+test('the look is every row of it, with the material of each layer by id', () => {
+  const look = lookOf(presetParams('lava-field'));
+  assert.deepEqual(look, { variation: 0.3, wetness: 0, moss: 0, dust: 0.05, ground: 'soil', sunAzimuth: 235, sunElevation: 30, layers: [0, 1, 2, 3, 4].map((id) => ({ id, material: 'basalt' })) });
 });
 
 test('an orbit looks at the middle of the field from where it says', () => {

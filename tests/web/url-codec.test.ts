@@ -1,9 +1,10 @@
 // Links: every row of the table goes there and back, and nothing that stands in a link can hurt.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { presetColor } from '../../www/look.ts';
 import { MAX_LAYERS, PRESETS } from '../../www/params.ts';
 import type { Params, ParamSpec, PresetName } from '../../www/params.ts';
-import { FIELD_ROWS, LAYER_ROWS, boundsOf, defaultLayer, defaultParams, presetParams, resolveParams, writeValue } from '../../www/params-flat.ts';
+import { FIELD_ROWS, LAYER_ROWS, boundsOf, defaultLayer, defaultParams, presetParams, readValue, resolveParams, writeValue } from '../../www/params-flat.ts';
 import { COLORS, MAX_LINK_LENGTH, VIEWS, decodeLink, encodeLink } from '../../www/url-codec.ts';
 import type { NoticeCode } from '../../www/url-codec.ts';
 
@@ -57,6 +58,19 @@ for (const spec of LAYER_ROWS) {
     }
   });
 
+  if (spec.kind === 'choice') {
+    test(`${spec.url}: what is no word of it is the preset's, with one notice that names it`, () => {
+      const words = spec.choices.map(({ value }) => value);
+      const last = words.at(-1);
+      for (const wrong of ['abc', '0', '', words[0]!.toUpperCase(), 'toString', '<b>']) {
+        const { notices, params } = decodeLink(`#${spec.url}=${last},${encodeURIComponent(wrong)},${last}`);
+        assert.deepEqual(notices.map(({ code, key }) => [code, key]), [['unknown-choice', spec.url]], wrong);
+        assert.deepEqual(params.layers.map((layer) => readValue(layer, spec)), [last, words[0], last]);
+      }
+    });
+    continue;
+  }
+
   test(`${spec.url}: what is no legal number is put right, with one notice that names it`, () => {
     const { min, max } = boundsOf(spec, 'px');
     const [a, b, c] = [min, max, max].map(String);
@@ -107,13 +121,28 @@ test('layers can be fewer, more, none, and keep their ids', () => {
 test('view, colour and camera are in the link only when changed', () => {
   const params = defaultParams();
   const camera = { azimuth: 0.123456, elevation: 0.6, distance: 1234.56, target: [512, 512.04, 0] as [number, number, number] };
-  assert.equal(encodeLink({ params, view: VIEWS[0], color: COLORS[0], camera: null }), `v=1&preset=${FIRST}`);
+  assert.equal(encodeLink({ params, view: VIEWS[0], color: null, camera: null }), `v=1&preset=${FIRST}`);
   assert.equal(encodeLink({ params, camera, defaultCamera: camera }), `v=1&preset=${FIRST}`);
   const link = encodeLink({ params, view: 'selection', color: 'plain', camera });
   const read = decodeLink(link);
   assert.deepEqual([read.view, read.color, read.notices], ['selection', 'plain', []]);
   assert.deepEqual(read.camera, { azimuth: 0.1235, elevation: 0.6, distance: 1234.6, target: [512, 512, 0] });
   assert.equal(encodeLink(read), link);
+});
+
+test('a colour is in the link only when it is not the preset\'s own', () => {
+  for (const { name } of PRESETS) {
+    const params = presetParams(name);
+    for (const color of COLORS) {
+      const link = encodeLink({ params, preset: name, color });
+      const isOwn = color === presetColor(name);
+      assert.equal(link.includes('color='), !isOwn, link);
+      assert.equal(decodeLink(link).color, isOwn ? null : color);
+      assert.deepEqual(decodeLink(`#preset=${name}&color=${color}`).notices, []);
+    }
+  }
+  assert.match(decodeLink('#preset=riverbed&color=green').notices[0]!.text, /natural is used/);
+  assert.deepEqual([decodeLink('#seed=7').color, decodeLink('#seed=7&color=rock').color], [null, 'rock']);
 });
 
 test('a link is found after #, after ?, in an address and on its own', () => {

@@ -39,8 +39,8 @@ export class EmbeddedPanel implements OpenPanel {
     this.#element = element;
     this.#close = close;
     const history = owner.history();
-    const { view, color, theme, field, backend } = element;
-    this.#store = new Store({ ...history.present, view, color, camera: null, notices: [] }, { language: owner.language(), theme }, history);
+    const { view, theme, field, backend } = element;
+    this.#store = new Store({ ...history.present, view, color: owner.chosenColor(), camera: null, notices: [] }, { language: owner.language(), theme }, history);
     this.#seen = this.#store.params;
     if (field) this.#store.showField(field, owner.isSettled() ? this.#seen : null);
     this.#store.setBackend(backend);
@@ -74,14 +74,15 @@ export class EmbeddedPanel implements OpenPanel {
 
   sync(): void {
     const store = this.#store;
-    const { view, color, theme } = this.#element;
+    const { view, theme } = this.#element;
+    const chosenColor = this.#owner.chosenColor();
     const language = this.#owner.language();
     if (language !== store.language || theme !== store.theme) {
       Object.assign(store, { language, theme });
       store.notify('preferences');
     }
-    if (view !== store.view || color !== store.color) {
-      Object.assign(store, { view, color });
+    if (view !== store.view || chosenColor !== store.chosenColor) {
+      Object.assign(store, { view, chosenColor });
       store.notify('look');
     }
     if (store.params !== this.#seen) {
@@ -107,7 +108,7 @@ export class EmbeddedPanel implements OpenPanel {
 
   #follow(change: Change): void {
     const store = this.#store;
-    if (change === 'look') Object.assign(this.#element, { view: store.view, color: store.color });
+    if (change === 'look') Object.assign(this.#element, { view: store.view, color: store.chosenColor });
     if (change === 'preferences') this.#dress();
     if (change !== 'params' || store.params === this.#seen) return;
     this.#seen = store.params;

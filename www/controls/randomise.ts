@@ -1,6 +1,6 @@
 /** Fields worth looking at, drawn by lot: one to four sizes of rock, the largest few and tall, the smallest many. */
 
-import { clampParams, defaultLayer, presetParams } from '../params-flat.ts';
+import { clampParams, defaultLayer, defaultParams } from '../params-flat.ts';
 import type { Layer, Params, Triple } from '../params.ts';
 
 /** Side of the image that the sizes below are meant for, px; other images scale them, so the number of rocks stays bounded. */
@@ -8,7 +8,10 @@ const REFERENCE_SIDE = 1024;
 /** The smallest disc radius at that side: some 20,000 cells. */
 const SMALLEST_RADIUS = 6;
 
-/** Layers by lot over the image, notation and method of `params`, with `seed` as both the lot and the field's seed. */
+/**
+ * Sizes and shapes by lot over the image, notation, wear and look of `params`, with `seed` as both the lot and the field's seed:
+ * a riverbed gives another riverbed.
+ */
 export function randomParams(params: Params, seed: number): Params {
   const random = mulberry32(seed);
   const between = (low: number, high: number) => low + (high - low) * random();
@@ -30,11 +33,13 @@ export function randomParams(params: Params, seed: number): Params {
     const taper: Triple = [length(overhang * r), length(between(0, 0.15) * r), length(between(0, 0.12) * r)];
     const heights: Triple = [height(steepness * between(0.3, 0.7)), height(steepness * between(0, 0.6)), height(steepness * between(0.1, 0.4))];
     const areaFraction = rounded(isFinest ? between(0.35, 0.6) : between(0.1, 0.3));
-    layers.push({ ...defaultLayer(id, notation), radius: length(r), areaFraction, taper, height: heights });
+    const like = params.layers[id] ?? params.layers.at(-1) ?? defaultLayer(id, notation);
+    layers.push({ ...like, id, radius: length(r), areaFraction, cellCount: null, taper, height: heights });
     radius /= between(2.2, 3.8);
   }
-  const { packing, darts, border, swing } = presetParams('journal-fig1');
-  return clampParams({ ...params, packing, darts, border, swing, seed, layers }).params;
+  // Only these can leave the ground bare.
+  const { packing, darts } = defaultParams();
+  return clampParams({ ...params, packing, darts, seed, layers }).params;
 }
 
 function rounded(value: number): number {

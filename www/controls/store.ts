@@ -1,6 +1,7 @@
 /** What the page knows: the one place that the controls read and change. It draws nothing and talks to no element. */
 
 import { History } from '../history.ts';
+import { presetColor, sameRocks } from '../look.ts';
 import { MAX_LAYERS, PARAMS } from '../params.ts';
 import { boundsOf, defaultLayer, presetParams, writeValue } from '../params-flat.ts';
 import { noticeText } from '../notices.ts';
@@ -53,7 +54,8 @@ export class Store {
   language: Language;
   theme: Theme;
   view: View;
-  color: ColorMode;
+  /** `null`: the preset's own. */
+  chosenColor: ColorMode | null;
   /** `null`: the whole field is in view. */
   camera: CameraState | null;
   field: Field | null = null;
@@ -72,7 +74,7 @@ export class Store {
     const { params, preset, view, color, camera, notices } = link;
     this.#history = history ?? new History({ params, preset });
     this.view = view;
-    this.color = color;
+    this.chosenColor = color;
     this.camera = camera;
     this.language = preferences.language;
     this.theme = preferences.theme;
@@ -85,6 +87,10 @@ export class Store {
 
   get preset(): PresetName {
     return this.#history.present.preset;
+  }
+
+  get color(): ColorMode {
+    return this.chosenColor ?? presetColor(this.preset);
   }
 
   get canUndo(): boolean {
@@ -112,8 +118,7 @@ export class Store {
   /** Makes `params` the present; edits with one `label` that belong together are one step of undo. */
   edit(params: Params, label = '', preset = this.preset): void {
     this.#history.record({ params, preset }, label, performance.now());
-    this.problem = null;
-    this.notify('params');
+    this.#moved();
   }
 
   /** Edits one row of the table, in `layer` for a layer's row. */
@@ -186,22 +191,24 @@ export class Store {
   }
 
   undo(): void {
-    if (this.#history.undo()) this.#afterTravel();
+    if (this.#history.undo()) this.#moved();
   }
 
   redo(): void {
-    if (this.#history.redo()) this.#afterTravel();
+    if (this.#history.redo()) this.#moved();
   }
 
-  #afterTravel(): void {
+  #moved(): void {
     this.problem = null;
+    // Another look has no run to wait for.
+    if (this.shownParams && sameRocks(this.shownParams, this.params)) this.shownParams = this.params;
     this.notify('params');
   }
 
   /** Another link was opened: its rocks are one step of undo, its look is taken over. */
   open(link: LinkState & { notices: readonly Notice[] }): void {
     this.view = link.view;
-    this.color = link.color;
+    this.chosenColor = link.color;
     this.camera = link.camera;
     this.messages = link.notices.map(messageOf);
     this.edit(link.params, '', link.preset);
@@ -215,8 +222,9 @@ export class Store {
     this.notify('look');
   }
 
+  /** The preset's own is no choice: with the next preset it is that one's. */
   setColor(color: ColorMode): void {
-    this.color = color;
+    this.chosenColor = color === presetColor(this.preset) ? null : color;
     this.notify('look');
   }
 

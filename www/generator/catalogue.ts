@@ -6,7 +6,7 @@ import { boundsOf, defaultOf, FIELD_ROWS, LAYER_ROWS, presetParams } from '../pa
 
 export type JsonSchema = { readonly [key: string]: unknown };
 
-/** The presets of both papers by name, all parameters spelt out, seed 0. Each is a complete request. */
+/** The presets by name, all parameters spelt out, seed 0. Each is a complete request. */
 export const presets: Readonly<Record<PresetName, Readonly<Params>>> = frozen(
   Object.fromEntries(PRESETS.map(({ name }) => [name, presetParams(name)])) as Record<PresetName, Params>,
 );

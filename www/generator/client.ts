@@ -19,9 +19,10 @@ export interface ClientOptions {
   spawn?: () => WorkerLike;
   /**
    * Every finished field, in the order of the requests, those of superseded requests included: a drag shows its newest finished
-   * result. `superseded` tells that a newer request is on its way. Called before the promise of the request settles.
+   * result. `superseded` tells that a newer request is on its way; `params` is what `generate` was given. Called before the promise
+   * of the request settles.
    */
-  onField?: (field: Field, superseded: boolean) => void;
+  onField?: (field: Field, superseded: boolean, params: Params) => void;
 }
 
 export interface GenerateOptions {
@@ -35,6 +36,7 @@ export interface GenerateOptions {
 /** One call of `generate` whose promise is open. */
 interface Call {
   id: number;
+  params: Params;
   request: FlatRequest;
   retried: boolean;
   onProgress: ((progress: Progress) => void) | undefined;
@@ -55,7 +57,7 @@ export class GeneratorClient {
   #call: Call | undefined;
   #seeds = new Map<number, SeedCall>();
   /** Runs that the worker has not answered yet, superseded ones included. */
-  #open = new Set<number>();
+  #open = new Map<number, Params>();
   #shown = 0;
   #disposed = false;
 
@@ -87,6 +89,7 @@ export class GeneratorClient {
       const superseded = this.#call;
       this.#call = {
         id,
+        params,
         request: flatRequest(params, maxBytes),
         retried: false,
         onProgress,
@@ -122,7 +125,7 @@ export class GeneratorClient {
   }
 
   #start(call: Call): void {
-    this.#open.add(call.id);
+    this.#open.set(call.id, call.params);
     this.#post({ type: 'start', id: call.id, request: call.request });
   }
 
@@ -155,7 +158,6 @@ export class GeneratorClient {
         if (this.#call?.id === message.id) this.#call.onProgress?.(message.progress);
         break;
       case 'field':
-        this.#open.delete(message.id);
         this.#deliver(message.id, message.field);
         break;
       case 'rejected':
@@ -181,11 +183,13 @@ export class GeneratorClient {
 
   #deliver(id: number, field: Field): void {
     const call = this.#take(id);
+    const params = this.#open.get(id);
+    this.#open.delete(id);
     // A run that was cancelled in the moment it ended is nobody's: neither current nor superseded by a newer call.
     const superseded = call === undefined && this.#call !== undefined;
-    if ((call || superseded) && id > this.#shown) {
+    if ((call || superseded) && params && id > this.#shown) {
       this.#shown = id;
-      this.#options.onField?.(field, superseded);
+      this.#options.onField?.(field, superseded, params);
     }
     call?.resolve(field);
   }

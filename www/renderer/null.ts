@@ -1,11 +1,12 @@
 /** Draws nothing and records every call, for tests that have no graphics. */
 
 import type { Field } from '../field.ts';
-import type { CameraState, SceneRenderer, SceneStyle } from './renderer.ts';
+import type { CameraState, Look, SceneRenderer, SceneStyle } from './renderer.ts';
 
 export type RecordedCall =
   | { name: 'setField'; rocks: number }
   | { name: 'setStyle'; style: SceneStyle }
+  | { name: 'setLook'; look: Look }
   | { name: 'setCamera'; camera: CameraState }
   | { name: 'resize'; width: number; height: number }
   | { name: 'render' }
@@ -35,6 +36,10 @@ export class NullRenderer implements SceneRenderer {
 
   setStyle(style: SceneStyle): void {
     this.calls.push({ name: 'setStyle', style: { ...style } });
+  }
+
+  setLook(look: Look): void {
+    this.calls.push({ name: 'setLook', look });
   }
 
   setCamera(camera: CameraState): void {

@@ -5,12 +5,13 @@
  */
 
 import type { Field } from '../field.ts';
+import type { Ground, Material } from '../params.ts';
 
 /** `3d` and `wireframe` are seen through the camera; `diagrams` and `selection` are plans, north (+y) up. */
 export type View = '3d' | 'wireframe' | 'diagrams' | 'selection';
 
-/** One colour per layer, one per rock, or the papers' plain grey. */
-export type ColorMode = 'layer' | 'rock' | 'plain';
+/** One colour per layer, one per rock, the papers' plain grey, or stone, moss and ground as `Look` says. */
+export type ColorMode = 'layer' | 'rock' | 'plain' | 'natural';
 
 export type Backend = 'webgpu' | 'webgl' | 'canvas2d' | 'null';
 
@@ -33,12 +34,25 @@ export interface SceneStyle {
   dark: boolean;
 }
 
+/** What the parameters say of the surface alone: rows of the table whose stage is `look`. */
+export interface Look {
+  variation: number;
+  wetness: number;
+  moss: number;
+  dust: number;
+  ground: Ground;
+  sunAzimuth: number;
+  sunElevation: number;
+  layers: readonly { id: number; material: Material }[];
+}
+
 export interface SceneRenderer {
   readonly backend: Backend;
   readonly canvas: HTMLCanvasElement;
   /** Uploads `field` and replaces what is drawn as one step; on an error the old field stays. */
   setField(field: Field): void;
   setStyle(style: SceneStyle): void;
+  setLook(look: Look): void;
   setCamera(camera: CameraState): void;
   /** Device pixels; below 1 counts as 1, above the device's largest texture as that. */
   resize(width: number, height: number): void;
