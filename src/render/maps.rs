@@ -106,10 +106,9 @@ fn group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> w
     let compare = sampler("rock-field/shadow/sampler", Some(wgpu::CompareFunction::LessEqual));
     let linear = sampler("rock-field/height/sampler", None);
     // The depths themselves: to find what casts the shadow.
-    let nearest = gpu.device.create_sampler(&wgpu::SamplerDescriptor {
-        label: Some("rock-field/shadow/depths"),
-        ..Default::default()
-    });
+    let nearest = gpu
+        .device
+        .create_sampler(&wgpu::SamplerDescriptor { label: Some("rock-field/shadow/depths"), ..Default::default() });
     let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("rock-field/maps/group"),

@@ -2,8 +2,8 @@
 
 use glam::{Mat4, Vec3};
 
-use super::maps::{MapSets, Maps};
 use super::look::Look;
+use super::maps::{MapSets, Maps};
 use super::palette::{self, ColorMode};
 use super::surface::depth_attachment;
 use super::uniforms::FieldUniforms;

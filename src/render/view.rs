@@ -62,7 +62,7 @@ impl View {
             mode: Mode::Rocks,
             color: ColorMode::Layer,
             look: Look::default(),
-            quality: Quality::Medium,
+            quality: Quality::High,
             dark: false,
             ratio: 1.0,
         })

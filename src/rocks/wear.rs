@@ -47,8 +47,12 @@ impl Wear {
 /// From the papers' facets (0) to broken stone; above this weathering the stone's own shape is all that is seen.
 const BROKEN: f64 = 0.2;
 
-/// How much narrower than its cell a stone may be across, at most.
-const SQUEEZE: f64 = 0.26;
+/// How much narrower than its cell a stone may be along one axis, and how much smaller altogether, at most.
+const SQUEEZE: f64 = 0.3;
+const SHRINK: f64 = 0.2;
+
+/// Tangent of the largest turn of a stone in its cell: so neighbours do not face each other along straight joints.
+const TURN: f64 = 0.5;
 
 /// Heights of a stone's parts over its own height, before it is embedded: the waist, and from there to the underside.
 const WAIST: f64 = 0.42;
@@ -178,39 +182,41 @@ impl Wearer {
         let (up, down) = (height * (1.0 - WAIST), height * UNDERSIDE);
 
         self.body.start(worn);
+        let turn = DVec2::new(1.0, TURN * (2.0 * stream.unit() - 1.0)).normalize();
         let mut inner = Vec::with_capacity(corners);
         for (i, &(outward, distance)) in sides.iter().enumerate() {
             // Where rocks touch they have ground each other down.
-            let gap = if (rock.touches)(i) { 0.02 + 0.05 * worn } else { 0.01 };
+            let gap = if (rock.touches)(i) { 0.01 + 0.05 * worn } else { 0.0 };
             let distance = (distance * (1.0 - gap) + step).max(0.25 * distance).max(least);
             // Broken sides lean, each by its own.
-            let lean = (0.45 * stream.unit() - 0.1) * (1.0 - 0.7 * worn) * radius / up.max(0.3 * radius);
-            let normal = outward.extend(lean).normalize();
+            let lean = (0.7 * stream.unit() - 0.2) * (1.0 - 0.7 * worn) * radius / up.max(0.3 * radius);
+            let normal = turn.rotate(outward).extend(lean).normalize();
             self.body.push(normal, distance * normal.truncate().length());
             inner.push((outward, distance));
         }
-        // Of a rounded stone the many facets are one surface.
-        let withdraw = 1.0 + 0.25 * worn;
+        // A stone breaks along few planes; of a rounded one the facets of its top vertices are one surface with them.
         for vertex in top {
             let at = (vertex.truncate() - middle).clamp_length_max(0.85 * radius);
             let z = (vertex.z - WAIST * height).max(0.2 * up);
             let normal = (at / (radius * radius)).extend(z / (up * up)).normalize();
-            self.body.push(normal, withdraw * normal.dot(at.extend(z)).max(least));
+            self.body.push(normal, (1.08 + 0.17 * worn) * normal.dot(at.extend(z)).max(least));
         }
-        for _ in 0..FACETS {
+        for _ in 0..CUTS {
             let around = stream.direction();
-            let z = 0.15 + 0.8 * stream.unit();
+            let z = 0.1 + 0.75 * stream.unit();
             let normal = (around * (1.0 - z * z).sqrt() * up).extend(z * radius).normalize();
             let reach = (normal * DVec3::new(radius, radius, up)).length();
-            self.body.push(normal, withdraw * reach * (0.78 + 0.3 * stream.unit()));
+            self.body.push(normal, reach * (0.68 + 0.3 * stream.unit() + 0.25 * worn));
         }
-        self.body.push(DVec3::Z, up);
+        let tilt = TILT * stream.unit() * (1.0 - 0.5 * worn) * up / radius;
+        self.body.push((stream.direction() * tilt).extend(1.0).normalize(), up);
         self.body.push(DVec3::NEG_Z, down);
 
         // Rounding has made it smaller: it grows back until it touches its cell, and to its height.
         let fit = inner.iter().map(|&(outward, distance)| distance * self.body.gauge(outward.extend(0.0)));
-        let across = fit.fold(1.3_f64, f64::min);
-        let along = self.body.gauge(DVec3::Z) * up;
+        let share = 1.0 - SHRINK * stream.unit();
+        let across = share * fit.fold(1.3_f64, f64::min);
+        let along = share * self.body.gauge(DVec3::Z) * up;
         let axis = stream.direction();
         let squeeze = 1.0 - SQUEEZE * stream.unit();
 
@@ -231,8 +237,11 @@ impl Wearer {
     }
 }
 
-/// Facets that a stone has besides those its top vertices give it.
-const FACETS: usize = 5;
+/// Planes that a stone has broken along besides its top, its sides and the facets of its top vertices.
+const CUTS: usize = 4;
+
+/// How far the top may tilt, over the slope from the middle to the waist.
+const TILT: f64 = 0.9;
 
 /// What is needed to carry the disc onto the body.
 struct Stone {

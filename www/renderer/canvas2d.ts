@@ -5,7 +5,7 @@
 
 import { FOV_Y } from '../camera.ts';
 import type { Field, FieldLayer } from '../field.ts';
-import type { CameraState, SceneRenderer, SceneStyle } from './renderer.ts';
+import type { CameraState, Look, SceneRenderer, SceneStyle } from './renderer.ts';
 
 /** As INK in `src/render/palette.rs`: by layer id modulo 8. */
 const INK = ['#cd5e3c', '#e8b24a', '#4a8fbc', '#7ca450', '#986c9e', '#d6c8ac', '#707880', '#409e8e'];

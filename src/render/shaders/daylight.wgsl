@@ -114,8 +114,8 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   let sun = field.sun.xyz;
   // Low, it is warmer; and the camera adjusts.
   let high = smoothstep(0.05, 0.75, sun.z);
-  let sun_color = mix(vec3f(2.7, 1.95, 1.25), vec3f(2.55, 2.42, 2.22), high);
-  let sky_color = vec3f(0.40, 0.465, 0.55);
+  let sun_color = mix(vec3f(2.8, 1.95, 1.2), vec3f(2.66, 2.46, 2.16), high);
+  let sky_color = vec3f(0.36, 0.40, 0.45);
   let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.45 + sky_color * 0.6);
 
   let n_l = dot(normal, sun);
@@ -147,9 +147,9 @@ fn bumped(normal: vec3f, slope: vec3f) -> vec3f {
 
 // From light to the picture: exposure for the sun's height, a film's curve (Narkowicz' fit of ACES), and far away the air.
 fn developed(light: vec3f, distance: f32, pixel: vec2f) -> vec4f {
-  let exposure = 0.62 / (0.42 + 0.8 * field.sun.z);
+  let exposure = 0.43 / (0.42 + 0.8 * field.sun.z);
   let x = light * exposure;
   let film = (x * (2.51 * x + 0.03)) / (x * (2.43 * x + 0.59) + 0.14);
-  let air = 1.0 - exp(-distance / (28.0 * max(field.size.x, field.size.y)));
+  let air = 1.0 - exp(-distance / (150.0 * max(field.size.x, field.size.y)));
   return finish(mix(film, globals.backdrop_low.rgb, air), pixel);
 }

@@ -53,6 +53,8 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
     rough = mix(rough, 0.95, moss);
   }
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
+  let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
+  albedo *= 1.0 - 0.6 * shaded;
   let light = daylight(albedo, rough, world, up, bumped(up, slope), to_eye, seen * mix(0.6, 1.0, cover_open));
 
   // Far outside the field it runs out into the backdrop.

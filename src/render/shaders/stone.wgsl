@@ -13,7 +13,7 @@ fn kind_albedo(kind: f32) -> vec3f {
   c = select(c, vec3f(0.105, 0.107, 0.108), kind == 2.0);
   c = select(c, vec3f(0.33, 0.268, 0.195), kind == 3.0);
   c = select(c, vec3f(0.43, 0.41, 0.36), kind == 4.0);
-  c = select(c, vec3f(0.155, 0.168, 0.175), kind == 5.0);
+  c = select(c, vec3f(0.15, 0.159, 0.16), kind == 5.0);
   c = select(c, vec3f(0.5, 0.478, 0.43), kind == 6.0);
   c = select(c, vec3f(0.245, 0.172, 0.14), kind == 7.0);
   return c;
@@ -35,7 +35,7 @@ fn mixed_kind(share: f32) -> f32 {
 fn individual(albedo: vec3f, own: vec3f) -> vec3f {
   let variation = globals.weather.x;
   let value = exp2((own.x - 0.5) * 1.7 * variation);
-  let warm = (own.y - 0.5) * 0.3 * variation;
+  let warm = (own.y - 0.5) * 0.24 * variation;
   return albedo * value * vec3f(1.0 + warm, 1.0, 1.0 - warm);
 }
 
@@ -81,13 +81,16 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let bed = normalize(vec3f(tilt, 1.0));
   let along = dot(at, bed);
   if kind == 1.0 {
-    let grain = 1.15 * coarse;
+    // Dark mica and pale feldspar in grey quartz.
+    let grain = 0.8 * coarse;
     let seen = shown(grain, footprint) * min(quality, 1.0);
     if seen > 0.0 {
-      let cell = grains(at / grain);
-      let mineral = select(select(-0.02, 0.34, cell.y > 0.5), -0.62, cell.y > 0.84);
-      value += seen * (mineral + 0.2 * (cell.z - 0.5));
-      warm += seen * select(0.0, 0.1, cell.y > 0.5 && cell.y <= 0.84);
+      let dark = noise3(at / grain + 3.0);
+      let light = noise3(at / (1.7 * grain) + 11.0);
+      let mica = smoothstep(0.14, 0.26, dark.w + 0.1 * light.w);
+      let feldspar = smoothstep(0.02, 0.2, light.w);
+      value += seen * (mix(0.3 * feldspar - 0.05, -0.6, mica) + 0.1);
+      warm += seen * 0.1 * feldspar * (1.0 - mica);
     }
     rough = 0.75;
   } else if kind == 2.0 {
