@@ -24,6 +24,8 @@ const MAX_DISTANCE_PX = 250_000;
 const ELEVATION_WIDE = (35 * Math.PI) / 180;
 const ELEVATION_TALL = (58 * Math.PI) / 180;
 const AZIMUTH_DEFAULT = (30 * Math.PI) / 180;
+/** A natural ground fills the picture: seen from so high, with so much of the field's sides never in it. */
+const CLOSE_UP = { elevation: (38 * Math.PI) / 180, margin: 0.04 };
 
 type Vector = [number, number, number];
 
@@ -78,13 +80,14 @@ export function groundPoint(
 /**
  * The camera that frames a whole field: azimuth 30°, elevation 35°, steeper in tall pictures.
  * `view` decides between the oblique picture, whose outermost corners may leave it, and the plan,
- * which is shown whole.
+ * which is shown whole. With `closeUp` the oblique picture is as much ground as fills it.
  */
 export function defaultCamera(
   imageWidth: number,
   imageHeight: number,
   aspect: number,
   view: View = '3d',
+  closeUp = false,
 ): CameraState {
   const middle: Vector = [imageWidth / 2, imageHeight / 2, 0];
   const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
@@ -96,6 +99,7 @@ export function defaultCamera(
     const half = Math.max(imageHeight, imageWidth / ratio) / 2;
     return { ...camera, distance: (half * 1.04) / TAN };
   }
+  if (closeUp) return fillingCamera(camera, imageWidth, imageHeight, ratio);
   // How far the outermost corners may lie outside, 1 = the picture's edge: filled rather than floating.
   const reach = 1.22 - 0.14 * wide;
   for (let round = 0; round < 8; round++) {
@@ -110,6 +114,24 @@ export function defaultCamera(
     ];
   }
   return camera;
+}
+
+/** The farthest camera whose picture shows nothing but the field, with the ground it shows in the field's middle. */
+function fillingCamera(from: CameraState, width: number, height: number, aspect: number): CameraState {
+  const near: CameraState = { ...from, elevation: CLOSE_UP.elevation, distance: 1, target: [0, 0, 0] };
+  const seen = [-1, 1].flatMap((x) => [-1, 1].flatMap((y) => [groundPoint(near, x, y, aspect) ?? []]));
+  const [left, right, low, high] = [0, 1].flatMap((axis) => {
+    const along = seen.map((point) => point[axis] ?? 0);
+    return [Math.min(...along), Math.max(...along)];
+  }) as [number, number, number, number];
+  // What is seen grows with the distance.
+  const room = 1 - 2 * CLOSE_UP.margin;
+  const distance = Math.max(MIN_DISTANCE_PX, Math.min((room * width) / (right - left), (room * height) / (high - low)));
+  return {
+    ...near,
+    distance,
+    target: [(width - distance * (left + right)) / 2, (height - distance * (low + high)) / 2, 0],
+  };
 }
 
 /** The image's corners relative to the target, along the camera's right, up and forward. */

@@ -13,6 +13,8 @@ export interface Frame {
   extent: [number, number];
   aspect: number;
   view: View;
+  /** Fill the picture with ground. */
+  closeUp: boolean;
 }
 
 export class SceneCamera {
@@ -41,8 +43,8 @@ export class SceneCamera {
 
   /** The camera that frames the whole field, for the present aspect or another. */
   framing(aspect = this.#frame().aspect): CameraState {
-    const { extent, view } = this.#frame();
-    const camera = defaultCamera(...extent, aspect, view);
+    const { extent, view, closeUp } = this.#frame();
+    const camera = defaultCamera(...extent, aspect, view, closeUp);
     return this.#orbit ? orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel) : camera;
   }
 

@@ -80,7 +80,10 @@ export abstract class SceneElement extends Base {
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
   #look: Look | null = null;
   #theme: Theme = 'auto';
-  #camera = new SceneCamera(() => ({ extent: this.#extent(), aspect: this.#size?.aspect ?? 2, view: this.#style.view }));
+  #camera = new SceneCamera(() => {
+    const { view, color } = this.#style;
+    return { extent: this.#extent(), aspect: this.#size?.aspect ?? 2, view, closeUp: color === 'natural' };
+  });
 
   #size: StageSize | undefined;
   #visibility: Visibility | undefined;
