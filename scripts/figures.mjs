@@ -2,68 +2,41 @@
 // papers' figures. `-- --out FILE.png` writes elsewhere; `-- --webgl` draws with WebGL2.
 import { writeFile } from 'node:fs/promises';
 import path from 'node:path';
-import { launch } from '../tests/e2e/browser.mjs';
 import { root } from './env.mjs';
 import { isMain, main, say } from './run.mjs';
+import { fromAbove, openStudio, photograph } from './studio.mjs';
+import { tables } from './tables.mjs';
 
 const HEIGHT = 180;
+const RATIO = 2;
 const PRESETS_PER_ROW = 4;
-/** Half the height of the picture at the target, over the distance: tan(18°), as in www/camera.ts. */
-const TAN = Math.tan(Math.PI / 10);
-/** Every preset is 1024 px wide and deep. */
-const SIDE = 1024;
 const VIEWS = [
-  { width: HEIGHT, camera: { azimuth: 0, elevation: Math.PI / 2, distance: (1.04 * SIDE) / 2 / TAN } },
-  { width: 300, camera: { azimuth: (30 * Math.PI) / 180, elevation: (35 * Math.PI) / 180, distance: 1.46 * SIDE } },
+  { width: HEIGHT, camera: ({ middle, imageHeight }) => fromAbove(middle, 1.04 * imageHeight) },
+  { width: 300, camera: ({ middle, imageHeight }) => ({ azimuth: (30 * Math.PI) / 180, elevation: (35 * Math.PI) / 180, distance: 1.46 * imageHeight, target: [...middle, 0] }) },
 ];
 
-/** A page of nothing but the element. */
-const STUDIO = `<!doctype html><meta charset="utf-8"><title>figures</title><link rel="icon" href="data:,">
-<style>body { margin: 0 } rock-field { width: 100vw; height: 100vh }</style>
-<script type="module" src="./rock-field.js"></script><rock-field preset="journal-fig1" theme="light"></rock-field>`;
-
-/** Sets a preset and a camera and waits until it is painted. */
-async function pose({ preset, camera }) {
-  const element = document.querySelector('rock-field');
-  await customElements.whenDefined('rock-field');
-  await element.ready;
-  if (element.getAttribute('preset') !== preset) element.setAttribute('preset', preset);
-  await new Promise((resolve) => setTimeout(resolve));
-  const { imageWidth, imageHeight, stats } = await element.getField();
-  element.camera = { ...camera, target: [imageWidth / 2, imageHeight / 2, 0] };
-  for (let frame = 0; frame < 3; frame += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
-  return `${stats.rocks.toLocaleString('en')} rocks · ${stats.triangles.toLocaleString('en')} triangles`;
-}
-
-async function shoot({ webgpu, names, type, onPicture }) {
-  const intercept = (request, response) => {
-    if (!request.url.startsWith('/studio.html')) return false;
-    response.writeHead(200, { 'content-type': 'text/html' }).end(STUDIO);
-    return true;
-  };
-  const session = await launch({ webgpu, intercept });
+async function shoot({ backend, names, type }) {
+  const studio = await openStudio({ backends: [backend], ratio: RATIO });
   try {
-    const { page, errors } = await session.open('studio.html', { viewport: { width: HEIGHT, height: HEIGHT }, deviceScaleFactor: 2, colorScheme: 'light' });
     const cells = [];
     for (const preset of names) {
+      const scene = await studio.show(backend, { preset });
       const pictures = [];
-      let caption = '';
       for (const { width, camera } of VIEWS) {
-        await page.setViewportSize({ width, height: HEIGHT });
-        caption = await page.evaluate(pose, { preset, camera });
-        pictures.push((await page.screenshot({ type: 'png' })).toString('base64'));
+        const { png } = await studio.take(backend, { width: RATIO * width, height: RATIO * HEIGHT, camera: camera(scene) });
+        pictures.push(png.toString('base64'));
       }
+      const caption = `${scene.rocks.toLocaleString('en')} rocks · ${scene.triangles.toLocaleString('en')} triangles`;
       cells.push({ preset, caption, pictures });
-      onPicture(preset, caption);
+      say(`  ${preset}: ${caption}`);
     }
-    if (errors.length > 0) throw new Error(errors.join('\n'));
-    return await compose(session, cells, type);
+    return await compose(studio.browser, cells, type);
   } finally {
-    await session.close();
+    await studio.close();
   }
 }
 
-async function compose(session, cells, type) {
+function compose(browser, cells, type) {
   const figures = cells.map(
     ({ preset, caption, pictures }) => `<figure>${pictures.map((data) => `<img src="data:image/png;base64,${data}" alt="">`).join('')}
       <figcaption><b>${preset}</b> ${caption}</figcaption></figure>`,
@@ -77,10 +50,7 @@ async function compose(session, cells, type) {
     img { height: ${HEIGHT}px; display: block }
     figcaption { grid-column: 1 / -1; white-space: nowrap } b { font-weight: 600; margin-inline-end: .6em }
   </style><main>${figures.join('')}</main>`;
-  const context = await session.browser.newContext({ viewport: { width, height: 800 } });
-  const page = await context.newPage();
-  await page.setContent(html, { waitUntil: 'load' });
-  return page.screenshot({ fullPage: true, type, ...(type === 'jpeg' ? { quality: 76 } : {}) });
+  return photograph(browser, html, { width, type, ...(type === 'jpeg' && { quality: 76 }) });
 }
 
 if (isMain(import.meta)) {
@@ -88,13 +58,11 @@ if (isMain(import.meta)) {
     const args = process.argv.slice(2);
     const at = args.indexOf('--out');
     const out = path.resolve(root, at >= 0 ? args[at + 1] : 'www/pictures/figures.jpg');
-    const { presets } = await import(new URL('../dist/core.node.js', import.meta.url));
-    const names = Object.keys(presets);
+    const { PRESETS } = await tables();
     const sheet = await shoot({
-      webgpu: !args.includes('--webgl'),
-      names,
+      backend: args.includes('--webgl') ? 'webgl' : 'webgpu',
+      names: PRESETS.filter(({ natural }) => !natural).map(({ name }) => name),
       type: out.endsWith('.png') ? 'png' : 'jpeg',
-      onPicture: (preset, caption) => say(`  ${preset}: ${caption}`),
     });
     await writeFile(out, sheet);
     say(`✓ ${path.relative(root, out)}`);

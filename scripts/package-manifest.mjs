@@ -93,7 +93,7 @@ function spelledOut(member, aliases) {
 // What JSDoc does not say, because the sources say it already.
 
 async function knowledge() {
-  const { COLORS, INTERACTIONS, LOADINGS, METRES_PER_PIXEL, PARAMS, PRESETS, VIEWS } = await tables();
+  const { COLORS, INTERACTIONS, LOADINGS, METRES_PER_PIXEL, PARAMS, PRESETS, QUALITY_CHOICES, VIEWS } = await tables();
   const oneOf = (words) => ({ type: { text: union(words) }, default: words[0] });
   const sources = TYPES.map(parse);
   const aliases = literalUnions(sources);
@@ -103,6 +103,7 @@ async function knowledge() {
       preset: oneOf(PRESETS.map(({ name }) => name)),
       view: oneOf(VIEWS),
       color: { type: { text: union(COLORS) } },
+      quality: oneOf(QUALITY_CHOICES),
       interaction: oneOf(INTERACTIONS),
       loading: oneOf(LOADINGS),
       backend: { type: { text: `'auto' | ${backends}` }, default: 'auto' },
@@ -113,7 +114,7 @@ async function knowledge() {
       poster: { type: { text: 'string' } },
       src: { type: { text: 'string' } },
     },
-    aliases: new Map([...aliases, ['View', union(VIEWS)], ['ColorMode', union(COLORS)], ['Interaction', union(INTERACTIONS)]]),
+    aliases: new Map([...aliases, ['View', union(VIEWS)], ['ColorMode', union(COLORS)], ['WantedQuality', union(QUALITY_CHOICES)], ['Interaction', union(INTERACTIONS)]]),
     events: eventTypes(sources),
     parameters: await Promise.all(PARAMS.map(parameter)),
   };

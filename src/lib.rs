@@ -8,7 +8,8 @@
 //! 3. **selection** – cells whose pixels are all free, largest layer first ([`rocks::Selection`]; §3.2, Fig. 7);
 //! 4. **shape** – as many random points in a cell as it has vertices, and their Delaunay triangulation
 //!    ([`rocks::Shapes`]; §3.3, Fig. 10);
-//! 5. **mesh** – the points moved outward and up (Eqs 2, 3), in flat buffers ([`Mesh`]).
+//! 5. **mesh** – the points moved outward and up (Eqs 2, 3), in flat buffers ([`Mesh`]); beyond the papers, and off by default, cut
+//!    finer, worn, roughened and embedded (`weathering`, `roughness`, `detail`, `embedding` of a [`params::Layer`]).
 //!
 //! ```
 //! use rock_field::params::preset;
@@ -53,7 +54,8 @@
 //! Where the papers are silent or ask for the impossible, the deciding item says so (*decision A1* …). The main ones:
 //! dart throwing ends when no pixel is free, which at c_d = 0.7 it always does (A1); j1 and j2 lie in \[0, 1\] (A10); the
 //! surface is open, without a bottom (A13); rocks of neighbouring cells may pass through each other when their tops
-//! are moved outward (A14). Images have sides of 1 to 8192 px, fields up to eight layers.
+//! are moved outward (A14). Wear is an addition: both papers leave it to future work. A worn rock is a convex body made from the
+//! papers' rock, its rim stays on its cell and sinks below the ground; all four parameters at 0 are the papers' mesh, bit for bit. Images have sides of 1 to 8192 px, fields up to eight layers.
 
 mod bindings;
 mod bitmap;

@@ -6,12 +6,14 @@ use glam::{DVec2, DVec3};
 ///
 /// Rock k owns `indices[rock_starts[k] .. rock_starts[k + 1]]` and the vertices
 /// `vertex_starts[k] .. vertex_starts[k + 1]`: n rim vertices at z = 0, then n top vertices. Vertex v stands at
-/// `positions[3·v .. 3·v + 3]`, px, z up. Triangles are counter-clockwise seen from above before displacement.
+/// `positions[3·v .. 3·v + 3]`, px, z up. Triangles are counter-clockwise seen from above before displacement. Of a rock that
+/// is cut finer there are 2^detail times as many rim vertices; of one that is weathered or embedded they lie below the ground.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
     /// 3 per vertex, px.
     pub positions: Vec<f32>,
-    /// 3 per vertex, unit: area-weighted over the adjacent faces, (0, 0, 1) where they cancel.
+    /// 3 per vertex, unit: area-weighted over the adjacent faces, (0, 0, 1) where they cancel. Where weathering has put the faces at
+    /// the rim below the ground, they count for the rim alone.
     pub normals: Vec<f32>,
     /// 3 per triangle.
     pub indices: Vec<u32>,
@@ -98,15 +100,21 @@ impl RockBuilder {
     }
 
     /// Sums the face normals at the vertices, weighted by area: that is, unnormalised cross products.
-    pub(crate) fn finish(&mut self, triangles: &[[u16; 3]]) {
+    ///
+    /// A face at the rim of a worn rock lies below the ground and is no part of what is seen: its normal counts only at the first
+    /// `buried` vertices.
+    pub(crate) fn finish(&mut self, triangles: &[[u16; 3]], buried: usize) {
         self.normals.clear();
         self.normals.resize(self.points.len(), DVec3::ZERO);
         for triangle in triangles {
             let [a, b, c] = triangle.map(usize::from);
             let origin = self.points[a];
             let normal = (self.points[b] - origin).cross(self.points[c] - origin);
+            let at_rim = a.min(b).min(c) < buried;
             for v in [a, b, c] {
-                self.normals[v] += normal;
+                if !at_rim || v < buried {
+                    self.normals[v] += normal;
+                }
             }
         }
     }

@@ -5,6 +5,7 @@
 //! rock 16. The generator is xoshiro256++ (Blackman & Vigna), whose output `rand` guarantees;
 //! the mapping from integers to numbers is ours, so that no library's distribution code can change a field.
 
+use glam::DVec2;
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
 
@@ -25,6 +26,10 @@ pub(crate) enum Purpose {
     RockSwingHeight = 6,
     /// j2 of Eq. 3 where it is drawn apart; item = site.
     VertexSwingHeight = 7,
+    /// Facets, leaning sides and squeeze of a worn rock; item = site.
+    Facets = 8,
+    /// Where in the noise a rough rock lies; item = site.
+    Bumps = 9,
 }
 
 /// A stream of random numbers.
@@ -42,6 +47,12 @@ impl Stream {
     #[inline]
     pub(crate) fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 * (1.0 / (1_u64 << 53) as f64)
+    }
+
+    /// A direction in the plane, near enough to uniform: towards a point of a square.
+    pub(crate) fn direction(&mut self) -> DVec2 {
+        let [x, y] = [2.0 * self.unit() - 1.0, 2.0 * self.unit() - 1.0];
+        DVec2::new(x, y).normalize_or(DVec2::X)
     }
 
     /// Uniform in 0 … n − 1, without bias (Lemire 2019, *Fast random integer generation in an interval*).

@@ -11,6 +11,7 @@ mod mesh;
 mod selection;
 mod shapes;
 mod sites;
+mod worn;
 
 use std::fmt;
 

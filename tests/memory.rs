@@ -52,7 +52,8 @@ fn square(side: u32, layers: Vec<Layer>) -> Params {
 fn the_estimate_lies_between_the_peak_and_twice_it() {
     let fig1 = |side| Params { image_width: side, image_height: side, ..Params::default() };
     let eight = (0..8).map(|k| layer(k, 200.0 / f64::from(1 << k), 0.2)).collect();
-    let cases: [(&str, Params); 20] = [
+    let detailed = |detail, side| square(side, vec![Layer { detail, weathering: 0.6, ..layer(0, 30.0, 0.6) }]);
+    let cases: [(&str, Params); 24] = [
         ("Fig. 1, 256²", fig1(256)),
         ("Fig. 1, 512²", fig1(512)),
         ("Fig. 1, 1024²", fig1(1024)),
@@ -75,6 +76,10 @@ fn the_estimate_lies_between_the_peak_and_twice_it() {
         ("attempts", Params { darts: Darts::Attempts, ..square(1500, vec![layer(0, 4.0, 0.4)]) }),
         ("eight layers", square(1024, eight)),
         ("by count", square(2048, vec![Layer { cell_count: Some(3000), ..layer(0, 12.0, 1.0) }])),
+        ("detail 1", detailed(1, 1400)),
+        ("detail 3", detailed(3, 1024)),
+        ("riverbed", preset("riverbed").unwrap().params()),
+        ("lava field", preset("lava-field").unwrap().params()),
         ("a strip", params(8192, 64, vec![layer(0, 30.0, 0.4), layer(1, 3.0, 0.3)])),
     ];
     let mut report = String::new();

@@ -11,12 +11,16 @@ use naga::{AddressSpace, Binding, Expression, Module, ShaderStage, TypeInner};
 #[allow(dead_code, reason = "only the sizes are read")]
 mod uniforms;
 
+const NATURAL: &[&str] = &["common", "noise", "stone", "cover", "daylight"];
+
 /// Passes with what `src/render/pipelines.rs` prepends to them.
-const PASSES: [(&str, &[&str]); 7] = [
+const PASSES: [(&str, &[&str]); 9] = [
     ("shadow", &["common"]),
     ("height", &["common"]),
     ("ground", &["common", "lighting"]),
     ("rock", &["common", "lighting"]),
+    ("natural_rock", NATURAL),
+    ("natural_ground", NATURAL),
     ("wire", &["common"]),
     ("plan", &["common"]),
     ("stroke", &["common"]),
@@ -107,7 +111,8 @@ fn uniform_blocks_match_rust() {
             assert_eq!(members, ours, stringify!($name));
         };
     }
-    offsets_match!(Globals: clip_from_eye, eye, ray_right, ray_up, ray_forward, plan, backdrop_low, backdrop_high, soil, dust);
+    offsets_match!(Globals: clip_from_eye, eye, ray_right, ray_up, ray_forward, plan, backdrop_low, backdrop_high, soil, dust,
+        weather, scene);
     offsets_match!(FieldUniforms: sun_from_world, sun, map, size, ground);
 }
 

@@ -29,3 +29,8 @@ export class AutoRotation {
     if (now >= this.#from) this.angle += step * RADIANS_PER_MS;
   }
 }
+
+/** What the system is set to. */
+export function prefersStillness(): boolean {
+  return matchMedia('(prefers-reduced-motion: reduce)').matches;
+}

@@ -13,10 +13,12 @@ import { presetColor } from './look.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import type { Params, ParamSpec, PresetName } from './params.ts';
 import { boundsOf, defaultLayer, defaultParams, FIELD_ROWS, LAYER_ROWS, presetParams, readValue, resolveParams, writeValue } from './params-flat.ts';
+import { QUALITY_CHOICES } from './renderer/quality.ts';
+import type { WantedQuality } from './renderer/quality.ts';
 import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { COLORS, decodeLink, VIEWS } from './url-codec.ts';
 
-export { COLORS, METRES_PER_PIXEL, VIEWS };
+export { COLORS, METRES_PER_PIXEL, QUALITY_CHOICES, VIEWS };
 
 export const INTERACTIONS = ['cooperative', 'always', 'none'] as const;
 export type Interaction = (typeof INTERACTIONS)[number];
@@ -40,6 +42,7 @@ export interface AttributeState {
   camera: CameraState | null;
   /** Where the camera is while the whole field is framed; null: as the field is framed by itself. */
   orbit: Orbit | null;
+  quality: WantedQuality;
   interaction: Interaction;
   loading: Loading;
   metresPerPixel: number;
@@ -67,7 +70,7 @@ export const LAYER_ATTRIBUTES: ReadonlyMap<string, ParamSpec> = new Map(LAYER_RO
 
 export const ATTRIBUTES: readonly string[] = [
   'src', 'preset', ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys(),
-  'view', 'color', 'camera-orbit', 'interaction', 'loading', 'metres-per-pixel',
+  'view', 'color', 'quality', 'camera-orbit', 'interaction', 'loading', 'metres-per-pixel',
 ];
 
 type Get = (name: string) => string | null;
@@ -98,6 +101,7 @@ export function readAttributes(get: Get): AttributeState {
     color: readColor(get('color'), source, note),
     camera: source.camera,
     orbit: readOrbit(get('camera-orbit'), note),
+    quality: readChoice('quality', get('quality'), QUALITY_CHOICES, QUALITY_CHOICES[0], note),
     interaction: readChoice('interaction', get('interaction'), INTERACTIONS, INTERACTIONS[0], note),
     loading: readChoice('loading', get('loading'), LOADINGS, LOADINGS[0], note),
     metresPerPixel: readScale(get('metres-per-pixel'), note),

@@ -2,7 +2,7 @@
 
 import type { Edition } from './controls/store.ts';
 import type { ControlsButton } from './controls-button.ts';
-import { ATTRIBUTES, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, readAttributes, VIEWS } from './element-attributes.ts';
+import { ATTRIBUTES, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, QUALITY_CHOICES, readAttributes, VIEWS } from './element-attributes.ts';
 import type { Interaction } from './element-attributes.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
@@ -20,6 +20,7 @@ import { defineParameterProperties, forgetAssigned, keepLocked, PARAMETER_PROPER
 import type { ParameterProperties } from './parameter-properties.ts';
 import { defineReflectedProperties, REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
 import type { ReflectedProperties } from './reflected-properties.ts';
+import type { WantedQuality } from './renderer/quality.ts';
 import type { Backend, CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { SceneElement } from './scene-element.ts';
 import type { Theme } from './scene-element.ts';
@@ -45,7 +46,7 @@ export interface RockFieldEventMap {
 /** Assigned before the element was defined, these would hide the accessors. */
 const PROPERTIES: readonly string[] = [
   ...REFLECTED_PROPERTIES, 'params', 'layers', ...PARAMETER_PROPERTIES,
-  'view', 'color', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel', 'backend', 'controls',
+  'view', 'color', 'quality', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel', 'backend', 'controls',
 ];
 
 /** Attributes that are no parameters and change nothing but manners. */
@@ -68,6 +69,7 @@ type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEv
  * @attribute radius - Disc radii, one per layer: `90 30 10`. Every other parameter of a layer is such a list too.
  * @attribute view - `3d`, `wireframe`, `diagrams` or `selection`.
  * @attribute color - `layer`, `rock`, `plain` or `natural`; when absent, `natural` for natural presets and `layer` for the papers'.
+ * @attribute quality - `low`, `medium` or `high`, of natural colours; `auto`: as well as motion flows, and `high` at rest.
  * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
  * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
  * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
@@ -209,6 +211,16 @@ export class RockFieldElement extends SceneElement {
     this.#color = color;
     if (color) this.sceneColor = color;
     else this.#dress();
+  }
+
+  /** How much work natural colours are worth: see the attribute. */
+  get quality(): WantedQuality {
+    this.#readAttributes();
+    return this.sceneQuality;
+  }
+
+  set quality(quality: WantedQuality) {
+    this.setAttribute('quality', checkChoice('quality', quality ?? QUALITY_CHOICES[0], QUALITY_CHOICES));
   }
 
   override get theme(): Theme {
@@ -501,6 +513,7 @@ export class RockFieldElement extends SceneElement {
     if (has('src')) super.camera = read.camera;
     if (has('camera-orbit', 'metres-per-pixel')) this.setFraming(read.orbit, read.metresPerPixel);
     if (has('camera-orbit')) super.camera = read.camera;
+    this.sceneQuality = read.quality;
     this.#interaction = read.interaction;
     this.#metresPerPixel = read.metresPerPixel;
     if (has('interaction')) this.readManners();

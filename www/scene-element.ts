@@ -6,20 +6,24 @@
  * What is loaded lives for one *cycle*, from `open` to `close`.
  */
 
+import { prefersStillness } from './auto-rotation.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { isPlan } from './camera.ts';
 import { RockFieldError } from './errors.ts';
 import type { Interaction } from './element-attributes.ts';
 import type { Field } from './field.ts';
+import { FramePacer } from './frame-pacer.ts';
 import { OrbitControls } from './orbit-controls.ts';
 import { pictureSize, takePicture } from './picture.ts';
 import type { PictureOptions } from './picture.ts';
 import { errorText, RendererKeeper } from './renderer-keeper.ts';
-import type { WantedBackend } from './renderer/load.ts';
-import type { Backend, CameraState, ColorMode, Look, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
+import { wantedBackend } from './renderer/load.ts';
+import type { WantedQuality } from './renderer/quality.ts';
+import type { Backend, CameraState, ColorMode, Look, Quality, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
 import { SceneCamera } from './scene-camera.ts';
 import { SceneTree } from './scene-tree.ts';
+import { WORDS } from './scene-words.ts';
 import { StageSize } from './stage-size.ts';
 import { Visibility } from './visibility.ts';
 
@@ -28,32 +32,8 @@ export type Theme = 'auto' | 'light' | 'dark';
 /** How long an element may be out of the document before its worker, device and buffers go. */
 export const IDLE_TIMEOUT_MS = 1000;
 
-/** What zooms with the wheel, as it is called there. */
-const MODIFIER = /mac/i.test(globalThis.navigator?.platform ?? '') ? '⌘' : 'Ctrl';
-
-const WORDS = {
-  noGpu: {
-    en: 'This browser offers neither WebGPU nor WebGL2 here, so the plan is drawn instead of the rocks.',
-    ja: 'WebGPU も WebGL2 も使えないため、立体ではなく平面図を表示しています。',
-  },
-  role: { en: '3D picture', ja: '立体図' },
-  label: { en: 'Field of rocks', ja: '岩の地面' },
-  wheel: {
-    en: `${MODIFIER} + scroll to zoom, or click the picture first`,
-    ja: `${MODIFIER} を押しながらスクロールするか、先に画像をクリックすると拡大・縮小できます`,
-  },
-  touch: {
-    en: 'Drag sideways, or tap then drag, to turn; two fingers to zoom and move',
-    ja: '横にドラッグ、またはタップしてからドラッグで回転、2本指で拡大・移動できます',
-  },
-} as const;
-
 /** On a server there is no HTMLElement; importing must be silent there, and nobody makes an element. */
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
-
-function prefersStillness(): boolean {
-  return matchMedia('(prefers-reduced-motion: reduce)').matches;
-}
 
 /**
  * @attr poster - Address of a picture that stands in until the first one is painted.
@@ -82,13 +62,19 @@ export abstract class SceneElement extends Base {
   #readiness!: { promise: Promise<void>; resolve: () => void };
 
   #kept = new RendererKeeper({
-    wantedBackend: () => this.#wantedBackend(),
-    makeCanvas: () => this.#makeCanvas(),
+    wantedBackend: () => wantedBackend(this.getAttribute('backend')),
+    makeCanvas: () => this.#tree.makeCanvas(this.#size?.pixels),
     fill: (renderer) => this.#fill(renderer),
     opened: (renderer) => this.#onRenderer(renderer),
     report: (error) => this.report(error),
   });
   #painted = false;
+  #pacer = new FramePacer({
+    canDraw: () => this.#canDraw(),
+    isGraded: () => this.#style.color === 'natural' && this.#style.view === '3d' && this.backend !== 'canvas2d',
+    advance: (now) => this.#camera.advance(now, this.#rotates()),
+    draw: (level) => this.#draw(level),
+  });
 
   #field: Field | null = null;
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
@@ -102,8 +88,6 @@ export abstract class SceneElement extends Base {
   #size: StageSize | undefined;
   #visibility: Visibility | undefined;
   #touchExplained = false;
-  #dirty = false;
-  #frame = 0;
 
   constructor() {
     super();
@@ -198,11 +182,21 @@ export abstract class SceneElement extends Base {
     const renderer = this.#kept.renderer;
     if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
     const size = pictureSize(options, this.#size.pixels);
+    const { best } = this.#pacer;
+    if (best) renderer.setQuality(best);
     const blob = takePicture(renderer, size, this.#camera.forAspect(size[0] / size[1]), options);
     // In the same task the screen gets its own picture back.
     renderer.resize(...this.#size.pixels);
-    this.#draw();
+    this.#pacer.redraw();
     return blob;
+  }
+
+  protected get sceneQuality(): WantedQuality {
+    return this.#pacer.wanted;
+  }
+
+  protected set sceneQuality(quality: WantedQuality) {
+    this.#pacer.wanted = quality;
   }
 
   protected get sceneView(): View {
@@ -286,8 +280,7 @@ export abstract class SceneElement extends Base {
 
   /** Asks for a frame; many calls, one frame. */
   protected invalidate(): void {
-    this.#dirty = true;
-    if (this.#frame === 0 && this.#canDraw()) this.#frame = requestAnimationFrame((now) => this.#onFrame(now));
+    this.#pacer.invalidate();
   }
 
   // Lifecycle.
@@ -314,8 +307,7 @@ export abstract class SceneElement extends Base {
   }
 
   disconnectedCallback(): void {
-    cancelAnimationFrame(this.#frame);
-    this.#frame = 0;
+    this.#pacer.stop();
     this.#closing = setTimeout(() => this.#close(), IDLE_TIMEOUT_MS);
   }
 
@@ -383,58 +375,38 @@ export abstract class SceneElement extends Base {
 
   #onRenderer(renderer: SceneRenderer): void {
     this.#tree.stage.replaceChildren(renderer.canvas);
-    const isMakeshift = renderer.backend === 'canvas2d' && this.#wantedBackend() === 'auto';
+    const isMakeshift = renderer.backend === 'canvas2d' && wantedBackend(this.getAttribute('backend')) === 'auto';
     this.#tree.messages.setStanding(isMakeshift ? WORDS.noGpu[this.language] : '');
+    this.#pacer.renew();
     this.#size?.measure();
     this.#clearError();
     this.invalidate();
-  }
-
-  #wantedBackend(): WantedBackend {
-    const wanted = this.getAttribute('backend');
-    return wanted === 'webgpu' || wanted === 'webgl' || wanted === 'canvas2d' || wanted === 'null' ? wanted : 'auto';
-  }
-
-  #makeCanvas(): HTMLCanvasElement {
-    const canvas = document.createElement('canvas');
-    canvas.setAttribute('part', 'canvas');
-    [canvas.width, canvas.height] = this.#size?.pixels ?? [1, 1];
-    return canvas;
   }
 
   // Size, visibility, frames.
 
   #resized(): void {
     if (this.#size) this.#kept.renderer?.resize(...this.#size.pixels);
-    this.#dirty = true;
     // A canvas is blank after a change of size: in this very frame there has to be a picture again.
-    if (this.#canDraw()) this.#draw();
+    this.#pacer.drawNow();
   }
 
   #onVisibility(): void {
     if (this.#visibility?.near) this.start();
-    if (this.#dirty || this.#rotates()) this.invalidate();
+    this.#pacer.look(this.#rotates());
   }
 
   #canDraw(): boolean {
     return this.isConnected && this.#visibility?.visible === true && this.#size?.isEmpty === false && this.#hasPicture();
   }
 
-  #onFrame(now: number): void {
-    this.#frame = 0;
-    if (!this.#dirty || !this.#canDraw()) return;
-    const goesOn = this.#camera.advance(now, this.#rotates());
-    this.#draw();
-    if (goesOn) this.invalidate();
-  }
-
   #rotates(): boolean {
     return (this.getAttribute('auto-rotate') ?? 'false') !== 'false' && !prefersStillness();
   }
 
-  #draw(): void {
-    this.#dirty = false;
+  #draw(level: Quality | null): void {
     const outcome = this.#kept.draw((renderer) => {
+      if (level) renderer.setQuality(level);
       renderer.setCamera(this.camera);
       renderer.render();
     });

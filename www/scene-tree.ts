@@ -71,6 +71,14 @@ export class SceneTree {
     else this.#announcing = setTimeout(say, ANNOUNCE_AFTER_MS);
   }
 
+  /** For a renderer, which puts it into the stage when it stands. */
+  makeCanvas([width, height]: readonly [number, number] = [1, 1]): HTMLCanvasElement {
+    const canvas = document.createElement('canvas');
+    canvas.setAttribute('part', 'canvas');
+    [canvas.width, canvas.height] = [width, height];
+    return canvas;
+  }
+
   /** Shown for a moment. */
   hint(text: string): void {
     clearTimeout(this.#hinting);

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{Camera, ColorMode, Gpu, Layer, Mesh, Mode, Plan, RenderError, Rocks, Scene, View};
+use crate::render::{Camera, ColorMode, Gpu, Layer, Look, Mesh, Mode, Plan, Quality, RenderError, Rocks, Scene, View};
 
 thread_local! {
     // wgpu wants its callbacks `Send`, a JavaScript function is not: they carry an index into this list.
@@ -96,12 +96,14 @@ impl Renderer {
         image_width: f32,
         image_height: f32,
         positions: &js_sys::Float32Array,
+        normals: &js_sys::Float32Array,
         indices: &js_sys::Uint32Array,
         vertex_starts: Vec<u32>,
         rock_layers: Vec<u32>,
         rock_sites: Vec<u32>,
     ) -> Result<(), js_sys::Error> {
-        let mesh = Mesh { positions, indices, rocks: Rocks { vertex_starts, layers: rock_layers, sites: rock_sites } };
+        let rocks = Rocks { vertex_starts, layers: rock_layers, sites: rock_sites };
+        let mesh = Mesh { positions, normals, indices, rocks };
         let scene = Scene::new(&self.gpu, [image_width, image_height], mesh);
         self.scene = Some(scene.map_err(|error| to_js(&error))?);
         self.plan = None;
@@ -155,16 +157,33 @@ impl Renderer {
         Ok(())
     }
 
-    /// View 0 rocks, 1 wireframe, 2 diagrams, 3 selection; colour 0 by layer, 1 by rock, 2 plain.
+    /// View 0 rocks, 1 wireframe, 2 diagrams, 3 selection; colour 0 by layer, 1 by rock, 2 plain, 3 natural.
     #[wasm_bindgen(js_name = setStyle)]
     pub fn set_style(&mut self, view: u8, color: u8, dark: bool) {
         let mode = [Mode::Rocks, Mode::Wireframe, Mode::Diagrams, Mode::Selection];
-        let colors = [ColorMode::Layer, ColorMode::Rock, ColorMode::Plain];
+        let colors = [ColorMode::Layer, ColorMode::Rock, ColorMode::Plain, ColorMode::Natural];
         let mode = mode.get(view as usize).copied().unwrap_or(Mode::Rocks);
         let color = colors.get(color as usize).copied().unwrap_or(ColorMode::Layer);
         if self.view.set_style(mode, color, dark) {
             self.plan = None;
         }
+    }
+
+    /// Variation, wetness, moss and dust (0…1), ground (0 soil, 1 sand, 2 gravel), the sun's azimuth and elevation in degrees.
+    /// Per layer id: 0 mixed, 1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate.
+    #[wasm_bindgen(js_name = setLook)]
+    pub fn set_look(&mut self, values: Vec<f32>, layer_ids: Vec<u32>, materials: Vec<u8>) {
+        let changed = self.view.set_look(Look::new(&values, &layer_ids, &materials));
+        if let Some(scene) = self.scene.as_mut().filter(|_| changed) {
+            scene.unpaint();
+        }
+    }
+
+    /// 0 low, 1 medium, 2 high; matters in natural colours.
+    #[wasm_bindgen(js_name = setQuality)]
+    pub fn set_quality(&mut self, level: u8) {
+        let levels = [Quality::Low, Quality::Medium, Quality::High];
+        self.view.set_quality(levels.get(level as usize).copied().unwrap_or(Quality::High));
     }
 
     /// Angles in radians, lengths in px.

@@ -56,8 +56,9 @@ impl Camera {
 
 impl Frame {
     /// Clip space from positions relative to the eye, with near and far just around the sphere
-    /// (`center`, `radius`) that holds everything drawn with depth.
-    pub(crate) fn clip_from_eye(&self, aspect: f32, center: Vec3, radius: f32) -> Mat4 {
+    /// (`center`, `radius`) that holds everything drawn with depth; with
+    /// `horizon`, far is as far as the ground goes.
+    pub(crate) fn clip_from_eye(&self, aspect: f32, center: Vec3, radius: f32, horizon: bool) -> Mat4 {
         let ahead = (center - self.eye).dot(self.forward);
         let far = (ahead + radius).max(2.0);
         // 24 bits of depth want near not too small; 1/2000 of far still lets the eye stand among the rocks.
@@ -68,6 +69,8 @@ impl Frame {
             Vec3::new(self.right.z, self.up.z, -self.forward.z).extend(0.0),
             Vec4::W,
         );
+        // Costs next to nothing: depth is a matter of near.
+        let far = if horizon { 10_000.0 * far } else { far };
         // The eye looks along -z, depth 0…1.
         let focal = 1.0 / (0.5 * FOV_Y).tan();
         let depth = far / (near - far);

@@ -1,6 +1,6 @@
 //! The shadow and height maps the light is read from: a few sets, lent to whichever fields are drawn.
 //!
-//! A set takes 21 MB, and a page may show dozens of fields of which a hand moves one. So a canvas keeps the
+//! A set takes 25 MB, and a page may show dozens of fields of which a hand moves one. So a canvas keeps the
 //! set it drew last for as long as there are enough of them, and draws its maps anew when there are not.
 
 use super::Gpu;
@@ -10,7 +10,7 @@ use super::surface::texture;
 /// Side of the shadow map and of the height map, texels; 0.7 px each for the 1024 px fields of the papers.
 const MAP_SIDE: u32 = 2048;
 
-/// Sets kept at most: 84 MB, for the few fields that move at the same time.
+/// Sets kept at most: 100 MB, for the few fields that move at the same time.
 const MAX_SETS: usize = 4;
 
 /// The textures the light is read from; handles, so a clone is the same textures.
@@ -105,6 +105,10 @@ fn group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> w
     };
     let compare = sampler("rock-field/shadow/sampler", Some(wgpu::CompareFunction::LessEqual));
     let linear = sampler("rock-field/height/sampler", None);
+    // The depths themselves: to find what casts the shadow.
+    let nearest = gpu
+        .device
+        .create_sampler(&wgpu::SamplerDescriptor { label: Some("rock-field/shadow/depths"), ..Default::default() });
     let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
     gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("rock-field/maps/group"),
@@ -114,6 +118,8 @@ fn group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> w
             entry(1, wgpu::BindingResource::Sampler(&compare)),
             entry(2, wgpu::BindingResource::TextureView(height)),
             entry(3, wgpu::BindingResource::Sampler(&linear)),
+            entry(4, wgpu::BindingResource::TextureView(shadow)),
+            entry(5, wgpu::BindingResource::Sampler(&nearest)),
         ],
     })
 }

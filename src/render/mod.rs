@@ -10,6 +10,7 @@
 //! One frame: if the field is new, its shadow and height maps; then one multisampled pass:
 //! backdrop and ground, then all rocks at once (outsides, insides; edges in the wireframe view),
 //! or the fills and strokes of a plan. Nothing is drawn unless asked for.
+//! In natural colours the rocks come first and the ground last, as a surface that hides what is below it.
 //!
 //! With WebGPU a device serves any number of canvases. WebGL2 binds a device to one canvas and allows
 //! about 16 of them in a page, so there all views are drawn on one that nobody sees, and JavaScript
@@ -20,6 +21,7 @@
 mod camera;
 mod error;
 mod gpu;
+mod look;
 mod maps;
 mod palette;
 mod pipelines;
@@ -33,6 +35,7 @@ mod view;
 pub(crate) use camera::Camera;
 pub(crate) use error::RenderError;
 pub(crate) use gpu::Gpu;
+pub(crate) use look::{Look, Quality};
 pub(crate) use palette::ColorMode;
 pub(crate) use plan::{Layer, Plan};
 pub(crate) use scene::{Mesh, Rocks, Scene};

@@ -1,4 +1,5 @@
-//! Colours: by layer, by rock, or the papers' grey; packed as four sRGB bytes, red first.
+//! Colours: by layer, by rock, or the papers' grey; packed as four sRGB bytes, red first. Natural ones are made in the
+//! shaders, from what is packed here instead.
 
 /// Which colours the rocks wear.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -6,6 +7,7 @@ pub(crate) enum ColorMode {
     Layer,
     Rock,
     Plain,
+    Natural,
 }
 
 /// What the rocks are made of, by layer id modulo 8; the first three as in the papers' figures
@@ -77,7 +79,37 @@ pub(crate) fn rock(mode: ColorMode, layer: u32, hash: u32) -> u32 {
             let hue = std::f32::consts::TAU * (hash >> 12 & 0xffff) as f32 / 65536.0;
             pack(oklch(0.62 + 0.14 * share(hash, 0), 0.062, hue))
         }
+        ColorMode::Natural => natural(0, hash),
     }
+}
+
+/// What each kind of stone is in `shaders/stone.wgsl`; 0 is none.
+const LAST_KIND: u32 = 7;
+
+/// Of 100 stones in a river, how many are of each kind, in the order of the kinds. Chosen by eye.
+const MIXED: [u32; LAST_KIND as usize] = [24, 18, 20, 5, 19, 6, 8];
+
+/// One rock in natural colours: three random bytes, and in the fourth its kind of stone. `material`: 0 mixed, else the
+/// kind itself (1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate); a mix has also 6 quartz and 7 red sandstone.
+pub(crate) fn natural(material: u8, hash: u32) -> u32 {
+    let kind = match u32::from(material) {
+        kind @ 1..=5 => kind,
+        _ => mixed(hash >> 24),
+    };
+    hash & 0x00ff_ffff | kind << 24
+}
+
+fn mixed(byte: u32) -> u32 {
+    let mut left = byte * 100 / 256;
+    let mut kind = 1;
+    for share in MIXED {
+        if left < share {
+            break;
+        }
+        left -= share;
+        kind += 1;
+    }
+    kind.min(LAST_KIND)
 }
 
 /// The fill of a selected cell: the layer's ink, its value varied from cell to cell as in Fig. 8 (d).

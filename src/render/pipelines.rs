@@ -4,21 +4,33 @@
 //! |---|---|---|
 //! | 0 `frame` | frame and view | 0 `Globals` |
 //! | 1 `field` | field | 0 `FieldUniforms` |
-//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler |
+//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler |
 
 use std::cell::OnceCell;
 
 use super::surface::{DEPTH_FORMAT, Kind};
 use super::uniforms::{FieldUniforms, Globals};
 
+/// Prepended to every pass.
 const COMMON: &str = include_str!("shaders/common.wgsl");
-const LIGHTING: &str = include_str!("shaders/lighting.wgsl");
+
+/// Prepended, after the common part, to the passes of the papers' style.
+const LIGHTING: &[&str] = &[include_str!("shaders/lighting.wgsl")];
+
+/// Prepended, after the common part, to the passes in natural colours.
+const NATURAL: &[&str] = &[
+    include_str!("shaders/noise.wgsl"),
+    include_str!("shaders/stone.wgsl"),
+    include_str!("shaders/cover.wgsl"),
+    include_str!("shaders/daylight.wgsl"),
+];
 
 /// f32 has what a sun low over a wide field needs; filtered through a comparison sampler on both backends.
 pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-/// 1/255 of the highest rock: enough, the taps are averaged. Filterable and renderable everywhere.
-pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::R8Unorm;
+/// The papers' style reads the first byte: 1/255 of the highest rock is enough there, the taps are averaged. Natural
+/// colours read both, for pebbles beside boulders. Filterable and renderable everywhere.
+pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
 
 /// f32x3 position.
 const POSITION: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -32,6 +44,13 @@ const COLOR: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: 4,
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &wgpu::vertex_attr_array![1 => Unorm8x4],
+};
+
+/// Octahedral.
+const NORMAL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 4,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![2 => Snorm16x2],
 };
 
 /// Bytes of a vertex of a plan's fills: x, y, colour.
@@ -64,6 +83,7 @@ pub(crate) struct Pipelines {
     pub(crate) ground: wgpu::RenderPipeline,
     /// Outsides, then insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
+    natural: OnceCell<[wgpu::RenderPipeline; 3]>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     plan: OnceCell<[wgpu::RenderPipeline; 2]>,
 }
@@ -72,7 +92,8 @@ pub(crate) struct Pipelines {
 struct Pass<'a> {
     label: &'static str,
     source: &'static str,
-    lit: bool,
+    /// Between the common part and the pass' own; lit ones read the maps.
+    before: &'static [&'static str],
     buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     topology: wgpu::PrimitiveTopology,
     sides: Sides,
@@ -111,8 +132,8 @@ impl Pipelines {
         let shadow = make(Pass {
             label: "rock-field/shadow/pipeline",
             source: include_str!("shaders/shadow.wgsl"),
-            lit: false,
-            buffers: &[Some(POSITION)],
+            before: &[],
+            buffers: &[Some(POSITION), Some(COLOR)],
             topology: wgpu::PrimitiveTopology::TriangleList,
             sides: Sides::Both,
             depth: Depth::Test,
@@ -121,8 +142,8 @@ impl Pipelines {
         let height = make(Pass {
             label: "rock-field/height/pipeline",
             source: include_str!("shaders/height.wgsl"),
-            lit: false,
-            buffers: &[Some(POSITION)],
+            before: &[],
+            buffers: &[Some(POSITION), Some(COLOR)],
             topology: wgpu::PrimitiveTopology::TriangleList,
             sides: Sides::Both,
             depth: Depth::Test,
@@ -131,7 +152,7 @@ impl Pipelines {
         let ground = make(Pass {
             label: "rock-field/ground/pipeline",
             source: include_str!("shaders/ground.wgsl"),
-            lit: true,
+            before: LIGHTING,
             buffers: &[],
             topology: wgpu::PrimitiveTopology::TriangleList,
             sides: Sides::Both,
@@ -151,6 +172,7 @@ impl Pipelines {
             height,
             ground,
             rock,
+            natural: OnceCell::new(),
             wire: OnceCell::new(),
             plan: OnceCell::new(),
         }
@@ -161,13 +183,42 @@ impl Pipelines {
         pipeline(device, layouts, self.kind, pass)
     }
 
+    /// In natural colours: outsides and insides of the rocks, then the ground, pushed back.
+    pub(crate) fn natural(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 3] {
+        self.natural.get_or_init(|| {
+            let rock = |sides, depth| Pass {
+                label: "rock-field/natural-rock/pipeline",
+                source: include_str!("shaders/natural_rock.wgsl"),
+                before: NATURAL,
+                buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL)],
+                topology: wgpu::PrimitiveTopology::TriangleList,
+                sides,
+                depth,
+                target: Target::View { blend: false },
+            };
+            // Behind the rims of the rocks, many of which lie exactly in it.
+            let ground = Pass {
+                label: "rock-field/natural-ground/pipeline",
+                source: include_str!("shaders/natural_ground.wgsl"),
+                before: NATURAL,
+                buffers: &[],
+                topology: wgpu::PrimitiveTopology::TriangleList,
+                sides: Sides::Both,
+                depth: Depth::TestBehind,
+                target: Target::View { blend: false },
+            };
+            let passes = [rock(Sides::Out, Depth::Test), rock(Sides::In, Depth::TestBehind), ground];
+            passes.map(|pass| self.make(device, pass))
+        })
+    }
+
     /// The fill pushed back, and the edges.
     pub(crate) fn wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
         self.wire.get_or_init(|| {
             let edges = Pass {
                 label: "rock-field/wire/pipeline",
                 source: include_str!("shaders/wire.wgsl"),
-                lit: false,
+                before: &[],
                 buffers: &[Some(POSITION), Some(COLOR)],
                 topology: wgpu::PrimitiveTopology::LineList,
                 sides: Sides::Both,
@@ -184,7 +235,7 @@ impl Pipelines {
             let fills = Pass {
                 label: "rock-field/plan/pipeline",
                 source: include_str!("shaders/plan.wgsl"),
-                lit: false,
+                before: &[],
                 buffers: &[Some(FILL)],
                 topology: wgpu::PrimitiveTopology::TriangleList,
                 sides: Sides::Both,
@@ -194,7 +245,7 @@ impl Pipelines {
             let strokes = Pass {
                 label: "rock-field/stroke/pipeline",
                 source: include_str!("shaders/stroke.wgsl"),
-                lit: false,
+                before: &[],
                 buffers: &[Some(STROKE)],
                 topology: wgpu::PrimitiveTopology::TriangleStrip,
                 sides: Sides::Both,
@@ -210,7 +261,7 @@ fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {
     Pass {
         label: "rock-field/rock/pipeline",
         source: include_str!("shaders/rock.wgsl"),
-        lit: true,
+        before: LIGHTING,
         buffers: &[Some(POSITION), Some(COLOR)],
         topology: wgpu::PrimitiveTopology::TriangleList,
         sides,
@@ -225,15 +276,15 @@ fn pipeline(
     Kind { format, samples }: Kind,
     pass: Pass<'_>,
 ) -> wgpu::RenderPipeline {
-    let lighting = if pass.lit { LIGHTING } else { "" };
+    let lit = !pass.before.is_empty();
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
         label: Some(pass.label),
-        source: wgpu::ShaderSource::Wgsl(format!("{COMMON}{lighting}{}", pass.source).into()),
+        source: wgpu::ShaderSource::Wgsl(format!("{COMMON}{}{}", pass.before.concat(), pass.source).into()),
     });
     let groups = [Some(frame), Some(field), Some(maps)];
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label: Some(pass.label),
-        bind_group_layouts: if pass.lit { &groups } else { &groups[..2] },
+        bind_group_layouts: if lit { &groups } else { &groups[..2] },
         immediate_size: 0,
     });
     let srgb = [("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 })];
@@ -321,6 +372,8 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             entry(1, sampler(wgpu::SamplerBindingType::Comparison)),
             entry(2, texture(wgpu::TextureSampleType::Float { filterable: true })),
             entry(3, sampler(wgpu::SamplerBindingType::Filtering)),
+            entry(4, texture(wgpu::TextureSampleType::Float { filterable: false })),
+            entry(5, sampler(wgpu::SamplerBindingType::NonFiltering)),
         ],
     })
 }

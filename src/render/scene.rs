@@ -2,20 +2,19 @@
 
 use glam::{Mat4, Vec3};
 
+use super::look::Look;
 use super::maps::{MapSets, Maps};
 use super::palette::{self, ColorMode};
 use super::surface::depth_attachment;
 use super::uniforms::FieldUniforms;
 use super::{Gpu, RenderError, upload};
 
-/// Towards the sun: 35° high, from the left of the default view (azimuth 30°) and a little behind the
-/// field, so that shadows fall to the right and towards the viewer. Chosen by eye.
-const SUN: Vec3 = Vec3::new(-0.80, 0.16, 0.58);
-
 /// The mesh as it lies in JavaScript; read a slice at a time.
 pub(crate) struct Mesh<'a> {
     /// 3v coordinates.
     pub(crate) positions: &'a js_sys::Float32Array,
+    /// 3v coordinates.
+    pub(crate) normals: &'a js_sys::Float32Array,
     /// 3t vertex numbers.
     pub(crate) indices: &'a js_sys::Uint32Array,
     pub(crate) rocks: Rocks,
@@ -33,9 +32,10 @@ pub(crate) struct Rocks {
 
 /// Buffers and bind groups of one field.
 pub(crate) struct Scene {
-    /// No other scene of the device has it.
+    /// What the maps show: no other scene of the device has it, nor this one once they would show something else.
     pub(crate) number: u64,
     positions: wgpu::Buffer,
+    normals: wgpu::Buffer,
     colors: wgpu::Buffer,
     indices: wgpu::Buffer,
     index_count: u32,
@@ -44,17 +44,23 @@ pub(crate) struct Scene {
     edges: Option<wgpu::Buffer>,
     rocks: Rocks,
     painted: Option<ColorMode>,
+    stale: bool,
+    /// Under which the uniforms were written.
+    sun: Vec3,
+    low: Vec3,
+    high: Vec3,
     /// Middle and radius of a sphere round everything.
     pub(crate) center: Vec3,
     pub(crate) radius: f32,
     pub(crate) image: [f32; 2],
+    uniforms: wgpu::Buffer,
     pub(crate) field_group: wgpu::BindGroup,
 }
 
 impl Drop for Scene {
     /// A WebGPU buffer lives until JavaScript collects it: while a slider is dragged that is too late.
     fn drop(&mut self) {
-        let buffers = [&self.positions, &self.colors, &self.indices];
+        let buffers = [&self.positions, &self.normals, &self.colors, &self.indices, &self.uniforms];
         for buffer in buffers.into_iter().chain(&self.edges) {
             buffer.destroy();
         }
@@ -74,11 +80,15 @@ impl Scene {
         {
             return Err(RenderError::Malformed("rockStarts, vertexStarts, rockLayer and selected disagree"));
         }
+        if mesh.normals.length() != mesh.positions.length() {
+            return Err(RenderError::Malformed("positions and normals disagree"));
+        }
         let make = |label, what, elements: u32, usage| {
             upload::buffer(&gpu.device, label, what, 4 * u64::from(elements), usage)
         };
         let vertex = wgpu::BufferUsages::VERTEX;
         let positions = make("rock-field/rock/positions", "vertices", 3 * vertex_count, vertex)?;
+        let normals = make("rock-field/rock/normals", "normals", vertex_count, vertex)?;
         let colors = make("rock-field/rock/colors", "colours", vertex_count, vertex)?;
         let indices = make("rock-field/rock/indices", "triangles", index_count, wgpu::BufferUsages::INDEX)?;
 
@@ -95,6 +105,7 @@ impl Scene {
                 axis = (axis + 1) % 3;
             }
         });
+        upload_normals(gpu, &normals, vertex_count, mesh.normals);
         let mut highest = 0;
         upload::write::<u32>(&gpu.queue, &indices, index_count, |start, slice| {
             let end = start + slice.len() as u32;
@@ -109,23 +120,22 @@ impl Scene {
             return Err(RenderError::Malformed("a coordinate is infinite"));
         }
 
-        let uniforms = field_uniforms(image, low, high, MapSets::side(gpu) as f32);
-        let buffer = upload::buffer(
+        let uniforms = upload::buffer(
             &gpu.device,
             "rock-field/field/uniforms",
             "uniforms",
             size_of::<FieldUniforms>() as u64,
             wgpu::BufferUsages::UNIFORM,
         )?;
-        gpu.queue.write_buffer(&buffer, 0, bytemuck::bytes_of(&uniforms));
         let field_group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
             label: Some("rock-field/field/group"),
             layout: &gpu.pipelines.field_layout,
-            entries: &[wgpu::BindGroupEntry { binding: 0, resource: buffer.as_entire_binding() }],
+            entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }],
         });
         Ok(Self {
             number: gpu.next_number(),
             positions,
+            normals,
             colors,
             indices,
             index_count,
@@ -133,17 +143,44 @@ impl Scene {
             edges: None,
             rocks,
             painted: None,
+            stale: false,
+            sun: Vec3::ZERO,
+            low,
+            high,
             center: (low + high) * 0.5,
             radius: (high - low).length() * 0.5,
             image,
+            uniforms,
             field_group,
         })
     }
 
-    /// Gives every rock its colour in `mode`; nothing to do if it has it.
-    pub(crate) fn paint(&mut self, gpu: &Gpu, mode: ColorMode) {
-        if self.painted == Some(mode) {
+    /// Lets `sun` shine from now on.
+    pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3) {
+        if sun == self.sun {
             return;
+        }
+        self.sun = sun;
+        self.number = gpu.next_number();
+        let uniforms = field_uniforms(sun, self.image, self.low, self.high, MapSets::side(gpu) as f32);
+        gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
+    }
+
+    /// The materials are others: natural colours are painted anew.
+    pub(crate) fn unpaint(&mut self) {
+        self.stale = true;
+    }
+
+    /// Gives every rock its colour in `mode`; nothing to do if it has it.
+    pub(crate) fn paint(&mut self, gpu: &Gpu, mode: ColorMode, look: &Look) {
+        if self.painted == Some(mode) && !(self.stale && mode == ColorMode::Natural) {
+            return;
+        }
+        self.stale = false;
+        // In natural colours some rocks sink.
+        let sinks = |mode| mode == Some(ColorMode::Natural);
+        if sinks(self.painted) != sinks(Some(mode)) {
+            self.number = gpu.next_number();
         }
         self.painted = Some(mode);
         let rocks = &self.rocks;
@@ -155,7 +192,11 @@ impl Scene {
                 while vertex >= end && rock < rocks.layers.len() {
                     let id = |list: &[u32]| list.get(rock).copied().unwrap_or(0);
                     let (layer, site) = (id(&rocks.layers), id(&rocks.sites));
-                    color = palette::rock(mode, layer, palette::hash(layer, site));
+                    let hash = palette::hash(layer, site);
+                    color = match mode {
+                        ColorMode::Natural => palette::natural(look.material(layer), hash),
+                        _ => palette::rock(mode, layer, hash),
+                    };
                     rock += 1;
                     end = id_at(&rocks.vertex_starts, rock);
                 }
@@ -234,19 +275,19 @@ impl Scene {
             });
             pass.set_bind_group(0, frame_group, &[]);
             pass.set_bind_group(1, &self.field_group, &[]);
-            self.draw_rocks(&mut pass, pipeline, false);
+            self.draw_rocks(&mut pass, pipeline);
         }
     }
 
     /// All rocks in one draw.
-    pub(crate) fn draw_rocks(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline, colored: bool) {
-        self.draw(pass, pipeline, colored, &self.indices, self.index_count);
+    pub(crate) fn draw_rocks(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
+        self.draw(pass, pipeline, &self.indices, self.index_count);
     }
 
     /// All edges, one draw; nothing before [`Scene::set_edges`].
     pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         if let Some(edges) = &self.edges {
-            self.draw(pass, pipeline, true, edges, 2 * self.index_count);
+            self.draw(pass, pipeline, edges, 2 * self.index_count);
         }
     }
 
@@ -254,7 +295,6 @@ impl Scene {
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         pipeline: &wgpu::RenderPipeline,
-        colored: bool,
         indices: &wgpu::Buffer,
         count: u32,
     ) {
@@ -263,12 +303,39 @@ impl Scene {
         }
         pass.set_pipeline(pipeline);
         pass.set_vertex_buffer(0, self.positions.slice(..));
-        if colored {
-            pass.set_vertex_buffer(1, self.colors.slice(..));
-        }
+        pass.set_vertex_buffer(1, self.colors.slice(..));
+        pass.set_vertex_buffer(2, self.normals.slice(..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..count, 0, 0..1);
     }
+}
+
+/// Two 16-bit numbers a normal: the octahedron's faces unfolded (Cigolle et al., *A survey of efficient representations
+/// for independent unit vectors*, 2014). A byte each would show as bands on a smooth boulder.
+fn upload_normals(gpu: &Gpu, buffer: &wgpu::Buffer, count: u32, normals: &js_sys::Float32Array) {
+    let mut scratch = Vec::new();
+    upload::write::<u32>(&gpu.queue, buffer, count, |start, slice| {
+        scratch.resize(slice.len() * 3, 0.0);
+        normals.subarray(3 * start, 3 * (start + slice.len() as u32)).copy_to(&mut scratch);
+        for (normal, out) in scratch.chunks_exact(3).zip(slice) {
+            if let &[x, y, z] = normal {
+                *out = octahedral(Vec3::new(x, y, z));
+            }
+        }
+    });
+}
+
+fn octahedral(normal: Vec3) -> u32 {
+    let flat = normal / normal.abs().element_sum();
+    let sign = |value: f32| if value < 0.0 { -1.0 } else { 1.0 };
+    let [x, y] = if flat.z < 0.0 {
+        [(1.0 - flat.y.abs()) * sign(flat.x), (1.0 - flat.x.abs()) * sign(flat.y)]
+    } else {
+        [flat.x, flat.y]
+    };
+    // The cast makes NaN 0.
+    let bits = |value: f32| u32::from((value * 32767.0).round() as i16 as u16);
+    bits(x) | bits(y) << 16
 }
 
 fn id_at(list: &[u32], at: usize) -> u32 {
@@ -276,12 +343,12 @@ fn id_at(list: &[u32], at: usize) -> u32 {
 }
 
 /// Fits the sun's orthographic camera and the height map to the box `low`…`high`.
-fn field_uniforms(image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUniforms {
-    let sun = SUN.normalize();
-    let right = Vec3::Z.cross(sun).normalize();
+fn field_uniforms(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUniforms {
+    // Straight above, any direction will do.
+    let right = Vec3::Z.cross(sun).try_normalize().unwrap_or(Vec3::X);
     let up = sun.cross(right);
     // Room on the ground for the longest shadow, so that none is cut off at the map's edge.
-    let reach = high.z * (SUN.truncate().length() / SUN.z);
+    let reach = high.z * (sun.truncate().length() / sun.z);
     let (from, to) = (low - Vec3::new(reach, reach, 0.0), high + Vec3::new(reach, reach, 0.0));
     let mut least = Vec3::INFINITY;
     let mut most = Vec3::NEG_INFINITY;
@@ -308,7 +375,7 @@ fn field_uniforms(image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUni
     let scale = (extent + glam::Vec2::splat(8.0 * texel)).recip();
     FieldUniforms {
         sun_from_world: (to_clip * view).to_cols_array_2d(),
-        sun: sun.extend(span.x.max(span.y) / side).to_array(),
+        sun: sun.extend(span.x.max(span.y)).to_array(),
         map: [corner.x, corner.y, scale.x, scale.y],
         size: [image[0], image[1], high.z.max(1.0), 0.0],
         ground: [0.36 * image[0].max(image[1]), texel, 0.0, 0.0],

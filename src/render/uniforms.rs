@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-/// Once per frame and view. Size 208 B.
+/// Once per frame and view. Size 240 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Globals {
@@ -23,6 +23,10 @@ pub(crate) struct Globals {
     pub(crate) backdrop_high: [f32; 4],
     pub(crate) soil: [f32; 4],
     pub(crate) dust: [f32; 4],
+    /// Variation, wetness, moss, dust.
+    pub(crate) weather: [f32; 4],
+    /// x ground, y quality, z 1 in natural colours.
+    pub(crate) scene: [f32; 4],
 }
 
 /// Once per field. Size 128 B.
@@ -30,7 +34,7 @@ pub(crate) struct Globals {
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FieldUniforms {
     pub(crate) sun_from_world: [[f32; 4]; 4],
-    /// xyz towards the sun; w one texel of the shadow map in px of the world.
+    /// xyz towards the sun; w the side of the shadow map in px of the world.
     pub(crate) sun: [f32; 4],
     /// xy the height map's corner, zw 1 / its sides, px.
     pub(crate) map: [f32; 4],

@@ -4,7 +4,7 @@ use super::camera::FOV_Y;
 use super::palette::{self, ColorMode, DARK, LIGHT};
 use super::surface::Screen;
 use super::uniforms::Globals;
-use super::{Camera, Gpu, Layer, Plan, RenderError, Scene, upload};
+use super::{Camera, Gpu, Layer, Look, Plan, Quality, RenderError, Scene, upload};
 
 /// What is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -29,6 +29,8 @@ pub(crate) struct View {
     camera: Camera,
     pub(crate) mode: Mode,
     color: ColorMode,
+    look: Look,
+    quality: Quality,
     dark: bool,
     /// Device pixels per CSS pixel.
     ratio: f32,
@@ -59,6 +61,8 @@ impl View {
             camera: Camera { azimuth: 0.0, elevation: 1.0, distance: 1000.0, target: [0.0; 3] },
             mode: Mode::Rocks,
             color: ColorMode::Layer,
+            look: Look::default(),
+            quality: Quality::High,
             dark: false,
             ratio: 1.0,
         })
@@ -91,6 +95,17 @@ impl View {
         changed
     }
 
+    /// True if the rocks' materials are others than before.
+    pub(crate) fn set_look(&mut self, look: Look) -> bool {
+        let changed = look.materials != self.look.materials;
+        self.look = look;
+        changed
+    }
+
+    pub(crate) fn set_quality(&mut self, quality: Quality) {
+        self.quality = quality;
+    }
+
     /// The plan this view shows, if it shows one.
     pub(crate) fn plan(&self, gpu: &Gpu, scene: Option<&Scene>, layers: &[Layer]) -> Result<Option<Plan>, RenderError> {
         let theme = if self.dark { &DARK } else { &LIGHT };
@@ -119,7 +134,8 @@ impl View {
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let scene = scene.map(|scene| {
             let maps = self.is_solid().then(|| {
-                scene.paint(gpu, self.color);
+                scene.light(gpu, self.look.sun);
+                scene.paint(gpu, self.shown_color(), &self.look);
                 let (maps, stale) = gpu.maps.borrow_mut().lend(gpu, self.number, scene.number);
                 if stale {
                     scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps);
@@ -144,18 +160,26 @@ impl View {
             pass.set_bind_group(0, &self.frame_group, &[]);
             pass.set_bind_group(1, &scene.field_group, &[]);
             match (self.mode, plan) {
+                (Mode::Rocks, _) if self.is_natural() => {
+                    let [outsides, insides, ground] = gpu.pipelines.natural(&gpu.device);
+                    scene.draw_rocks(&mut pass, outsides);
+                    scene.draw_rocks(&mut pass, insides);
+                    // The backdrop, and the ground; last, so that only what shows of it is drawn.
+                    pass.set_pipeline(ground);
+                    pass.draw(0..6, 0..1);
+                }
                 (Mode::Rocks, _) => {
                     pass.set_pipeline(&gpu.pipelines.ground);
                     pass.draw(0..3, 0..1);
                     for sides in &gpu.pipelines.rock {
-                        scene.draw_rocks(&mut pass, sides, true);
+                        scene.draw_rocks(&mut pass, sides);
                     }
                 }
                 (Mode::Wireframe, _) => {
                     let [fill, edges] = gpu.pipelines.wire(&gpu.device);
                     pass.set_pipeline(&gpu.pipelines.ground);
                     pass.draw(0..3, 0..1);
-                    scene.draw_rocks(&mut pass, fill, true);
+                    scene.draw_rocks(&mut pass, fill);
                     scene.draw_edges(&mut pass, edges);
                 }
                 (_, Some(plan)) => plan.draw(&mut pass, gpu.pipelines.plan(&gpu.device)),
@@ -169,6 +193,15 @@ impl View {
 
     fn is_solid(&self) -> bool {
         matches!(self.mode, Mode::Rocks | Mode::Wireframe)
+    }
+
+    fn is_natural(&self) -> bool {
+        self.mode == Mode::Rocks && self.color == ColorMode::Natural
+    }
+
+    /// Edges and a dimmed fill show no stone: they are coloured by layer.
+    fn shown_color(&self) -> ColorMode {
+        if self.color == ColorMode::Natural && !self.is_natural() { ColorMode::Layer } else { self.color }
     }
 
     /// Of plans: the table they lie on. The other views cover every pixel themselves.
@@ -192,9 +225,10 @@ impl View {
         let tangent = (0.5 * FOV_Y).tan();
         // A plan shows at the target's distance what the 3D view would: half the height is distance · tan.
         let zoom = 1.0 / (self.camera.distance * tangent);
+        let natural = self.is_natural();
         let wireframe = if self.mode == Mode::Wireframe { 1.0 } else { 0.0 };
         Globals {
-            clip_from_eye: frame.clip_from_eye(aspect, center, radius).to_cols_array_2d(),
+            clip_from_eye: frame.clip_from_eye(aspect, center, radius, natural).to_cols_array_2d(),
             eye: frame.eye.extend(self.ratio).to_array(),
             ray_right: (frame.right * tangent * aspect).extend(width).to_array(),
             ray_up: (frame.up * tangent).extend(height).to_array(),
@@ -204,6 +238,8 @@ impl View {
             backdrop_high: palette::linear(theme.backdrop_high),
             soil: palette::linear(theme.soil),
             dust: palette::linear(theme.dust),
+            weather: self.look.weather,
+            scene: [self.look.ground, self.quality as u8 as f32, if natural { 1.0 } else { 0.0 }, 0.0],
         }
     }
 }

@@ -5,6 +5,7 @@ use super::select::{Selection, Threshold};
 use super::shape::Shapes;
 use super::sites::Sites;
 use super::voronoi::Cells;
+use super::wear::Wear;
 use crate::mesh::Extent;
 use crate::params::{Border, Darts, Layer, Params, Swing};
 
@@ -58,6 +59,7 @@ pub(super) struct MeshKey {
     pub(super) taper: [f64; 3],
     pub(super) height: [f64; 3],
     pub(super) swing: Swing,
+    pub(super) wear: Wear,
     pub(super) index: usize,
     pub(super) at: Extent,
 }

@@ -4,18 +4,19 @@
 //! whose key differs from the wanted one, and work on it. So an edit re-runs from the first stage it touches, a
 //! superseded run leaves its finished stages behind, and a cached result is the full result by construction.
 
-use glam::DVec2;
-
 use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey};
 use super::field::{Field, FieldLayer};
+use super::mesher::{Mesher, Source};
 use super::select::{Selector, Threshold, flag};
-use super::shape::{Shaper, Swings};
+use super::shape::Shaper;
 use super::sites::DartThrower;
+use super::subdivide::counts;
 use super::voronoi::VoronoiBuilder;
+use super::wear::Wear;
 use crate::bitmap::Bitmap;
 use crate::error::Error;
 use crate::memory::memory_estimate;
-use crate::mesh::{Extent, Mesh, RockBuilder};
+use crate::mesh::{Extent, Mesh};
 use crate::params::{Border, Darts, Layer, Params, Stage};
 
 /// Picks, cells or rocks that one step works on: one to three milliseconds in wasm.
@@ -58,8 +59,7 @@ enum Work {
     Flag(usize),
     Selection(SelectionKey, Box<Selector>),
     Shapes(Box<Shaper>),
-    /// Writes the rocks of the layer, from this one on.
-    Mesh(MeshKey, usize, Extent, Box<RockBuilder>),
+    Mesh(Box<Mesher>),
 }
 
 impl Generator {
@@ -142,7 +142,7 @@ impl Generator {
             Work::Flag(_) => 0.0,
             Work::Selection(_, selector) => selector.progress(),
             Work::Shapes(shaper) => shaper.progress(),
-            Work::Mesh(_, rock, ..) => *rock as f64 / cache.shapes.value.len().max(1) as f64,
+            Work::Mesh(mesher) => mesher.progress(&cache.shapes.value),
         };
         /// Where each stage begins and ends on the bar: its share of the time for Fig. 1.
         const SHARE: [f64; 6] = [0.0, 0.15, 0.5, 0.65, 0.9, 1.0];
@@ -265,16 +265,18 @@ impl Generator {
         for (index, cache) in self.layers.iter_mut().enumerate() {
             let layer = cache.layer.as_ref()?;
             let shapes = &cache.shapes.value;
-            let key =
-                MeshKey { shapes: cache.shapes.version, taper: layer.taper, height: layer.height, swing, index, at };
+            let wear = Wear::of(layer);
+            let Layer { taper, height, .. } = *layer;
+            let key = MeshKey { shapes: cache.shapes.version, taper, height, swing, wear, index, at };
             // What stood elsewhere in the buffers may be overwritten by another layer from here on.
             if cache.mesh.as_ref() != Some(&key) {
                 cache.mesh = None;
             }
             keys.push(key);
+            let [vertices, triangles] = counts(shapes.len(), shapes.top_vertices(), wear.segments());
             at.rocks += shapes.len();
-            at.vertices += 2 * shapes.top_vertices();
-            at.triangles += shapes.triangles();
+            at.vertices += vertices;
+            at.triangles += triangles;
         }
         if self.mesh.rock_starts.len() != at.rocks + 1
             || self.mesh.positions.len() != 3 * at.vertices
@@ -284,8 +286,9 @@ impl Generator {
         }
         let stale = self.layers.iter().position(|cache| cache.mesh.is_none())?;
         let key = keys.swap_remove(stale);
-        let at = key.at;
-        Some(Task { layer: stale, work: Work::Mesh(key, 0, at, Box::default()) })
+        let cache = &self.layers[stale];
+        let mesher = Mesher::new(key, &cache.selection.value.selected, cache.cells.value.len());
+        Some(Task { layer: stale, work: Work::Mesh(Box::new(mesher)) })
     }
 
     /// Works on a task for a while. True when it is done.
@@ -309,29 +312,10 @@ impl Generator {
             }
             (Work::Flag(_) | Work::Selection(..), None) => true,
             (Work::Shapes(shaper), _) => shaper.advance(cells, selected, ROCKS_PER_STEP),
-            (Work::Mesh(key, rock, at, builder), _) => {
-                let shapes = &cache.shapes.value;
+            (Work::Mesh(mesher), _) => {
                 let Some(layer) = &cache.layer else { return true };
-                let to = (*rock + ROCKS_PER_STEP).min(shapes.len());
-                for from in (*rock..to).step_by(ROCKS_AHEAD) {
-                    let group = from..(from + ROCKS_AHEAD).min(to);
-                    read_ahead(
-                        group
-                            .clone()
-                            .map(|k| (cells.polygon(selected[k] as usize), shapes.top_of(k), shapes.triangles_of(k))),
-                    );
-                    for k in group {
-                        let site = selected[k];
-                        builder.start(cells.polygon(site as usize));
-                        let mut swings = Swings::new(params.seed, layer.id, site, key.swing);
-                        swings.displace(shapes.top_of(k), key.taper, key.height, |p| builder.points.push(p));
-                        let triangles = shapes.triangles_of(k);
-                        builder.finish(triangles);
-                        self.mesh.write_rock(at, key.index as u8, builder, triangles);
-                    }
-                }
-                *rock = to;
-                to == shapes.len()
+                let of = Source { seed: params.seed, layer: layer.id, cells, selected, shapes: &cache.shapes.value };
+                mesher.advance(&of, &mut self.mesh, ROCKS_PER_STEP)
             }
         }
     }
@@ -364,20 +348,7 @@ impl Generator {
             Work::Shapes(shaper) => {
                 cache.shapes = Cached { key: Some(cache.selection.version), version, value: shaper.finish() };
             }
-            Work::Mesh(key, ..) => cache.mesh = Some(key),
+            Work::Mesh(mesher) => cache.mesh = Some(mesher.key),
         }
     }
-}
-
-/// Rocks whose shapes are on their way from memory while others are written.
-const ROCKS_AHEAD: usize = 16;
-
-/// Touches what is about to be needed. Rocks come in the order of the selection, scattered over a field that may be larger than
-/// any cache: one after the other, each would wait for its own lines; like this they come together.
-fn read_ahead<'a>(rocks: impl Iterator<Item = (&'a [DVec2], &'a [DVec2], &'a [[u16; 3]])>) {
-    let touched = rocks.fold(0, |sum, (rim, top, triangles)| {
-        let ends = [rim, top].map(|list| list[0].x.to_bits() ^ list[list.len() - 1].x.to_bits());
-        sum ^ ends[0] ^ ends[1] ^ u64::from(triangles[0][0] ^ triangles[triangles.len() - 1][0])
-    });
-    core::hint::black_box(touched);
 }

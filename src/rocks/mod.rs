@@ -1,15 +1,20 @@
 //! The rock method: sites → cells → selection → shape → mesh.
 
+mod body;
 mod cache;
 mod cell;
 mod field;
 mod generator;
 mod grid;
+mod mesher;
+mod noise;
 mod select;
 mod shape;
 mod sites;
+mod subdivide;
 mod triangulate;
 mod voronoi;
+mod wear;
 mod wrap;
 
 pub use cache::LayerView;
@@ -18,5 +23,7 @@ pub use generator::Generator;
 pub use select::{Selection, Threshold, cell_pixels, select};
 pub use shape::{Shapes, displace};
 pub use sites::{Pixel, Sites, accept_picks, target_sites};
+pub(crate) use subdivide::counts as worn_counts;
 pub use triangulate::triangulate;
 pub use voronoi::{Cells, voronoi};
+pub(crate) use wear::Wear;

@@ -2,17 +2,18 @@
 
 use glam::{DVec2, DVec3, Vec3};
 
+use super::worn::check_worn;
 use super::{Violation, ensure};
 use crate::mesh::Mesh;
 use crate::params::{Layer, Params, Swing};
 use crate::rng::{Purpose, Stream};
-use crate::rocks::Field;
+use crate::rocks::{Field, Wear};
 
 /// Checks the buffers of a field.
 ///
 /// Rocks in layer order, within a layer in the order of the selection; the offsets grow, and every index lies within its
 /// rock's range. The rim is at z = 0, the top where Eqs 2 and 3 put it, normals are unit and the area-weighted means of their
-/// faces, everything is finite.
+/// faces, everything is finite. Of worn rocks what is promised of them holds; see [`check_worn`].
 ///
 /// # Errors
 /// The first violation.
@@ -28,8 +29,12 @@ pub fn check_mesh(params: &Params, field: &Field) -> Result<(), Violation> {
             let rim = layer.cells.polygon(site as usize);
             let mut points: Vec<DVec3> = rim.iter().map(|v| v.extend(0.0)).collect();
             points.extend(displaced(params, &layer.layer, site, layer.shapes.top_of(k)));
-            check_rock(mesh, rock, &points, layer.shapes.triangles_of(k))
-                .map_err(|violation| violation.within(format_args!("rock {rock} (layer {index}, site {site})")))?;
+            let triangles = layer.shapes.triangles_of(k);
+            let checked = match Wear::of(&layer.layer) {
+                wear if wear.is_none() => check_rock(mesh, rock, &points, triangles),
+                wear => check_worn(mesh, rock, wear, &points, triangles),
+            };
+            checked.map_err(|violation| violation.within(format_args!("rock {rock} (layer {index}, site {site})")))?;
             rock += 1;
         }
     }

@@ -172,7 +172,7 @@ pub fn random_params(random: &mut Random, side: f64) -> Params {
         darts: if random.chance(0.8) { Darts::Saturate } else { Darts::Attempts },
         border: if random.chance(0.7) { Border::Clip } else { Border::Drop },
         swing: random.pick(&[Swing::Shared, Swing::Separate]),
-        layers: Vec::new(),
+        ..Params::with_defaults()
     };
     for _ in 0..random.below(9) {
         add_random_layer(random, &mut params);
@@ -209,7 +209,13 @@ pub fn random_layer(random: &mut Random, params: &Params, id: u32) -> Layer {
     let radius = if random.chance(0.3) { radius.round() } else { radius };
     let reach = random.pick(&[0.0, 2.0, 40.0, 500.0]);
     let top = random.pick(&[0.0, 1.0, 40.0, 500.0]);
+    // Cut finer, many rocks would take the tests long.
+    let small = side < 200.0;
     let cell_count = random.chance(0.25).then(|| random.log_between(1.0, 1000.0) as u32 - 1);
+    // Most of the time off, as in the papers; each stage alone, and all together.
+    let mut worn = |values: &[f64]| if random.chance(0.7) { 0.0 } else { random.pick(values) };
+    let [weathering, roughness, embedding] = [worn(&[0.05, 0.2, 0.5, 1.0]), worn(&[0.1, 1.0]), worn(&[0.2, 0.6, 1.0])];
+    let detail = if small { worn(&[1.0, 2.0, 3.0]) as u32 } else { 0 };
     Layer {
         id,
         radius: radius.clamp(if params.notation == Notation::Px { 1.0 } else { 0.01 }, 8192.0),
@@ -217,6 +223,10 @@ pub fn random_layer(random: &mut Random, params: &Params, id: u32) -> Layer {
         cell_count,
         taper: [(); 3].map(|()| random.between(-reach, reach)),
         height: [(); 3].map(|()| random.between(0.0, top)),
+        weathering,
+        roughness,
+        detail,
+        embedding,
         ..Layer::with_defaults(id, Notation::Px)
     }
 }

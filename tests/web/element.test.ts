@@ -16,7 +16,7 @@ function read(given: Record<string, string>): AttributeState {
 }
 
 const DEFAULTS = {
-  params: defaultParams(), preset: PRESETS[0].name, view: '3d', color: null, camera: null, orbit: null, interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
+  params: defaultParams(), preset: PRESETS[0].name, view: '3d', color: null, camera: null, orbit: null, quality: 'auto', interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
 };
 
 test('absent attributes are the defaults, without a word', () => {
@@ -65,6 +65,7 @@ test('a malformed attribute is its default, or the nearest legal value, and exac
     [{ radius: '9 8 7 6 5 4 3 2 1' }, ({ params }) => params.layers.map(({ radius }) => radius), [9, 8, 7, 6, 5, 4, 3, 2]],
     [{ 'camera-orbit': '45 55 120%' }, ({ orbit }) => orbit, null],
     [{ 'camera-orbit': '45deg 55deg 0%' }, ({ orbit }) => orbit, null],
+    [{ quality: 'best' }, ({ quality }) => quality, 'auto'],
     [{ interaction: 'sometimes' }, ({ interaction }) => interaction, 'cooperative'],
     [{ loading: '' }, ({ loading }) => loading, 'eager'],
     [{ 'metres-per-pixel': '0' }, ({ metresPerPixel }) => metresPerPixel, 0.01],

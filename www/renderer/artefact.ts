@@ -13,6 +13,7 @@ export interface RawRenderer {
     imageWidth: number,
     imageHeight: number,
     positions: Float32Array,
+    normals: Float32Array,
     indices: Uint32Array,
     vertexStarts: Uint32Array,
     rockLayers: Uint32Array,
@@ -31,6 +32,8 @@ export interface RawRenderer {
   ): void;
   makePlan(): void;
   setStyle(view: number, color: number, dark: boolean): void;
+  setLook(values: Float32Array, layerIds: Uint32Array, materials: Uint8Array): void;
+  setQuality(level: number): void;
   setCamera(
     azimuth: number,
     elevation: number,

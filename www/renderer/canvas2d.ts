@@ -9,8 +9,6 @@ import type { CameraState, Look, SceneRenderer, SceneStyle } from './renderer.ts
 
 /** As INK in `src/render/palette.rs`: by layer id modulo 8. */
 const INK = ['#cd5e3c', '#e8b24a', '#4a8fbc', '#7ca450', '#986c9e', '#d6c8ac', '#707880', '#409e8e'];
-/** The layers of a natural ground, all of them stone. */
-const STONE = ['#8a8781', '#9e9c98', '#aeaba4', '#7b7873', '#b9b4aa', '#94918b', '#a6a098', '#858079'];
 const GREY = '#9e9c98';
 const THEMES = {
   light: { table: '#e0e4e6', paper: '#faf8f3', line: '#6e6860' },
@@ -50,8 +48,10 @@ export class Canvas2dRenderer implements SceneRenderer {
     this.#style = { ...style };
   }
 
-  /** Nothing of it is to be seen from above. */
+  /** Nothing of it is seen in a plan. */
   setLook(_look: Look): void {}
+
+  setQuality(): void {}
 
   setCamera(camera: CameraState): void {
     this.#camera = { ...camera, target: [...camera.target] };
@@ -95,9 +95,7 @@ export class Canvas2dRenderer implements SceneRenderer {
   }
 
   #ink(layer: FieldLayer): string {
-    const { color } = this.#style;
-    const inks = color === 'natural' ? STONE : INK;
-    return color === 'plain' ? GREY : (inks[layer.id % inks.length] ?? GREY);
+    return this.#style.color === 'plain' ? GREY : (INK[layer.id % INK.length] ?? GREY);
   }
 
   /** Adds cell `i` to the current path. */

@@ -1,14 +1,22 @@
 /** The wasm renderer, on WebGPU or WebGL2, behind the page's `SceneRenderer`. */
 
 import type { Field } from '../field.ts';
+import { PARAMS } from '../params.ts';
 import type { RawRenderer } from './artefact.ts';
 import { joinDevice } from './device.ts';
 import type { GpuBackend, LossListener, SharedDevice } from './device.ts';
-import type { CameraState, ColorMode, SceneRenderer, SceneStyle, View } from './renderer.ts';
+import { QUALITIES } from './renderer.ts';
+import type { CameraState, ColorMode, Look, Quality, SceneRenderer, SceneStyle, View } from './renderer.ts';
 
 // The order of these two lists is the meaning of the numbers in `RawRenderer.setStyle`.
 const VIEWS: readonly View[] = ['3d', 'wireframe', 'diagrams', 'selection'];
-const COLORS: readonly ColorMode[] = ['layer', 'rock', 'plain'];
+const COLORS: readonly ColorMode[] = ['layer', 'rock', 'plain', 'natural'];
+
+/** A choice as the number it is in the table. */
+function choice(key: 'ground' | 'material', word: string): number {
+  const row = PARAMS.find((param) => param.key === key);
+  return Math.max(0, row?.choices.findIndex(({ value }) => value === word) ?? 0);
+}
 
 /** Layer id and site index of every rock: what a rock's colour is drawn from, whatever happens to the others. */
 function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
@@ -79,6 +87,7 @@ export class GpuRenderer implements SceneRenderer {
         field.imageWidth,
         field.imageHeight,
         field.positions,
+        field.normals,
         field.indices,
         field.vertexStarts,
         layers,
@@ -94,6 +103,18 @@ export class GpuRenderer implements SceneRenderer {
       this.#raw.setStyle(VIEWS.indexOf(view), COLORS.indexOf(color), dark);
       this.#prepare();
     });
+  }
+
+  setLook(look: Look): void {
+    const { variation, wetness, moss, dust, ground, sunAzimuth, sunElevation, layers } = look;
+    const values = [variation, wetness, moss, dust, choice('ground', ground), sunAzimuth, sunElevation];
+    const ids = layers.map(({ id }) => id);
+    const materials = layers.map(({ material }) => choice('material', material));
+    this.#guard(() => this.#raw.setLook(Float32Array.from(values), Uint32Array.from(ids), Uint8Array.from(materials)));
+  }
+
+  setQuality(level: Quality): void {
+    this.#guard(() => this.#raw.setQuality(QUALITIES.indexOf(level)));
   }
 
   setCamera({ azimuth, elevation, distance, target }: CameraState): void {

@@ -8,6 +8,11 @@ export type WantedBackend = 'auto' | Backend;
 
 const IN_ORDER = ['webgpu', 'webgl', 'canvas2d'] as const satisfies readonly Backend[];
 
+/** What the attribute says; anything else is `auto`. */
+export function wantedBackend(given: string | null): WantedBackend {
+  return given === 'webgpu' || given === 'webgl' || given === 'canvas2d' || given === 'null' ? given : 'auto';
+}
+
 /**
  * A renderer on a canvas from `makeCanvas`. A canvas keeps the first kind of context it was asked for, so `makeCanvas` is called
  * once for every backend that gets as far as that.

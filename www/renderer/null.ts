@@ -1,12 +1,13 @@
 /** Draws nothing and records every call, for tests that have no graphics. */
 
 import type { Field } from '../field.ts';
-import type { CameraState, Look, SceneRenderer, SceneStyle } from './renderer.ts';
+import type { CameraState, Look, Quality, SceneRenderer, SceneStyle } from './renderer.ts';
 
 export type RecordedCall =
   | { name: 'setField'; rocks: number }
   | { name: 'setStyle'; style: SceneStyle }
   | { name: 'setLook'; look: Look }
+  | { name: 'setQuality'; level: Quality }
   | { name: 'setCamera'; camera: CameraState }
   | { name: 'resize'; width: number; height: number }
   | { name: 'render' }
@@ -39,7 +40,11 @@ export class NullRenderer implements SceneRenderer {
   }
 
   setLook(look: Look): void {
-    this.calls.push({ name: 'setLook', look });
+    this.calls.push({ name: 'setLook', look: structuredClone(look) });
+  }
+
+  setQuality(level: Quality): void {
+    this.calls.push({ name: 'setQuality', level });
   }
 
   setCamera(camera: CameraState): void {

@@ -10,8 +10,12 @@ import type { Ground, Material } from '../params.ts';
 /** `3d` and `wireframe` are seen through the camera; `diagrams` and `selection` are plans, north (+y) up. */
 export type View = '3d' | 'wireframe' | 'diagrams' | 'selection';
 
-/** One colour per layer, one per rock, the papers' plain grey, or stone, moss and ground as `Look` says. */
+/** One colour per layer, one per rock, the papers' plain grey, or stone, moss and dust as in a photograph. */
 export type ColorMode = 'layer' | 'rock' | 'plain' | 'natural';
+
+/** How much work a pixel is worth, in natural colours. */
+export const QUALITIES = ['low', 'medium', 'high'] as const;
+export type Quality = (typeof QUALITIES)[number];
 
 export type Backend = 'webgpu' | 'webgl' | 'canvas2d' | 'null';
 
@@ -34,7 +38,7 @@ export interface SceneStyle {
   dark: boolean;
 }
 
-/** What the parameters say of the surface alone: rows of the table whose stage is `look`. */
+/** What natural colours show beyond the mesh; the sun shines in all colours. As the parameters of the same names. */
 export interface Look {
   variation: number;
   wetness: number;
@@ -53,6 +57,7 @@ export interface SceneRenderer {
   setField(field: Field): void;
   setStyle(style: SceneStyle): void;
   setLook(look: Look): void;
+  setQuality(level: Quality): void;
   setCamera(camera: CameraState): void;
   /** Device pixels; below 1 counts as 1, above the device's largest texture as that. */
   resize(width: number, height: number): void;

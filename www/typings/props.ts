@@ -6,7 +6,7 @@ import type { ReflectedProperties } from '../reflected-properties.ts';
 
 type Parameters = { [Name in keyof ParameterProperties]: ParameterProperties[Name] | Text<ParameterProperties[Name]> };
 type Reflected = { [Name in keyof ReflectedProperties]: Exclude<ReflectedProperties[Name], ''> };
-type Others = Pick<RockFieldElement, 'params' | 'layers' | 'view' | 'color' | 'interaction' | 'cameraOrbit' | 'metresPerPixel' | 'theme'> & {
+type Others = Pick<RockFieldElement, 'params' | 'layers' | 'view' | 'color' | 'quality' | 'interaction' | 'cameraOrbit' | 'metresPerPixel' | 'theme'> & {
   camera: RockFieldElement['camera'] | null;
   /** Read when the element is connected; `null` draws nothing. */
   backend: 'auto' | Backend;

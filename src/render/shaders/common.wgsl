@@ -1,7 +1,7 @@
 // Prepended to every pass. World: x right, y up, z up, pixels of the image. Colour maths is linear.
 
 // Group 0, once per frame and view.
-// size 208 B, align 16; mirrored by Globals in uniforms.rs
+// size 240 B, align 16; mirrored by Globals in uniforms.rs
 struct Globals {
   // Takes positions relative to the eye: far from the origin an f32 keeps its digits that way.
   clip_from_eye: mat4x4f,
@@ -20,6 +20,10 @@ struct Globals {
   // Linear albedo of the ground under and round the rocks; w unused
   soil: vec4f,
   dust: vec4f,
+  // Natural colours: variation, wetness, moss, dust, 0…1
+  weather: vec4f,
+  // x ground: 0 soil, 1 sand, 2 gravel; y quality: 0 low, 1 medium, 2 high; z 1 in natural colours; w unused
+  scene: vec4f,
 }
 
 // Group 1, once per field.
@@ -27,7 +31,7 @@ struct Globals {
 struct FieldUniforms {
   // World to the sun's clip space, depth 0…1
   sun_from_world: mat4x4f,
-  // xyz towards the sun; w one texel of the shadow map in px of the world
+  // xyz towards the sun; w the side of the shadow map in px of the world
   sun: vec4f,
   // xy the height map's corner, zw 1 / its sides, px
   map: vec4f,
@@ -65,4 +69,17 @@ fn finish(linear: vec3f, pixel: vec2f) -> vec4f {
   let c = clamp(linear, vec3f(0.0), vec3f(1.0));
   let encoded = linear_to_srgb(c) + (dither(pixel) - 0.5) / 255.0;
   return vec4f(select(encoded, c, target_is_srgb), 1.0);
+}
+
+// Natural colours only: near the image's border the rocks sink into the ground, one more than its neighbour, and the
+// border frays. In every pass that draws rocks alike; `hash` as painted, three random bytes per rock.
+fn settled(position: vec3f, hash: vec4f) -> vec3f {
+  let size = field.size.xy;
+  let inwards = min(position.xy, size - position.xy);
+  let margin = 0.1 * min(size.x, size.y);
+  let at = position.xy / margin;
+  let wave = sin(2.8 * at.x + 2.0) + sin(2.4 * at.y) + sin(4.5 * (at.x + at.y) + 1.0);
+  let depth = min(inwards.x, inwards.y) / margin + 0.12 * wave;
+  let sunk = 1.0 - smoothstep(0.0, 0.8, depth - 0.4 * hash.x);
+  return position - vec3f(0.0, 0.0, 1.05 * sunk * field.size.z * globals.scene.z);
 }

@@ -2,7 +2,7 @@
 
 @group(2) @binding(0) var shadow_map: texture_depth_2d;
 @group(2) @binding(1) var shadow_sampler: sampler_comparison;
-// R: height / field.size.z, seen from above
+// Height / field.size.z, seen from above: R in steps of 1/255, G the rest of it (height.wgsl)
 @group(2) @binding(2) var height_map: texture_2d<f32>;
 @group(2) @binding(3) var height_sampler: sampler;
 
@@ -11,12 +11,12 @@
 // slanted faces free of acne without letting shadows come off the foot of a rock.
 fn sunlight(world: vec3f, normal: vec3f) -> f32 {
   let slope = 1.0 - max(dot(normal, field.sun.xyz), 0.0);
-  let lifted = world + normal * field.sun.w * (0.6 + 1.8 * slope);
+  let texel = 1.0 / vec2f(textureDimensions(shadow_map));
+  let lifted = world + normal * field.sun.w * texel.x * (0.6 + 1.8 * slope);
   let clip = (field.sun_from_world * vec4f(lifted, 1.0)).xyz;
   let uv = clip.xy * vec2f(0.5, -0.5) + 0.5;
   // Beyond the map lies open ground, in all three directions.
   let inside = all(abs(vec3f(clip.xy, 2.0 * clip.z - 1.0)) < vec3f(0.999));
-  let texel = 1.0 / vec2f(textureDimensions(shadow_map));
   var lit = 0.0;
   for (var y = -1; y <= 1; y++) {
     for (var x = -1; x <= 1; x++) {

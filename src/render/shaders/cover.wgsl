@@ -1,0 +1,133 @@
+// Prepended to the passes in natural colours: what lies on the ground and on the rocks.
+
+// What `ground_cover` found.
+var<private> cover_albedo: vec3f;
+// Slope of the relief along x and y
+var<private> cover_slope: vec2f;
+// 0 deep between the stones, 1 in the open
+var<private> cover_open: f32;
+// Height of the highest stone so far, and of the highest whose shadow falls here, px
+var<private> cover_top: f32;
+var<private> cover_shade: f32;
+
+// Linear; between the stones.
+fn soil_albedo(ground: f32) -> vec3f {
+  let c = select(vec3f(0.115, 0.092, 0.069), vec3f(0.4, 0.335, 0.245), ground == 1.0);
+  return select(c, vec3f(0.19, 0.174, 0.148), ground == 2.0);
+}
+
+// Stones of about half a `period`, one per cell of a jittered and turned grid; `here` the share of cells that have one.
+// `own` 1: coloured as river stones, 0: as the ground.
+fn scatter(at: vec2f, period: f32, here: f32, own: f32, footprint: f32) {
+  let seen = shown(period * 0.75, footprint);
+  if seen <= 0.0 {
+    return;
+  }
+  // A turn by a different angle for every size, so that no two grids agree.
+  let angle = 1.0 + period * 2.4;
+  let turned = vec2f(at.x * cos(angle) - at.y * sin(angle), at.x * sin(angle) + at.y * cos(angle));
+  let q = turned / period;
+  let base = vec2i(floor(q - 0.5));
+  let sun = field.sun.xy / max(field.sun.z, 0.3) * 0.2;
+  let shift = clamp(vec2f(sun.x * cos(angle) - sun.y * sin(angle), sun.x * sin(angle) + sun.y * cos(angle)), vec2f(-0.3), vec2f(0.3));
+  for (var i = 0; i < 4; i++) {
+    let cell = base + vec2i(i & 1, i >> 1u);
+    let h = hash3(vec3i(cell, i32(period * 64.0)));
+    let r = bytes(h);
+    let s = bytes(scramble(h + 1u));
+    let away = q - (vec2f(cell) + 0.27 + 0.46 * r.xy);
+    // An ellipse, bent a little off its shape.
+    let turn = vec2f(cos(r.z * 6.283), sin(r.z * 6.283));
+    let local = vec2f(dot(away, turn), dot(away, vec2f(-turn.y, turn.x)) * (1.1 + 0.6 * r.w));
+    let radius = 0.32 + 0.26 * s.w;
+    let bend = 1.0 + 0.16 * sin(3.0 * atan2(local.y, local.x) + 6.283 * s.x);
+    let d2 = dot(local, local) / (radius * radius) * bend;
+    let high_side = period * radius * (0.5 + 0.25 * s.z);
+    // The shadow: the same outline, moved away from the sun.
+    let moved = vec2f(dot(away + shift, turn), dot(away + shift, vec2f(-turn.y, turn.x)) * (1.1 + 0.6 * r.w));
+    if s.y < here && dot(moved, moved) < radius * radius {
+      cover_shade = max(cover_shade, high_side * seen);
+    }
+    if d2 < 1.0 && s.y < here {
+      let dome = sqrt(1.0 - d2);
+      let high = period * radius * (0.55 * dome + 0.25 * s.z);
+      if high > cover_top {
+        cover_top = high;
+        let lean = local / (radius * max(dome, 0.35)) * 0.75;
+        let bent = vec2f(dot(lean, vec2f(turn.x, -turn.y)), dot(lean, vec2f(turn.y, turn.x)));
+        // Back to the world's axes.
+        let back = vec2f(bent.x * cos(angle) + bent.y * sin(angle), -bent.x * sin(angle) + bent.y * cos(angle));
+        cover_slope = mix(cover_slope, -back, seen);
+        let kind = mixed_kind(fract(s.x * 3.7 + s.z));
+        let albedo = mix(soil_albedo(globals.scene.x) * (0.75 + 0.6 * s.x), individual(kind_albedo(kind), s.xzw), own);
+        cover_albedo = mix(cover_albedo, albedo, seen);
+        cover_open = mix(cover_open, smoothstep(0.0, 0.75, dome), seen);
+      }
+    }
+  }
+}
+
+// The bare ground at a point of z = 0.
+fn ground_cover(at: vec2f, footprint: f32) {
+  let ground = globals.scene.x;
+  let quality = globals.scene.y;
+  let patches = noise2(at / 71.0) + 0.5 * noise2(at / 23.0);
+  let fine = noise2(at / 2.1) * shown(2.1, footprint);
+  let grit = noise2(at / 0.7) * shown(0.7, footprint);
+  cover_top = 0.0;
+  cover_shade = 0.0;
+  cover_slope = vec2f(0.0);
+  cover_open = 0.8;
+  let warm = 0.05 * noise2(at / 47.0 + 9.0);
+  let hue = vec3f(1.0 + warm, 1.0, 1.0 - warm);
+  cover_albedo = soil_albedo(ground) * hue * (1.0 + 0.13 * patches + 0.16 * fine + 0.2 * grit);
+  if ground == 1.0 {
+    // Wind ripples, and now and then a pebble.
+    const ACROSS = vec2f(0.4, 0.29);
+    let phase = dot(at, ACROSS) + 3.0 * noise2(at / 43.0) + 1.5 * noise2(at / 15.0);
+    let strength = (0.5 + 0.5 * noise2(at / 61.0)) * shown(12.0, footprint);
+    cover_albedo *= 1.0 + 0.05 * sin(phase) * strength;
+    cover_slope += ACROSS * 0.24 * cos(phase) * strength;
+    cover_open = 1.0;
+    scatter(at, 1.6, 0.12, 1.0, footprint);
+    scatter(at, 4.3, 0.05 + 0.04 * patches, 1.0, footprint);
+  } else if ground == 2.0 {
+    cover_albedo *= mix(1.0, 0.85, shown(2.0, footprint));
+    scatter(at, 1.7, 0.95, 1.0, footprint);
+    scatter(at, 3.1, 0.8 + 0.2 * patches, 1.0, footprint);
+    if quality > 0.0 {
+      scatter(at, 5.2, 0.5 + 0.3 * patches, 1.0, footprint);
+      scatter(at, 8.3, 0.22 + 0.2 * patches, 1.0, footprint);
+    }
+  } else {
+    cover_albedo *= mix(1.0, 0.8, shown(1.2, footprint));
+    scatter(at, 1.2, 0.8, 0.0, footprint);
+    scatter(at, 2.3, 0.55 + 0.2 * patches, 0.06, footprint);
+    if quality > 0.0 {
+      scatter(at, 4.6, 0.2 + 0.15 * patches, 0.5, footprint);
+      scatter(at, 7.7, 0.06, 1.0, footprint);
+    }
+  }
+}
+
+// How thick moss lies, 0…1: in patches of the world, more where it is low and faces up. `upward` 0…1, `height` px.
+fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f32) -> f32 {
+  let moss = globals.weather.z;
+  if moss <= 0.0 {
+    return 0.0;
+  }
+  let patches = noise2(at.xy / 83.0 + 31.0) + 0.55 * noise2(at.xy / 29.0) + 0.3 * noise2(at.xy / 9.0);
+  let edge = 0.3 * noise2((at.xy + at.z) / 2.6) * shown(2.6, footprint);
+  let want = patches + edge + 0.4 * (upward - 0.7) + 0.9 * sheltered - 0.012 * height
+    - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
+  // Half the moss covers about a third.
+  return smoothstep(0.0, 0.32, want - mix(1.25, -0.75, moss)) * smoothstep(0.1, 0.5, upward);
+}
+
+// Olive to yellow-green; fuzzy: dark between its tips.
+fn moss_albedo(at: vec3f, footprint: f32) -> vec3f {
+  let hue = 0.5 + 0.5 * noise2(at.xy / 13.0 + 3.0);
+  let tips = 0.35 * noise2(at.xy / 5.0) + 0.5 * noise2((at.xy + 0.7 * at.z) / 0.8) * shown(0.8, footprint)
+    + 0.4 * noise2((at.xy - 0.7 * at.z) / 1.9) * shown(1.9, footprint);
+  return mix(vec3f(0.075, 0.078, 0.024), vec3f(0.175, 0.155, 0.05), hue) * (1.0 + 0.8 * tips);
+}

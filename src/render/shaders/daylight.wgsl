@@ -1,0 +1,156 @@
+// Prepended to the passes in natural colours: the light, and how a camera sees it.
+
+@group(2) @binding(0) var shadow_map: texture_depth_2d;
+@group(2) @binding(1) var shadow_sampler: sampler_comparison;
+// Height / field.size.z, seen from above: R in steps of 1/255, G the rest of it
+@group(2) @binding(2) var height_map: texture_2d<f32>;
+@group(2) @binding(3) var height_sampler: sampler;
+// The shadow map again: its depths themselves
+@group(2) @binding(4) var shadow_depths: texture_2d<f32>;
+@group(2) @binding(5) var depth_sampler: sampler;
+
+// What `sky_seen` found: towards the open sky, not of length 1.
+var<private> open_towards: vec3f;
+
+const TURN = 2.39996;
+
+fn height_at(at: vec2f) -> f32 {
+  let uv = (at - field.map.xy) * field.map.zw;
+  let found = textureSampleLevel(height_map, height_sampler, vec2f(uv.x, 1.0 - uv.y), 0.0).rg;
+  return (found.r + (found.g - 0.5) / 255.0) * field.size.z;
+}
+
+// How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks. The inner turns find the
+// neighbour it touches, the outer ones the boulder beside it. `face` is the surface without its relief.
+fn sky_seen(world: vec3f, face: vec3f, pixel: vec2f) -> f32 {
+  let taps = select(select(16, 10, globals.scene.y < 1.5), 6, globals.scene.y < 0.5);
+  let texel = field.ground.y;
+  let start = dither(pixel) * 1.2;
+  let reach = max(30.0, 3.0 * texel);
+  var blocked = 0.0;
+  var lost = vec2f(0.0);
+  for (var i = 0; i < taps; i++) {
+    let share = (f32(i) + 0.5) / f32(taps);
+    let radius = max(reach * share * share, 1.2 * texel);
+    let angle = f32(i) * TURN + start;
+    let away = vec2f(cos(angle), sin(angle)) * radius;
+    let rise = height_at(world.xy + away) - world.z;
+    // What the face itself would hide.
+    let own = clamp(-dot(face.xy, away) / max(face.z, 0.2), -radius, 2.0 * radius);
+    let above = max(rise - max(own, 0.0) - 0.25, 0.0);
+    let sine = above * inverseSqrt(above * above + radius * radius);
+    blocked += sine;
+    lost += away / radius * sine;
+  }
+  open_towards = vec3f(-lost / f32(taps) * 2.0, 1.0);
+  return 1.0 - blocked / f32(taps);
+}
+
+// Share of the sun that reaches `world`, 0…1. High quality looks first for what casts the shadow: the farther off it
+// is, the softer (Fernando, Percentage-closer soft shadows, 2005).
+fn sun_seen(world: vec3f, face: vec3f) -> f32 {
+  let side = field.sun.w;
+  let texel = 1.0 / f32(textureDimensions(shadow_map).x);
+  let facing = max(dot(face, field.sun.xyz), 0.0);
+  let lifted = world + face * side * texel * (0.5 + 1.5 * (1.0 - facing));
+  let clip = (field.sun_from_world * vec4f(lifted, 1.0)).xyz;
+  let uv = clip.xy * vec2f(0.5, -0.5) + 0.5;
+  if any(abs(vec3f(clip.xy, 2.0 * clip.z - 1.0)) > vec3f(0.999)) {
+    return 1.0;
+  }
+  let depth = clip.z - 0.0003;
+  let quality = globals.scene.y;
+  if quality < 0.5 {
+    return textureSampleCompareLevel(shadow_map, shadow_sampler, uv, depth);
+  }
+  // Depth is 1 over so many px; the rows of the matrix are as long as the map is deep and wide.
+  let row = vec3f(field.sun_from_world[0].z, field.sun_from_world[1].z, field.sun_from_world[2].z);
+  let deep = inverseSqrt(dot(row, row));
+  let wide = vec2f(
+    length(vec3f(field.sun_from_world[0].x, field.sun_from_world[1].x, field.sun_from_world[2].x)),
+    length(vec3f(field.sun_from_world[0].y, field.sun_from_world[1].y, field.sun_from_world[2].y)),
+  ) * 0.5;
+  // Width of the half-shadow per px to its caster: the sun's disc and the bright sky round it.
+  const SPREAD = 0.035;
+  let most = 0.5 * SPREAD * field.size.z / max(field.sun.z, 0.2);
+  var soft = 1.2 * texel * side;
+  if quality > 1.5 {
+    var found = 0.0;
+    var sum = 0.0;
+    for (var i = 0; i < 9; i++) {
+      let radius = (most + 2.0 * texel * side) * sqrt(f32(i) / 9.0);
+      let away = vec2f(cos(f32(i) * TURN), sin(f32(i) * TURN)) * radius * wide;
+      let there = textureSampleLevel(shadow_depths, depth_sampler, uv + away, 0.0).r;
+      let before = select(0.0, 1.0, there < depth);
+      found += before;
+      sum += before * (depth - there);
+    }
+    if found == 0.0 {
+      return 1.0;
+    }
+    soft = clamp(SPREAD * deep * sum / found * 0.5, soft * 0.75, max(most, soft));
+  }
+  let taps = select(8, 16, quality > 1.5);
+  var lit = 0.0;
+  for (var i = 0; i < taps; i++) {
+    let radius = soft * sqrt((f32(i) + 0.5) / f32(taps));
+    let away = vec2f(cos(f32(i) * TURN), sin(f32(i) * TURN)) * radius * wide;
+    lit += textureSampleCompareLevel(shadow_map, shadow_sampler, uv + away, depth);
+  }
+  return lit / f32(taps);
+}
+
+// Trowbridge-Reitz distribution with Smith's masking, as approximated by Hammon; all angles' cosines above 0.
+fn glint(n_h: f32, n_v: f32, n_l: f32, v_h: f32, rough: f32) -> f32 {
+  let a = rough * rough;
+  let d = n_h * n_h * (a * a - 1.0) + 1.0;
+  let masking = 0.5 / mix(2.0 * n_l * n_v, n_l + n_v, a);
+  let fresnel = 0.04 + 0.96 * pow(1.0 - v_h, 5.0);
+  return a * a / (3.14159 * d * d) * masking * fresnel * n_l;
+}
+
+// Light from a surface to the eye. `face` without its relief, `normal` with it; `seen` from `sky_seen`.
+fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
+  let sun = field.sun.xyz;
+  // Low, it is warmer; and the camera adjusts.
+  let high = smoothstep(0.05, 0.75, sun.z);
+  let sun_color = mix(vec3f(2.8, 1.95, 1.2), vec3f(2.66, 2.46, 2.16), high);
+  let sky_color = vec3f(0.36, 0.40, 0.45);
+  let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.45 + sky_color * 0.6);
+
+  let n_l = dot(normal, sun);
+  let facing = smoothstep(-0.05, 0.2, dot(face, sun));
+  var direct = 0.0;
+  if n_l > 0.0 && facing > 0.0 {
+    direct = sun_seen(world, face) * facing * mix(0.8, 1.0, seen);
+  }
+  let up = dot(normal, normalize(open_towards + vec3f(0.0, 0.0, 0.4)));
+  let ambient = mix(bounce_color, sky_color, 0.5 + 0.5 * up) * seen * seen;
+  var light = albedo * (sun_color * max(n_l, 0.0) * direct + ambient);
+
+  let n_v = max(dot(normal, to_eye), 0.05);
+  let half_way = normalize(sun + to_eye);
+  let n_h = clamp(dot(normal, half_way), 0.0, 1.0);
+  light += sun_color * direct * glint(n_h, n_v, max(n_l, 0.001), max(dot(to_eye, half_way), 0.0), rough);
+  // The sky in the surface (Karis, Physically based shading on mobile, 2014).
+  let r = vec4f(-1.0, -0.0275, -0.572, 0.022) * rough + vec4f(1.0, 0.0425, 1.04, -0.04);
+  let a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
+  let mirrored = reflect(-to_eye, normal);
+  let sky = mix(bounce_color, sky_color * 1.3, smoothstep(-0.3, 0.5, mirrored.z));
+  return light + sky * (0.04 * (-1.04 * a + r.z) + 1.04 * a + r.w) * seen * seen;
+}
+
+// Relief and roughness: facets of the relief that are too small to be seen scatter the light.
+fn bumped(normal: vec3f, slope: vec3f) -> vec3f {
+  return normalize(normal - (slope - normal * dot(slope, normal)));
+}
+
+// From light to the picture: exposure for the sun's height, a film's curve (in the form of
+// Narkowicz' fit of ACES, with less of a toe), and far away the air.
+fn developed(light: vec3f, distance: f32, pixel: vec2f) -> vec4f {
+  let exposure = 0.42 / (0.42 + 0.8 * field.sun.z);
+  let x = light * exposure;
+  let film = (x * (2.2 * x + 0.25)) / (x * (2.2 * x + 0.75) + 0.2);
+  let air = 1.0 - exp(-distance / (150.0 * max(field.size.x, field.size.y)));
+  return finish(mix(film, globals.backdrop_low.rgb, air), pixel);
+}

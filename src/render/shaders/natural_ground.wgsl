@@ -1,0 +1,66 @@
+// Backdrop and ground in natural colours. Two triangles over the whole picture: the backdrop at the far plane, then
+// z = 0 with its depth, which hides what is below it. A plane's depth is linear over the picture, so three corners do.
+
+struct Varyings {
+  @builtin(position) clip: vec4f,
+  // 1 on the ground
+  @location(0) is_ground: f32,
+}
+
+@vertex
+fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
+  let i = index % 3u;
+  let at = vec2f(f32((i << 1u) & 2u), f32(i & 2u)) * 2.0 - 1.0;
+  let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
+  // The ray's point on z = 0, divided by how far along it is: stays finite at the horizon and flips beyond it, where
+  // the far plane cuts it off. Its w is 1.
+  let ground = globals.clip_from_eye * vec4f(ray, -ray.z / max(globals.eye.z, 0.01));
+  var out: Varyings;
+  out.is_ground = select(0.0, 1.0, index >= 3u);
+  out.clip = vec4f(at, select(1.0, ground.z, index >= 3u), 1.0);
+  return out;
+}
+
+@fragment
+fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @location(0) vec4f {
+  let viewport = vec2f(globals.ray_right.w, globals.ray_up.w);
+  let at = vec2f(2.0, -2.0) * pixel.xy / viewport + vec2f(-1.0, 1.0);
+  let backdrop = mix(globals.backdrop_low.rgb, globals.backdrop_high.rgb, smoothstep(-1.0, 1.0, at.y));
+  let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
+  if is_ground < 0.5 || ray.z > -0.0001 {
+    return finish(backdrop, pixel.xy);
+  }
+  let steps = globals.eye.z / -ray.z;
+  let world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);
+  let far = steps * length(ray);
+  let to_eye = -ray / length(ray);
+  // px of the world under a pixel, between the longer and the shorter side of what it covers
+  let footprint = 2.0 * steps * length(globals.ray_up.xyz) / viewport.y / sqrt(max(to_eye.z, 0.02));
+
+  ground_cover(world.xy, footprint);
+  let up = vec3f(0.0, 0.0, 1.0);
+  let seen = sky_seen(world, up, pixel.xy);
+  var albedo = cover_albedo * mix(0.45, 1.0, cover_open);
+  var slope = vec3f(cover_slope, 0.0);
+  // Between and under the rocks it stays damp and collects what is fine.
+  let damp = 1.0 - smoothstep(0.35, 0.95, seen);
+  let wet = max(0.35 * damp, globals.weather.y * smoothstep(-0.6, 0.4, noise2(world.xy / 37.0) + globals.weather.y));
+  var rough = mix(0.92, 0.4, globals.weather.y * wet);
+  let moss = moss_cover(world, 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3);
+  if moss > 0.0 {
+    albedo = mix(albedo, moss_albedo(world, footprint), moss);
+    slope *= 1.0 - 0.7 * moss;
+    rough = mix(rough, 0.95, moss);
+  }
+  albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
+  let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
+  albedo *= 1.0 - 0.5 * shaded;
+  let light = daylight(albedo, rough, world, up, bumped(up, slope), to_eye, seen * mix(0.6, 1.0, cover_open));
+
+  // Far outside the field it runs out into the backdrop.
+  let half_size = 0.5 * field.size.xy;
+  let outside = length(max(abs(world.xy - half_size) - half_size, vec2f(0.0))) / max(field.size.x, field.size.y);
+  let gone = smoothstep(0.6, 5.0, outside);
+  let earth = developed(light, far, pixel.xy);
+  return mix(earth, finish(backdrop, pixel.xy), gone);
+}

@@ -1,0 +1,118 @@
+//! A stone as a convex body: half-spaces, and how round the corners between them are worn.
+//!
+//! A point x lies in the body where its gauge G(x) ≤ 1. With planes mᵢ·x = 1, G = maxᵢ mᵢ·x is the polytope they bound, freshly
+//! broken; the p-norm Gₚ(x) = (Σᵢ max(0, mᵢ·x)ᵖ)^(1/p) lies inside it and rounds it off, its edges less than its corners: what
+//! abrasion does to a pebble (Bloore 1977, *The shape of pebbles*; Domokos & Gibbons 2012). p falls from about 45 to 2. Only the powers of two are
+//! evaluated, by squaring and √, and blended between; so the bits are the same everywhere.
+
+use glam::{DVec3, Vec4};
+
+/// Planes per vector.
+const LANES: usize = 4;
+
+/// The largest power of two that p can be: 2⁵, and twice that to blend with.
+const MAX_SQUARINGS: f64 = 5.0;
+
+/// The half-spaces of one stone about its middle.
+#[derive(Debug, Default)]
+pub(super) struct Body {
+    /// Normals over distances, four planes at a time.
+    planes: Vec<[Vec4; 3]>,
+    len: usize,
+    squarings: u32,
+    blend: f64,
+}
+
+impl Body {
+    /// Empties the body; `wear` 0 is freshly broken, 1 rounded.
+    pub(super) fn start(&mut self, wear: f64) {
+        self.planes.clear();
+        self.len = 0;
+        let log_p = MAX_SQUARINGS + 0.5 - (MAX_SQUARINGS - 0.7) * wear.clamp(0.0, 1.0);
+        let whole = log_p.floor();
+        self.squarings = whole as u32;
+        self.blend = log_p - whole;
+    }
+
+    /// Adds the half-space below the plane with this normal, at this distance from the middle.
+    pub(super) fn push(&mut self, normal: DVec3, distance: f64) {
+        let lane = self.len % LANES;
+        if lane == 0 {
+            // An empty lane bounds nothing.
+            self.planes.push([Vec4::ZERO; 3]);
+        }
+        let scaled = (normal / distance).as_vec3().to_array();
+        if let Some(group) = self.planes.last_mut() {
+            for (axis, value) in group.iter_mut().zip(scaled) {
+                axis[lane] = value;
+            }
+        }
+        self.len += 1;
+    }
+
+    /// Gₚ(x); positive wherever a plane bounds the body in that direction.
+    pub(super) fn gauge(&self, at: DVec3) -> f64 {
+        let at = at.as_vec3();
+        let [x, y, z] = at.to_array().map(Vec4::splat);
+        let height = |group: &[Vec4; 3]| (group[0] * x + group[1] * y + group[2] * z).max(Vec4::ZERO);
+        let most = self.planes.iter().fold(Vec4::ZERO, |most, group| most.max(height(group)));
+        let most = most.max_element();
+        if most <= 0.0 {
+            return 0.0;
+        }
+        // Relative to the highest: no power overflows, and what underflows would not count.
+        let scale = Vec4::splat(1.0 / most);
+        let (mut sum, mut sum_of_squares) = (Vec4::ZERO, Vec4::ZERO);
+        for group in &self.planes {
+            let mut power = height(group) * scale;
+            for _ in 0..self.squarings {
+                power *= power;
+            }
+            sum += power;
+            sum_of_squares += power * power;
+        }
+        let root = |sum: Vec4, squarings: u32| {
+            let [a, b, c, d] = sum.to_array().map(f64::from);
+            (0..squarings).fold((a + b) + (c + d), |root, _| root.sqrt())
+        };
+        let (rounder, sharper) = (root(sum, self.squarings), root(sum_of_squares, self.squarings + 1));
+        f64::from(most) * (rounder + (sharper - rounder) * self.blend)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn cube(wear: f64) -> Body {
+        let mut body = Body::default();
+        body.start(wear);
+        for normal in [DVec3::X, DVec3::Y, DVec3::Z] {
+            body.push(normal, 1.0);
+            body.push(-normal, 1.0);
+        }
+        body
+    }
+
+    #[test]
+    fn wear_rounds_corners_before_edges_and_leaves_faces() {
+        let [face, edge, corner] = [DVec3::X, DVec3::new(1.0, 1.0, 0.0), DVec3::ONE];
+        let mut before = [1.0, 1.0, 1.0];
+        for wear in [0.0, 0.3, 0.6, 1.0] {
+            let body = cube(wear);
+            let gauge = [face, edge, corner].map(|at| body.gauge(at));
+            assert!((gauge[0] - 1.0).abs() < 1.0e-6);
+            assert!(gauge[1] > before[1] && gauge[2] > before[2] && gauge[2] > gauge[1], "{gauge:?} after {before:?}");
+            before = gauge;
+        }
+        assert!(cube(0.0).gauge(corner) < 1.05, "freshly broken corners are sharp");
+        assert!(cube(1.0).gauge(corner) > 1.5, "a river's are round");
+    }
+
+    #[test]
+    fn the_gauge_is_homogeneous() {
+        let body = cube(0.5);
+        let at = DVec3::new(0.3, -0.8, 0.45);
+        assert!((body.gauge(at * 3.0) - 3.0 * body.gauge(at)).abs() < 1.0e-5);
+    }
+}

@@ -1,0 +1,106 @@
+//! Stage 5: displacement, wear, and the buffers.
+
+use glam::DVec2;
+
+use super::cache::MeshKey;
+use super::shape::{Shapes, Swings};
+use super::voronoi::Cells;
+use super::wear::{Rock, Wearer};
+use crate::mesh::{Extent, Mesh, RockBuilder};
+
+/// What the rocks of a layer are made from.
+pub(super) struct Source<'a> {
+    pub(super) seed: u32,
+    /// Its id.
+    pub(super) layer: u32,
+    pub(super) cells: &'a Cells,
+    pub(super) selected: &'a [u32],
+    pub(super) shapes: &'a Shapes,
+}
+
+/// Writes a layer's rocks in pieces.
+#[derive(Debug)]
+pub(super) struct Mesher {
+    pub(super) key: MeshKey,
+    /// The next rock, and where it begins.
+    rock: usize,
+    at: Extent,
+    builder: RockBuilder,
+    wearer: Wearer,
+    /// Per site whether a rock stands on it; empty where nothing is worn.
+    standing: Vec<bool>,
+}
+
+impl Mesher {
+    /// `sites` is the number of sites in the layer.
+    pub(super) fn new(key: MeshKey, selected: &[u32], sites: usize) -> Self {
+        let mut standing = Vec::new();
+        if key.wear.weathering > 0.0 {
+            standing.resize(sites, false);
+            for &site in selected {
+                standing[site as usize] = true;
+            }
+        }
+        let at = key.at;
+        Mesher { key, rock: 0, at, builder: RockBuilder::default(), wearer: Wearer::default(), standing }
+    }
+
+    pub(super) fn progress(&self, shapes: &Shapes) -> f64 {
+        self.rock as f64 / shapes.len().max(1) as f64
+    }
+
+    /// Writes at most `count` rocks, fewer where they are cut finer. True when all are written.
+    #[inline(never)]
+    pub(super) fn advance(&mut self, of: &Source<'_>, mesh: &mut Mesh, count: usize) -> bool {
+        let segments = self.key.wear.segments();
+        let count = if self.key.wear.is_none() { count } else { (count / 8 / (segments * segments)).max(4) };
+        let to = (self.rock + count).min(of.shapes.len());
+        for from in (self.rock..to).step_by(ROCKS_AHEAD) {
+            let group = from..(from + ROCKS_AHEAD).min(to);
+            read_ahead(group.clone().map(|k| {
+                let rim = of.cells.polygon(of.selected[k] as usize);
+                (rim, of.shapes.top_of(k), of.shapes.triangles_of(k))
+            }));
+            for k in group {
+                self.write(of, k, mesh);
+            }
+        }
+        self.rock = to;
+        to == of.shapes.len()
+    }
+
+    fn write(&mut self, of: &Source<'_>, k: usize, mesh: &mut Mesh) {
+        let Mesher { key, builder, wearer, standing, at, .. } = self;
+        let site = of.selected[k];
+        let (rim, top) = (of.cells.polygon(site as usize), of.shapes.top_of(k));
+        let mut triangles = of.shapes.triangles_of(k);
+        let mut buried = 0;
+        builder.start(rim);
+        let mut swings = Swings::new(of.seed, of.layer, site, key.swing);
+        swings.displace(top, key.taper, key.height, |p| builder.points.push(p));
+        if !key.wear.is_none() {
+            let neighbors = of.cells.neighbors_of(site as usize);
+            // A side of the image is no site.
+            let touches = |edge: usize| standing.get(neighbors[edge] as usize).copied().unwrap_or(false);
+            let rock = Rock { rim, top, triangles, touches: &touches, seed: of.seed, layer: of.layer, site };
+            wearer.wear(key.wear, &rock, builder);
+            triangles = &wearer.subdivision.triangles;
+            buried = if key.wear.weathering > 0.0 { wearer.subdivision.rim } else { 0 };
+        }
+        builder.finish(triangles, buried);
+        mesh.write_rock(at, key.index as u8, builder, triangles);
+    }
+}
+
+/// Rocks whose shapes are on their way from memory while others are written.
+const ROCKS_AHEAD: usize = 16;
+
+/// Touches what is about to be needed. Rocks come in the order of the selection, scattered over a field that may be larger than
+/// any cache: one after the other, each would wait for its own lines; like this they come together.
+fn read_ahead<'a>(rocks: impl Iterator<Item = (&'a [DVec2], &'a [DVec2], &'a [[u16; 3]])>) {
+    let touched = rocks.fold(0, |sum, (rim, top, triangles)| {
+        let ends = [rim, top].map(|list| list[0].x.to_bits() ^ list[list.len() - 1].x.to_bits());
+        sum ^ ends[0] ^ ends[1] ^ u64::from(triangles[0][0] ^ triangles[triangles.len() - 1][0])
+    });
+    core::hint::black_box(touched);
+}

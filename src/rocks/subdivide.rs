@@ -1,0 +1,138 @@
+//! Every triangle of a rock cut into m² equal ones, with weights to carry any value from the corners to the new vertices.
+
+/// How a new vertex lies among the corners of the rock: their numbers, and their shares of `segments`.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Blend {
+    corners: [u16; 3],
+    shares: [u8; 3],
+}
+
+impl Blend {
+    /// The blend of the corners' values.
+    #[inline]
+    pub(super) fn of<T>(&self, values: &[T], segments: usize) -> T
+    where
+        T: Copy + core::ops::Add<Output = T> + core::ops::Mul<f64, Output = T>,
+    {
+        // A power of two: exact.
+        let unit = 1.0 / segments as f64;
+        let [a, b, c] = self.corners.map(|corner| values[usize::from(corner)]);
+        let [i, j, k] = self.shares.map(|share| f64::from(share) * unit);
+        a * i + b * j + c * k
+    }
+}
+
+/// A rock's triangles, subdivided. Re-used from rock to rock.
+///
+/// The vertices of the rim come first, in order around the cell, m for each of its edges; then the top's; then the rest.
+#[derive(Debug, Default)]
+pub(super) struct Subdivision {
+    pub(super) segments: usize,
+    pub(super) rim: usize,
+    pub(super) blends: Vec<Blend>,
+    pub(super) triangles: Vec<[u16; 3]>,
+    /// Per pair of corners the first vertex inside their edge, from the lower corner on; a square of `corners`.
+    edges: Vec<u16>,
+    /// The vertices of one triangle, row by row.
+    lattice: Vec<u16>,
+}
+
+const NONE: u16 = u16::MAX;
+
+impl Subdivision {
+    /// Cuts the edges of `triangles` over `rim` rim and as many top vertices into `segments`, a power of two up to 8.
+    pub(super) fn cut(&mut self, rim: usize, triangles: &[[u16; 3]], segments: usize) {
+        let corners = 2 * rim;
+        self.segments = segments;
+        self.rim = rim * segments;
+        self.blends.clear();
+        self.triangles.clear();
+        self.edges.clear();
+        self.edges.resize(corners * corners, NONE);
+        for edge in 0..rim {
+            let next = (edge + 1) % rim;
+            self.edges[edge.min(next) * corners + edge.max(next)] = self.blends.len() as u16 + 1;
+            for step in 0..segments {
+                self.push([edge, next, edge], [segments - step, step, 0]);
+            }
+        }
+        for top in rim..corners {
+            self.push([top; 3], [segments, 0, 0]);
+        }
+        for triangle in triangles {
+            self.add_triangle(triangle.map(usize::from), rim);
+        }
+    }
+
+    fn push(&mut self, corners: [usize; 3], shares: [usize; 3]) {
+        let blend = Blend { corners: corners.map(|c| c as u16), shares: shares.map(|share| share as u8) };
+        self.blends.push(blend);
+    }
+
+    /// The vertex of a corner.
+    fn corner(&self, corner: usize, rim: usize) -> u16 {
+        (if corner < rim { corner * self.segments } else { self.rim + corner - rim }) as u16
+    }
+
+    /// The vertex `step` segments from `a` towards `b`.
+    fn on_edge(&mut self, [a, b]: [usize; 2], step: usize, rim: usize) -> u16 {
+        if step == 0 || step == self.segments {
+            return self.corner(if step == 0 { a } else { b }, rim);
+        }
+        let [low, high] = [a.min(b), a.max(b)];
+        let slot = low * 2 * rim + high;
+        if self.edges[slot] == NONE {
+            self.edges[slot] = self.blends.len() as u16;
+            for step in 1..self.segments {
+                self.push([low, high, low], [self.segments - step, step, 0]);
+            }
+        }
+        // The rim's last edge runs from its last corner to its first, the one edge stored from the higher corner on.
+        let wraps = low == 0 && high + 1 == rim;
+        let from_start = if (a == low) != wraps { step } else { self.segments - step };
+        self.edges[slot] + from_start as u16 - 1
+    }
+
+    fn add_triangle(&mut self, [a, b, c]: [usize; 3], rim: usize) {
+        let m = self.segments;
+        let mut lattice = core::mem::take(&mut self.lattice);
+        lattice.clear();
+        // Row r runs parallel to the edge from a to b, r segments towards c.
+        for row in 0..=m {
+            for column in 0..=m - row {
+                let vertex = if row == 0 {
+                    self.on_edge([a, b], column, rim)
+                } else if column == 0 {
+                    self.on_edge([a, c], row, rim)
+                } else if column == m - row {
+                    self.on_edge([b, c], row, rim)
+                } else {
+                    self.push([a, b, c], [m - row - column, column, row]);
+                    self.blends.len() as u16 - 1
+                };
+                lattice.push(vertex);
+            }
+        }
+        let mut start = 0;
+        for row in 0..m {
+            let above = start + m - row + 1;
+            for column in 0..m - row {
+                let [here, right, up] = [start + column, start + column + 1, above + column];
+                self.triangles.push([lattice[here], lattice[right], lattice[up]]);
+                if column + 1 < m - row {
+                    self.triangles.push([lattice[right], lattice[up + 1], lattice[up]]);
+                }
+            }
+            start = above;
+        }
+        self.lattice = lattice;
+    }
+}
+
+/// Vertices and triangles of `rocks` rocks with `top` top vertices in all, every edge cut into `segments`.
+pub(crate) fn counts(rocks: usize, top: usize, segments: usize) -> [usize; 2] {
+    // Of one rock with n rim vertices: 2n corners, 5n − 3 edges, 3n − 2 triangles (decision A12).
+    let [corners, edges, triangles] = [2 * top, 5 * top - 3 * rocks, 3 * top - 2 * rocks];
+    let inside = segments - 1;
+    [corners + edges * inside + triangles * (inside * segments.saturating_sub(2) / 2), triangles * segments * segments]
+}

@@ -1,0 +1,139 @@
+//! Worn rocks: what the optional last stages leave of the papers' mesh, and what they promise of their own.
+
+use std::collections::HashMap;
+
+use glam::{DVec3, Vec3};
+
+use super::{Violation, ensure};
+use crate::mesh::Mesh;
+use crate::rocks::Wear;
+
+/// Checks a worn rock against its papers' mesh: `points` displaced, the first half of them the rim, and `triangles`.
+///
+/// Every triangle is cut into 4^detail, whose vertices stay on it where only detail and embedding are at work. The rim stays on
+/// its cell, at or below the ground; the surface is a disc that ends nowhere but there, so no gap is seen from above.
+/// Everything is finite, normals are unit and the area-weighted means of their faces, where the buried faces at a weathered rim
+/// count for the rim alone.
+///
+/// # Errors
+/// The first violation.
+pub(super) fn check_worn(
+    mesh: &Mesh,
+    rock: usize,
+    wear: Wear,
+    points: &[DVec3],
+    triangles: &[[u16; 3]],
+) -> Result<(), Violation> {
+    let segments = 1_usize << wear.detail;
+    let first = mesh.vertex_starts[rock] as usize;
+    let vertices: Vec<Vec3> = mesh.positions[3 * first..3 * mesh.vertex_starts[rock + 1] as usize]
+        .chunks_exact(3)
+        .map(Vec3::from_slice)
+        .collect();
+    let normals = &mesh.normals[3 * first..3 * mesh.vertex_starts[rock + 1] as usize];
+    let corners = &mesh.indices[mesh.rock_starts[rock] as usize..mesh.rock_starts[rock + 1] as usize];
+    ensure(corners.len() == 3 * triangles.len() * segments * segments, || {
+        format!("{} triangles instead of {} times {}", corners.len() / 3, triangles.len(), segments * segments)
+    })?;
+    ensure(vertices.iter().all(|v| v.is_finite()), || "a vertex is not finite".into())?;
+    let faces: Vec<[usize; 3]> =
+        corners.chunks_exact(3).map(|face| [face[0], face[1], face[2]].map(|v| v as usize - first)).collect();
+    ensure(faces.as_flattened().iter().all(|&v| v < vertices.len()), || "an index is another rock's".into())?;
+
+    let rim = points.len() / 2 * segments;
+    check_rim(&vertices[..rim], points, segments)?;
+    check_disc(&faces, rim, vertices.len())?;
+    if wear.weathering == 0.0 && wear.roughness == 0.0 {
+        check_flat(&vertices, &faces, points, triangles, wear)?;
+    }
+    check_normals(&vertices, normals, &faces, if wear.weathering > 0.0 { rim } else { 0 })
+}
+
+/// The rim's vertices divide the edges of the cell evenly, and lie at or below the ground.
+fn check_rim(rim: &[Vec3], points: &[DVec3], segments: usize) -> Result<(), Violation> {
+    let edges = points.len() / 2;
+    for (v, vertex) in rim.iter().enumerate() {
+        let (edge, step) = (v / segments, v % segments);
+        let [a, b] = [points[edge], points[(edge + 1) % edges]];
+        let expected = a + (b - a) * (step as f64 / segments as f64);
+        let off = (vertex.as_dvec3() - expected).truncate();
+        let tolerance = expected.truncate().abs() * f64::from(f32::EPSILON) + 1.0e-9;
+        ensure(off.abs().cmple(tolerance).all(), || format!("rim vertex {v} is at {vertex} instead of {expected}"))?;
+        ensure(vertex.z <= 0.0, || format!("rim vertex {v} is at height {}", vertex.z))?;
+    }
+    Ok(())
+}
+
+/// Every edge has a triangle on either side, but those of the rim, in its order; and the whole has a disc's Euler characteristic.
+fn check_disc(faces: &[[usize; 3]], rim: usize, vertices: usize) -> Result<(), Violation> {
+    let mut sides: HashMap<[usize; 2], u32> = HashMap::new();
+    for &[a, b, c] in faces {
+        for edge in [[a, b], [b, c], [c, a]] {
+            *sides.entry(edge).or_default() += 1;
+        }
+    }
+    let mut open = 0;
+    for (&[a, b], &count) in &sides {
+        ensure(count == 1, || format!("{count} triangles have the edge from {a} to {b}"))?;
+        if !sides.contains_key(&[b, a]) {
+            ensure(a < rim && b == (a + 1) % rim, || format!("the surface ends between {a} and {b}"))?;
+            open += 1;
+        }
+    }
+    ensure(open == rim, || format!("{open} edges of the rim instead of {rim}"))?;
+    let edges = (sides.len() + open) / 2;
+    ensure(vertices + faces.len() == edges + 1, || {
+        format!("{vertices} vertices, {edges} edges and {} faces are no disc", faces.len())
+    })
+}
+
+/// Face after face of the papers' is covered by the faces it was cut into, only lowered.
+fn check_flat(
+    vertices: &[Vec3],
+    faces: &[[usize; 3]],
+    points: &[DVec3],
+    triangles: &[[u16; 3]],
+    wear: Wear,
+) -> Result<(), Violation> {
+    let highest = points.iter().fold(0.0_f64, |most, point| most.max(point.z));
+    let sunk = DVec3::Z * (wear.embedding * highest);
+    for (parts, whole) in faces.chunks_exact(1 << (2 * wear.detail)).zip(triangles) {
+        let whole = whole.map(|v| points[usize::from(v)] - sunk);
+        let normal = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
+        let expected = normal(whole);
+        let part = |face: &[usize; 3]| face.map(|v| vertices[v].as_dvec3());
+        let sum: DVec3 = parts.iter().map(|face| normal(part(face))).sum();
+        let reach = whole.iter().fold(1.0_f64, |most, corner| most.max(corner.abs().max_element()));
+        let tolerance = reach * f64::from(f32::EPSILON);
+        let size = whole.iter().map(|corner| (*corner - whole[0]).length()).fold(tolerance, f64::max);
+        ensure((sum - expected).length() <= 20.0 * tolerance * size * parts.len() as f64, || {
+            format!("the parts of a face sum up to {sum} instead of {expected}")
+        })?;
+        for vertex in parts.iter().flat_map(part) {
+            let off = (vertex - whole[0]).dot(expected.normalize_or(DVec3::Z)).abs();
+            ensure(off <= 4.0 * tolerance, || format!("{vertex} is {off} px off its face"))?;
+        }
+    }
+    Ok(())
+}
+
+fn check_normals(vertices: &[Vec3], normals: &[f32], faces: &[[usize; 3]], buried: usize) -> Result<(), Violation> {
+    let mut sums = vec![(DVec3::ZERO, 0.0); vertices.len()];
+    for face in faces {
+        let [a, b, c] = face.map(|v| vertices[v].as_dvec3());
+        let normal = (b - a).cross(c - a);
+        // What rounding the corners to f32 can turn a sliver by.
+        let doubt = f64::from(f32::EPSILON) * 4.0 * (a.length() + 1.0) * ((b - a).length() + (c - a).length());
+        let at_rim = face.iter().any(|&v| v < buried);
+        for &v in face.iter().filter(|&&v| !at_rim || v < buried) {
+            sums[v].0 += normal;
+            sums[v].1 += doubt;
+        }
+    }
+    for (v, (unit, (sum, doubt))) in normals.chunks_exact(3).map(Vec3::from_slice).zip(sums).enumerate() {
+        ensure((unit.length() - 1.0).abs() <= 1.0e-6, || format!("normal {unit} of vertex {v} is not unit"))?;
+        let off = unit.as_dvec3().cross(sum).length().max(-unit.as_dvec3().dot(sum));
+        ensure(off <= 1.0e-5 * sum.length() + doubt, || format!("normal of vertex {v} is {unit} instead of {sum}"))?;
+    }
+    Ok(())
+}

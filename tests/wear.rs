@@ -1,0 +1,107 @@
+//! The last stages beyond the papers: what weathering, roughness, detail and embedding promise.
+#![cfg(not(target_arch = "wasm32"))]
+#![allow(clippy::unwrap_used, reason = "tests")]
+
+mod common;
+
+use common::checked;
+use rock_field::params::{Layer, PRESETS, Params, preset};
+use rock_field::rocks::{Field, generate};
+
+/// Fig. 1 on a smaller image, every layer with these.
+fn fig1(weathering: f64, roughness: f64, detail: u32, embedding: f64) -> Params {
+    let mut params = Params { image_width: 512, image_height: 512, ..Params::default() };
+    for layer in &mut params.layers {
+        *layer = Layer { weathering, roughness, detail, embedding, ..layer.clone() };
+    }
+    params
+}
+
+fn corner(field: &Field, index: u32) -> [f64; 3] {
+    let at = 3 * index as usize;
+    [at, at + 1, at + 2].map(|k| f64::from(field.mesh.positions[k]))
+}
+
+/// Twice the area vector of every triangle.
+fn faces(field: &Field) -> impl Iterator<Item = ([[f64; 3]; 3], [f64; 3])> {
+    field.mesh.indices.chunks_exact(3).map(|face| {
+        let [a, b, c] = [face[0], face[1], face[2]].map(|index| corner(field, index));
+        let [u, v] = [b, c].map(|p| [p[0] - a[0], p[1] - a[1], p[2] - a[2]]);
+        ([a, b, c], [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]])
+    })
+}
+
+fn slivers(field: &Field) -> f64 {
+    let small = faces(field).filter(|(_, n)| 0.5 * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt() < 1.0e-6).count();
+    small as f64 / field.mesh.triangles().max(1) as f64
+}
+
+#[test]
+fn wear_makes_hardly_a_sliver_that_the_papers_mesh_has_not() {
+    let before = slivers(&generate(&fig1(0.0, 0.0, 0, 0.0)).unwrap());
+    for weathering in [0.0, 0.1, 0.2, 0.6, 1.0] {
+        for (roughness, detail, embedding) in [(0.0, 1, 0.3), (1.0, 2, 0.0), (0.5, 3, 0.8)] {
+            let params = fig1(weathering, roughness, detail, embedding);
+            let more = slivers(&checked(&params).unwrap()) - before;
+            assert!(more < 1.0e-3, "{more} at {weathering} {roughness} {detail} {embedding}");
+        }
+    }
+}
+
+#[test]
+fn natural_presets_keep_every_promise() {
+    for preset in PRESETS.iter().filter(|preset| preset.natural) {
+        let field = checked(&preset.params()).unwrap();
+        assert!(slivers(&field) < 1.0e-3, "{}", preset.name);
+    }
+}
+
+#[test]
+fn the_last_stages_at_zero_are_the_papers_mesh_bit_for_bit() {
+    let papers = generate(&preset("journal-fig1").unwrap().params()).unwrap();
+    let mut params = preset("journal-fig1").unwrap().params();
+    for layer in &mut params.layers {
+        (layer.weathering, layer.roughness, layer.detail, layer.embedding) = (0.0, 0.0, 0, 0.0);
+    }
+    assert_eq!(generate(&params).unwrap().mesh, papers.mesh);
+}
+
+#[test]
+fn a_worn_stone_is_seen_from_its_middle_in_every_direction_once() {
+    let mut params = fig1(1.0, 1.0, 2, 0.3);
+    for layer in &mut params.layers {
+        layer.taper = [0.0; 3];
+    }
+    let field = generate(&params).unwrap();
+    let mesh = &field.mesh;
+    let (mut inverted, mut count) = (0, 0);
+    let all: Vec<_> = faces(&field).collect();
+    for rock in 0..mesh.rocks() {
+        let vertices = mesh.vertex_starts[rock]..mesh.vertex_starts[rock + 1];
+        let n = f64::from(vertices.end - vertices.start);
+        let sum = vertices.map(|v| corner(&field, v)).fold([0.0; 3], |s, p| [s[0] + p[0], s[1] + p[1], s[2] + p[2]]);
+        let middle = sum.map(|s| s / n);
+        for (corners, normal) in &all[mesh.rock_starts[rock] as usize / 3..mesh.rock_starts[rock + 1] as usize / 3] {
+            if corners.iter().any(|p| p[2] <= 0.0) {
+                continue;
+            }
+            let a = corners[0];
+            let outward = (0..3).map(|k| (a[k] - middle[k]) * normal[k]).sum::<f64>();
+            inverted += u32::from(outward <= 0.0);
+            count += 1;
+        }
+    }
+    assert!(count > 10_000 && f64::from(inverted) < 3.0e-4 * f64::from(count), "{inverted} of {count}");
+}
+
+#[test]
+fn embedding_buries_the_share_it_says() {
+    for share in [0.0, 0.25, 1.0] {
+        let highest = |field: &Field| field.mesh.positions.chunks_exact(3).fold(f32::MIN, |most, p| most.max(p[2]));
+        let mut params = fig1(0.0, 0.0, 0, share);
+        params.layers.truncate(1);
+        params.layers[0].height = [40.0, 0.0, 0.0];
+        let field = generate(&params).unwrap();
+        assert!((f64::from(highest(&field)) - 40.0 * (1.0 - share)).abs() < 1.0e-4);
+    }
+}
