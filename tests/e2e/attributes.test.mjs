@@ -9,9 +9,9 @@ const { PARAMS, attributeOf } = await tables();
 /** Attributes that are no parameters: `[valid, malformed]`; what is only there or not cannot be malformed. */
 const OTHERS = {
   src: ['#v=1&preset=journal-fig12a&w=200&h=150', '{ "seed": '],
-  preset: ['journal-fig12a', 'journal-fig99'],
+  preset: ['riverbed', 'journal-fig99'],
   view: ['diagrams', 'sideways'],
-  color: ['rock', 'LAYER'],
+  color: ['natural', 'LAYER'],
   quality: ['low', 'best'],
   'camera-orbit': ['45deg 55deg 120%', '45 55'],
   interaction: ['always', 'sometimes'],
@@ -27,7 +27,9 @@ const OTHERS = {
 function parameterRow(spec) {
   const repeat = (word) => (spec.scope === 'layer' ? [word, word, word].join(' ') : word);
   if (spec.kind === 'choice') return [repeat(spec.choices.at(-1).value), repeat('nonsense')];
-  return [repeat({ seed: '7', radius: '40', imageWidth: '320', imageHeight: '240', packing: '0.5', cellCount: '5' }[spec.key] ?? String(spec.default || 1)), repeat('much')];
+  // Quick to generate; of all others any value but the default does.
+  const quick = { seed: '7', radius: '40', imageWidth: '320', imageHeight: '240', packing: '0.5', cellCount: '5' };
+  return [repeat(quick[spec.key] ?? String(spec.default === spec.slider.min ? spec.slider.max : spec.slider.min)), repeat('much')];
 }
 
 const ROWS = { ...Object.fromEntries(PARAMS.map((spec) => [attributeOf(spec), parameterRow(spec)])), ...OTHERS };

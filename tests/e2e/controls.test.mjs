@@ -155,7 +155,8 @@ test('panel and element have one history, and the panel shows what either of the
   assert.ok((await page.evaluate(() => a.radius[0])) > before);
   await at.getByRole('button', { name: 'Add layer' }).click();
   assert.deepEqual(await state(), { packing: 0.5, layers: 3, width: 256 });
-  await at.locator('#preset').selectOption('conference-fig1');
+  await at.locator('#preset').click();
+  await at.page().locator('rock-field').first().locator('.preset[data-preset="conference-fig1"]').click();
   assert.equal((await state()).width, 1024);
   const undone = await page.evaluate(() => [a.undo(), a.layers.length, a.undo(), a.layers.length, a.undo(), a.undo(), a.packing, a.undo()]);
   assert.deepEqual(undone, [true, 3, true, 2, true, true, 0.7, false]);

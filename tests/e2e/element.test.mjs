@@ -106,6 +106,72 @@ test('several assignments in one task are one run, and one frame', async () => {
   await close();
 });
 
+test('the look is drawn at once and starts no run, by property, attribute, undo and panel alike', async () => {
+  const { page, errors, close } = await open('<rock-field id="a" preset="riverbed" image-width="256" image-height="256"></rock-field><script>listenTo(a)</script>');
+  await quiet(page);
+  const seen = await page.evaluate(async () => {
+    heard.length = 0;
+    const field = await a.getField();
+    const frames = counts.frames;
+    a.dust = 0.9;
+    a.material = a.material.map(() => 'slate');
+    a.setAttribute('moss', '0.5');
+    a.params = { ...a.params, sunElevation: 12 };
+    await frame();
+    await frame();
+    const shared = new URL(a.shareURL()).hash;
+    const set = [a.dust, a.moss, a.material[4], a.sunElevation];
+    const undone = a.undo();
+    const kept = (await a.getField()) === field;
+    return { shared, set, undone, dust: a.dust, kept, types: types(), frames: counts.frames - frames };
+  });
+  assert.deepEqual(seen.set, [0.9, 0.5, 'slate', 12]);
+  assert.match(seen.shared, /&moss=0\.5&dust=0\.9&se=12&mat=slate,slate,slate,slate,slate$/);
+  assert.deepEqual([seen.undone, seen.kept, seen.types], [true, true, []]);
+  assert(seen.frames > 0 && seen.frames <= 3, `${seen.frames} frames`);
+  // Rocks and look at once are a run.
+  assert.deepEqual(await page.evaluate(async () => {
+    a.params = { ...a.params, seed: 5, dust: 0.1 };
+    await a.getField();
+    return [types().filter((type) => type === 'generate').length, a.dust];
+  }), [1, 0.1]);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test('the colour is the preset\'s until one is chosen, and comes with its field', async () => {
+  const { page, errors, close } = await open('<rock-field id="a"></rock-field><script>listenTo(a)</script>');
+  const seen = await page.evaluate(async () => {
+    const framings = [];
+    const look = () => framings.push(JSON.stringify(a.defaultCamera));
+    await a.getField();
+    look();
+    a.addEventListener('generate', look, { once: true });
+    a.setAttribute('preset', 'shingle');
+    a.params;
+    look();
+    const colors = ['layer', a.color];
+    await a.getField();
+    a.color = 'plain';
+    a.setAttribute('preset', 'scree');
+    await a.getField();
+    colors.push(a.color, new URL(a.shareURL()).hash);
+    a.color = null;
+    colors.push(a.color, new URL(a.shareURL()).hash);
+    a.setAttribute('preset', 'journal-fig11a');
+    colors.push(a.color);
+    a.setAttribute('color', 'natural');
+    colors.push(a.color, new URL(a.shareURL()).hash);
+    return { colors, framings };
+  });
+  assert.deepEqual(seen.colors, ['layer', 'natural', 'plain', '#v=1&preset=scree&color=plain', 'natural', '#v=1&preset=scree', 'layer', 'natural', '#v=1&preset=journal-fig11a&color=natural']);
+  const [before, pending, after] = seen.framings;
+  assert.equal(pending, before, 'the old field is framed close up before the new one is there');
+  assert.notEqual(after, before);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test('a wrong value from code is thrown by name and changes nothing', async () => {
   const { page, close } = await open();
   const seen = await page.evaluate(() => {

@@ -2,6 +2,7 @@
 // Drawn by WebGL2 (software) unless said otherwise.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { violations } from './axe.mjs';
 import { launch, screenshotPath } from './browser.mjs';
 
 /** Not the element's own, which is inside it. */
@@ -52,12 +53,13 @@ async function closeClean({ errors, close }, known = []) {
 }
 
 for (const webgpu of [false, true]) {
-  test(`the first picture is journal Fig. 1, drawn with ${webgpu ? 'WebGPU' : 'WebGL2'}`, async () => {
+  test(`the first picture is a riverbed in natural colours, drawn with ${webgpu ? 'WebGPU' : 'WebGL2'}`, async () => {
     const browser = webgpu ? await launch({ webgpu }) : session;
     try {
       const opened = await open('', {}, browser);
       const { page } = opened;
-      assert.ok((await stats(page)).rocks > 2500);
+      assert.ok((await stats(page)).rocks > 1000);
+      assert.deepEqual(await page.evaluate(() => [document.querySelector('rock-field').color, document.querySelector('#preset-name').textContent]), ['natural', 'Riverbed']);
       assert.equal(await page.locator('[data-backend]').textContent(), webgpu ? 'WebGPU' : 'WebGL2');
       assert.equal(await page.locator(MESSAGE).count(), 0);
       assert.equal(await page.locator('.boot').count(), 0);
@@ -70,12 +72,15 @@ for (const webgpu of [false, true]) {
 }
 
 test('every slider moves something, and its number says so', async () => {
-  const opened = await open('#w=256&h=256&r=40,20,8');
+  // With some wear, since one kind of it needs another.
+  const opened = await open('#w=256&h=256&r=40,20,8&we=0.5,0.5,0.5&ro=0.5,0.5,0.5&de=1,1,1');
   const { page } = opened;
   for (const name of ['Layer 2', 'Layer 3']) await page.getByRole('button', { name }).first().click();
   await page.locator('[data-param="fill-2"] input[value="count"]').check();
-  const ids = await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id));
-  assert.equal(ids.length, 3 + 3 * 8);
+  await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
+  const looks = ['sa', 'se'];
+  const ids = (await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id))).filter((id) => !looks.includes(id));
+  assert.equal(ids.length, 3 + 3 * 12);
   let last = await hash(page);
   for (const id of ids) {
     const slider = page.locator(`[id="${id}"]`);
@@ -92,6 +97,71 @@ test('every slider moves something, and its number says so', async () => {
     assert.equal(await hash(page), last, `${id}: undone`);
     last = await hash(page);
   }
+  await closeClean(opened);
+});
+
+test('what is only seen is drawn without a run, undone and shared like the rest; in other colours only the sun is there to set', async () => {
+  const opened = await open('#preset=riverbed&w=256&h=256');
+  const { page } = opened;
+  const before = await hash(page);
+  await page.evaluate(() => {
+    globalThis.runs = 0;
+    document.querySelector('rock-field').addEventListener('generate', () => (globalThis.runs += 1));
+  });
+  const looks = await page.locator('.section:has([id="sa"]) .slider').evaluateAll((found) => found.map(({ id }) => id));
+  assert.deepEqual(looks, ['var', 'wet', 'moss', 'dust', 'sa', 'se']);
+  await page.locator('[id="sa"]').press('End');
+  await page.getByRole('button', { name: 'Layer 1' }).first().click();
+  await page.locator('[id="mat-0"]').selectOption('slate');
+  await page.locator('[data-param="soil"] input[value="sand"]').check();
+  await address(page, /&soil=sand&sa=360&mat=slate,mixed,mixed,mixed,mixed$/);
+  await page.keyboard.press('Control+z');
+  assert.deepEqual(await page.evaluate(() => { const { ground, sunAzimuth, material } = document.querySelector('rock-field'); return [ground, sunAzimuth, material[0]]; }), ['gravel', 360, 'slate']);
+  assert.equal(await hash(page), before);
+  assert.equal(await page.evaluate(() => globalThis.runs), 0, 'nothing is run');
+  await page.locator('[data-param="color"] input[value="plain"]').check();
+  assert.deepEqual(await page.locator('.section:has([id="sa"]) .slider').evaluateAll((found) => found.map(({ id }) => id)), ['sa', 'se']);
+  assert.equal(await page.locator('[id="mat-0"]').count(), 0);
+  await closeClean(opened);
+});
+
+test('the presets are chosen from a list, by keys or by hand, with pictures of the natural grounds', async () => {
+  const opened = await open('#preset=journal-fig1&w=256&h=256');
+  const { page } = opened;
+  const button = page.locator('#preset');
+  const focused = () => page.evaluate(() => document.activeElement?.dataset.preset ?? document.activeElement?.id);
+  await button.focus();
+  await page.keyboard.press('Enter');
+  await page.getByRole('listbox').waitFor();
+  assert.equal(await focused(), 'journal-fig1', 'it begins at what is chosen');
+  assert.equal(await page.getByRole('option').count(), 36);
+  assert.deepEqual(await page.locator('.presets [role=group]').evaluateAll((groups) => groups.map(({ ariaLabel }) => ariaLabel)), ['Natural grounds', 'Journal (2011)', 'Conference (2010)']);
+  await page.keyboard.press('Home');
+  assert.equal(await focused(), 'riverbed');
+  await page.keyboard.press('ArrowRight');
+  await page.keyboard.press('ArrowDown');
+  assert.equal(await focused(), 'dry-garden', 'five in a line');
+  await page.keyboard.type('sh');
+  assert.equal(await focused(), 'shingle');
+  assert.deepEqual(await violations(page), []);
+  const isDrawn = (name) => page.evaluate((preset) => {
+    const { data } = document.querySelector(`[data-preset="${preset}"] canvas`).getContext('2d').getImageData(0, 0, 192, 128);
+    return data.some((value) => value !== 0);
+  }, name);
+  while (!(await isDrawn('riverbed'))) await page.waitForTimeout(100);
+  await page.keyboard.press('Escape');
+  assert.equal(await page.getByRole('listbox').count(), 0);
+  assert.equal(await focused(), 'preset');
+  await page.waitForFunction(() => document.querySelectorAll('rock-field').length === 1);
+  assert.match(page.url(), /preset=journal-fig1/, 'Escape chooses nothing');
+  await button.click();
+  assert.ok(await isDrawn('riverbed'), 'it is kept');
+  await page.locator('.preset[data-preset="scree"]').click();
+  await address(page, /#v=1&preset=scree$/);
+  assert.deepEqual(await page.evaluate(() => document.querySelector('rock-field').color), 'natural');
+  await page.keyboard.press('Control+z');
+  await address(page, /preset=journal-fig1/);
+  assert.deepEqual(await page.evaluate(() => document.querySelector('rock-field').color), 'layer');
   await closeClean(opened);
 });
 
@@ -274,10 +344,10 @@ test('a long run shows its progress and can be cancelled, back to what is shown'
 test('presets, seeds, reset and randomise', async () => {
   const opened = await open('#w=300&seed=4');
   const { page } = opened;
-  await page.locator('.select').selectOption('conference-fig11c');
+  await page.locator('#preset').click();
+  await page.locator('.preset[data-preset="conference-fig11c"]').click();
   await address(page, /preset=conference-fig11c&seed=4$/);
   assert.equal((await params(page)).notation, 'relative');
-  assert.equal(await page.locator('.select option').count(), 26);
   await page.getByRole('button', { name: 'Previous seed' }).click();
   assert.equal((await params(page)).seed, 3);
   await page.getByRole('button', { name: 'Fresh random seed' }).click();
@@ -378,7 +448,7 @@ test('the page works by keyboard alone', async () => {
 
 for (const language of ['en', 'ja']) {
   test(`a phone of 360 px in ${language}: nothing is cut off, the picture stays visible, targets are large`, async () => {
-    const opened = await open('', { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true, locale: language === 'ja' ? 'ja-JP' : 'en-US', colorScheme: language === 'ja' ? 'dark' : 'light' });
+    const opened = await open('#preset=journal-fig1', { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true, locale: language === 'ja' ? 'ja-JP' : 'en-US', colorScheme: language === 'ja' ? 'dark' : 'light' });
     const { page } = opened;
     assert.equal(await page.evaluate(() => document.documentElement.lang), language);
     await page.screenshot({ path: screenshotPath(`page-phone-${language}`) });
