@@ -120,13 +120,13 @@ test('the look is drawn at once and starts no run, by property, attribute, undo 
     await frame();
     await frame();
     const shared = new URL(a.shareURL()).hash;
-    const set = [a.dust, a.moss, a.material[4], a.sunElevation];
+    const set = [a.dust, a.moss, a.material.at(-1), a.sunElevation];
     const undone = a.undo();
     const kept = (await a.getField()) === field;
     return { shared, set, undone, dust: a.dust, kept, types: types(), frames: counts.frames - frames };
   });
   assert.deepEqual(seen.set, [0.9, 0.5, 'slate', 12]);
-  assert.match(seen.shared, /&moss=0\.5&dust=0\.9&se=12&mat=slate,slate,slate,slate,slate$/);
+  assert.match(seen.shared, /&moss=0\.5&dust=0\.9&se=12&mat=slate(,slate)*$/);
   assert.deepEqual([seen.undone, seen.kept, seen.types], [true, true, []]);
   assert(seen.frames > 0 && seen.frames <= 3, `${seen.frames} frames`);
   // Rocks and look at once are a run.

@@ -101,7 +101,7 @@ test('every slider moves something, and its number says so', async () => {
 });
 
 test('what is only seen is drawn without a run, undone and shared like the rest; in other colours only the sun is there to set', async () => {
-  const opened = await open('#preset=riverbed&w=256&h=256');
+  const opened = await open('#preset=riverbed&w=256&h=256&soil=soil&mat=mixed,mixed,mixed&r=30,12,6');
   const { page } = opened;
   const before = await hash(page);
   await page.evaluate(() => {
@@ -114,9 +114,9 @@ test('what is only seen is drawn without a run, undone and shared like the rest;
   await page.getByRole('button', { name: 'Layer 1' }).first().click();
   await page.locator('[id="mat-0"]').selectOption('slate');
   await page.locator('[data-param="soil"] input[value="sand"]').check();
-  await address(page, /&soil=sand&sa=360&mat=slate,mixed,mixed,mixed,mixed$/);
+  await address(page, /&soil=sand&sa=360&r=30,12,6&mat=slate,mixed,mixed$/);
   await page.keyboard.press('Control+z');
-  assert.deepEqual(await page.evaluate(() => { const { ground, sunAzimuth, material } = document.querySelector('rock-field'); return [ground, sunAzimuth, material[0]]; }), ['gravel', 360, 'slate']);
+  assert.deepEqual(await page.evaluate(() => { const { ground, sunAzimuth, material } = document.querySelector('rock-field'); return [ground, sunAzimuth, material[0]]; }), ['soil', 360, 'slate']);
   assert.equal(await hash(page), before);
   assert.equal(await page.evaluate(() => globalThis.runs), 0, 'nothing is run');
   await page.locator('[data-param="color"] input[value="plain"]').check();
