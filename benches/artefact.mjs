@@ -1,4 +1,4 @@
-// Builds what the bench needs besides dist/: the literal loops as wasm, and the workload as one script, in .cache/bench/.
+// Builds what the bench needs besides dist/: the literal loops as wasm, and the workload and the frames as a script each, in .cache/bench/.
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
@@ -15,10 +15,10 @@ export const folder = path.join(root, '.cache', 'bench');
 export async function buildBench() {
   mkdirSync(folder, { recursive: true });
   await step('Building the literal loops as wasm', '10–60 s', buildLiteral);
-  for (const name of ['generator.js', 'generator_bg.wasm']) copyFileSync(path.join(pkg, name), path.join(folder, name));
+  for (const name of ['generator.js', 'generator_bg.wasm', 'renderer-webgpu_bg.wasm', 'renderer-webgl_bg.wasm']) copyFileSync(path.join(pkg, name), path.join(folder, name));
   await esbuild.build({
     absWorkingDir: root,
-    entryPoints: ['benches/workload.mjs', 'benches/worker.mjs'],
+    entryPoints: ['benches/workload.mjs', 'benches/worker.mjs', 'benches/frames-page.mjs'],
     outdir: folder,
     outExtension: { '.js': '.mjs' },
     bundle: true,

@@ -1,7 +1,7 @@
 // `npm run bench`: speed, memory and sizes beside two baselines, all in one run so that the ratios hold.
 //
 //   npm run bench -- --json      one JSON object on stdout (npm's own two lines go away with npm run -s)
-//   npm run bench -- --browser   the same in a worker of Chromium instead of Node
+//   npm run bench -- --browser   the same in a worker of Chromium instead of Node, and what frames cost
 //   npm run bench -- --embed     what an embed makes its visitors wait for, in Chromium
 //   npm run bench -- --rounds 9  fewer runs of each than the usual 15; medians are of these
 import { readFile } from 'node:fs/promises';
@@ -11,6 +11,7 @@ import { parseArgs } from 'node:util';
 import { Failure, main, say } from '../scripts/run.mjs';
 import { measure as measureSizes } from '../scripts/size.mjs';
 import { buildBench, folder } from './artefact.mjs';
+import { measureFrames, reportFrames } from './frames.mjs';
 import { report } from './report.mjs';
 
 const FIG1 = ['rocks', 'full', 'literal', 'npmRocks', 'npm', 'shapeEdit', 'selectEdit'];
@@ -26,8 +27,13 @@ await main(async () => {
   await buildBench();
   const measured = await (browser ? measureInBrowser(rounds) : measureInNode(rounds));
   const sizes = await measureSizes();
-  if (json) console.log(JSON.stringify(asJson(measured, sizes)));
-  else console.log(report({ ...measured, sizes, rounds, engine: browser ? 'Chromium, worker' : `Node ${process.versions.node}` }));
+  const frames = browser ? await measureFrames(rounds, say) : undefined;
+  if (json) {
+    console.log(JSON.stringify({ ...asJson(measured, sizes), frames }));
+    return;
+  }
+  console.log(report({ ...measured, sizes, rounds, engine: browser ? 'Chromium, worker' : `Node ${process.versions.node}` }));
+  if (frames) console.log(`\n${reportFrames(frames)}`);
 });
 
 function readArguments() {

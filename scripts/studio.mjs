@@ -7,9 +7,8 @@
 import { launch, pageOf } from '../tests/e2e/browser.mjs';
 import { Failure } from './run.mjs';
 
-/** The element is small on the page: each picture is drawn at its own size, and nothing else costs time. */
 const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>studio</title><link rel="icon" href="data:,">
-<style>body { margin: 0 } rock-field { width: 64px; height: 40px }</style><script type="module" src="./rock-field.js"></script>`;
+<style>body { margin: 0 } rock-field { width: 64px; height: 40px } rock-field[hidden] { display: none }</style><script type="module" src="./rock-field.js"></script>`;
 
 /** tan of half the vertical field of view, as in www/camera.ts. */
 const TAN = Math.tan(Math.PI / 10);
@@ -69,22 +68,22 @@ export async function photograph(browser, address, { width, type = 'png', qualit
 
 // In the page.
 
-/** An element of no size draws nothing, so there is one before there is a field. */
+/** Once it has shown a picture the element is hidden: it draws those that are taken, and no frame for a screen beside them. */
 async function setUp(backend) {
   await customElements.whenDefined('rock-field');
   const element = document.createElement('rock-field');
-  element.setAttribute('backend', backend);
+  for (const [name, value] of Object.entries({ backend, 'image-width': 64, 'image-height': 64 })) element.setAttribute(name, value);
   document.body.append(element);
+  await element.ready;
+  if (element.backend !== backend) throw new Error(`${element.backend} draws in the stead of ${backend}`);
+  element.hidden = true;
 }
 
 async function show(attributes) {
   const element = document.querySelector('rock-field');
-  const wanted = { backend: element.getAttribute('backend'), ...attributes };
-  for (const name of element.getAttributeNames()) if (!(name in wanted)) element.removeAttribute(name);
-  for (const [name, value] of Object.entries(wanted)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  for (const name of element.getAttributeNames()) if (!(name in attributes) && !['backend', 'hidden'].includes(name)) element.removeAttribute(name);
+  for (const [name, value] of Object.entries(attributes)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   const { imageWidth, imageHeight, layers, stats } = await element.getField();
-  await element.ready;
-  if (element.backend !== wanted.backend) throw new Error(`${element.backend} draws in the stead of ${wanted.backend}`);
   const middle = [imageWidth / 2, imageHeight / 2];
   // The largest rocks there are, and the one of them in the middle.
   const coarse = layers.filter(({ selected }) => selected.length > 0).sort((a, b) => b.radius - a.radius)[0];

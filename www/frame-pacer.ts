@@ -83,9 +83,10 @@ export class FramePacer {
     else this.#dirty = true;
   }
 
-  /** What is on the screen, once more. */
+  /** What is on the screen, once more, if it can be seen and no frame that is to be drawn comes before it is. */
   redraw(): void {
-    this.#scene.draw(this.#level);
+    if (!this.#scene.canDraw()) this.#dirty = true;
+    else if (this.#frame === 0 || !this.#dirty) this.#scene.draw(this.#level);
   }
 
   #request(): void {

@@ -214,6 +214,24 @@ test('a size that changes within a motion does not end it', () => {
   assert.equal(drawn.length, 3);
 });
 
+test('a picture that was taken gives the screen its own back, by the frame that comes anyway if there is one', ({ mock }) => {
+  const { drawn, scene, pacer } = setUp();
+  pacer.invalidate();
+  pacer.redraw();
+  assert.deepEqual(drawn, []);
+  present();
+  mock.timers.tick(150);
+  present();
+  pacer.redraw();
+  assert.deepEqual(drawn, ['medium', 'high', 'high']);
+  scene.visible = false;
+  pacer.redraw();
+  scene.visible = true;
+  pacer.look(false);
+  present();
+  assert.equal(drawn.length, 4, 'what could not be drawn is drawn later');
+});
+
 test('a still that twice took long is not drawn again', ({ mock }) => {
   const { drawn, pacer } = setUp();
   const clocked = mock.method(performance, 'now', () => clock);

@@ -1,0 +1,70 @@
+// Natural grounds look as they did: every natural preset, small, as tiles of mean colours, beside those that were stored; and the same on
+// WebGPU and WebGL2.
+//
+//   UPDATE=1 node --test tests/e2e/natural.test.mjs    stores what is drawn now; look at it first, with `npm run gallery`
+import assert from 'node:assert/strict';
+import { readFile, writeFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { meanDifference, tiles } from '../../scripts/pixels.mjs';
+import { openStudio } from '../../scripts/studio.mjs';
+import { tables } from '../../scripts/tables.mjs';
+import { decodePng } from '../engines/png.mjs';
+
+const STORED = new URL('../data/natural-golden.json', import.meta.url);
+const BACKENDS = ['webgpu', 'webgl'];
+const SIZE = { width: 320, height: 200 };
+const TILES = [32, 20];
+/**
+ * Mean absolute errors over all channels, per cent of full scale. Devices differ at edges and in the last bits of noise, which tiles
+ * level out; a light, a colour or a layer that is wrong moves most tiles.
+ */
+const MOST = { stored: 2, backends: 2 };
+
+const { PRESETS, presetParams } = await tables();
+const names = PRESETS.filter(({ natural }) => natural).map(({ name }) => name);
+const stored = JSON.parse(await readFile(STORED, 'utf8').catch(() => '{}'));
+const found = {};
+let studio;
+
+before(async () => {
+  studio = await openStudio({ backends: BACKENDS });
+});
+
+after(async () => {
+  await studio?.close();
+  if (process.env.UPDATE) await writeFile(STORED, `${JSON.stringify(found, null, 1)}\n`);
+});
+
+for (const preset of names) {
+  test(`${preset} looks as it did, on WebGPU and WebGL2 alike`, async () => {
+    const pictures = [];
+    // A quarter of the ground, since a software GPU is slow with triangles.
+    const side = String(presetParams(preset).imageWidth / 2);
+    for (const backend of BACKENDS) {
+      await studio.show(backend, { preset, color: 'natural', quality: 'high', 'image-width': side, 'image-height': side });
+      pictures.push(decodePng((await studio.take(backend, { ...SIZE, camera: null })).png));
+    }
+    const between = meanDifference(...pictures);
+    const seen = pictures.map((picture) => tiles(picture, ...TILES));
+    found[preset] = asText(seen[0]);
+    const errors = process.env.UPDATE ? [] : seen.map((picture) => meanDifference(picture, asPicture(stored[preset])));
+    console.log(`${preset}: backends ${between.toFixed(3)} % apart, ${errors.map((error) => error.toFixed(3)).join(' and ')} % from what is stored`);
+    assert(between < MOST.backends, `WebGPU and WebGL2 are ${between.toFixed(2)} % apart`);
+    errors.forEach((error, index) => assert(error < MOST.stored, `on ${BACKENDS[index]} it is ${error.toFixed(2)} % from what is stored; if it is right, UPDATE=1 stores it`));
+  });
+}
+
+test('every natural preset is stored, and nothing else', { skip: Boolean(process.env.UPDATE) }, () => {
+  assert.deepEqual(Object.keys(stored).sort(), [...names].sort());
+});
+
+/** A line for each row of tiles, in hexadecimal digits. */
+function asText({ width, height, data }) {
+  return Array.from({ length: height }, (_, row) => Buffer.from(data.subarray(3 * width * row, 3 * width * (row + 1))).toString('hex'));
+}
+
+function asPicture(rows = []) {
+  const [width, height] = TILES;
+  assert(rows.length === height && rows.every(({ length }) => length === 6 * width), 'nothing of its kind is stored; UPDATE=1 stores it');
+  return { width, height, channels: 3, data: Buffer.from(rows.join(''), 'hex') };
+}
