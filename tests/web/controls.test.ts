@@ -109,21 +109,29 @@ test('a random field keeps the wear and the look of what it was drawn from', () 
   }
 });
 
-test('layers come and go, with ids that are never taken over', () => {
+test('layers come and go, with ids that are never taken over', async () => {
   const page = store();
   page.removeLayer(1);
   page.duplicateLayer(0);
   assert.deepEqual(page.params.layers.map(({ id }) => id), [0, 3, 2]);
-  while (page.params.layers.length < MAX_LAYERS) page.addLayer();
-  page.addLayer();
+  while (page.params.layers.length < MAX_LAYERS) await page.addLayer();
+  await page.addLayer();
   page.duplicateLayer(0);
   assert.equal(page.params.layers.length, MAX_LAYERS);
   assert.equal(new Set(page.params.layers.map(({ id }) => id)).size, MAX_LAYERS);
   resolveParams(page.params);
   for (let index = 0; index < MAX_LAYERS; index += 1) page.removeLayer(0);
   assert.deepEqual(page.params.layers, []);
-  page.addLayer();
+  await page.addLayer();
   resolveParams(page.params);
+});
+
+test('a layer that is added is worn like the last, and of its stone', async () => {
+  const page = store('#preset=lava-field&r=60,20');
+  await page.addLayer();
+  const [, last, added] = page.params.layers;
+  assert.deepEqual([added!.weathering, added!.roughness, added!.material], [last!.weathering, last!.roughness, last!.material]);
+  assert.ok(added!.radius < last!.radius);
 });
 
 test('the seed goes round, a preset keeps it, reset does not', () => {

@@ -259,8 +259,8 @@ export class ControlPanel extends LitElement {
     `;
   }
 
-  #addLayer = (): void => {
-    this.store.addLayer();
+  #addLayer = async (): Promise<void> => {
+    await this.store.addLayer();
     const added = this.store.params.layers.at(-1);
     if (added) this.#openLayers.add(added.id);
   };

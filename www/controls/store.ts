@@ -3,7 +3,7 @@
 import { History } from '../history.ts';
 import { presetColor, sameRocks } from '../look.ts';
 import { MAX_LAYERS, PARAMS } from '../params.ts';
-import { boundsOf, defaultLayer, presetParams, writeValue } from '../params-flat.ts';
+import { presetParams, writeValue } from '../params-flat.ts';
 import { translate } from '../strings.ts';
 import { loadLater } from './load-later.ts';
 import type { Later } from './load-later.ts';
@@ -38,16 +38,10 @@ export type Message = (language: Language) => string;
 /** What changed, so that the wiring does no more than it must. */
 export type Change = 'params' | 'look' | 'camera' | 'preferences' | 'field' | 'progress' | 'messages';
 
-/** A layer that is added has no more than some 10,000 cells: the finest of Fig. 1 has r = 10 at 1024 px. */
-const FINEST_SHARE = 100;
-/** The first layer of a bare field is three times that: the middle one of Fig. 1. */
-const DEFAULT_SHARE = 3;
-
 /** Keys of errors about the list of layers, not about one parameter. */
 export const LIST_KEYS: readonly string[] = ['layers', 'id'];
 
 const SEED = row('seed');
-const RADIUS = row('radius');
 
 export class Store {
   language: Language;
@@ -156,9 +150,10 @@ export class Store {
     this.edit(presetParams(this.preset));
   }
 
-  addLayer(): void {
+  async addLayer(): Promise<void> {
+    const { nextLayer } = await loadLater();
     const { layers } = this.params;
-    this.#setLayers([...layers, nextSize(this.params, freeId(layers))]);
+    this.#setLayers([...layers, nextLayer(this.params, freeId(layers))]);
   }
 
   duplicateLayer(index: number): void {
@@ -329,22 +324,4 @@ function row(key: string): ParamSpec {
 function freeId(layers: readonly Layer[]): number {
   // Past all that were ever seen here, so that a removed layer's rocks do not come back under another layer's name.
   return Math.max(-1, ...layers.map(({ id }) => id)) + 1;
-}
-
-/** The layer that an empty place asks for: a third of the smallest radius, as from size to size in the papers, and as steep as the table's defaults. */
-function nextSize({ layers, notation, imageWidth, imageHeight }: Params, id: number): Layer {
-  const layer = defaultLayer(id, notation);
-  const side = Math.sqrt(imageWidth * imageHeight);
-  const finest = notation === 'px' ? side / FINEST_SHARE : (100 * side) / imageWidth / FINEST_SHARE;
-  const { min } = boundsOf(RADIUS, notation).slider;
-  const smallest = Math.min(...layers.map(({ radius }) => radius));
-  const radius = round(Math.max(min, layers.length > 0 ? Math.max(finest, smallest / 3) : finest * DEFAULT_SHARE));
-  const scale = radius / layer.radius;
-  const scaled = (triple: Layer['taper']) => triple.map((value) => round(value * scale)) as Layer['taper'];
-  // In the conference's notation heights are multiples of the radius already.
-  return { ...layer, radius, taper: scaled(layer.taper), height: notation === 'px' ? scaled(layer.height) : layer.height };
-}
-
-function round(value: number): number {
-  return Number(value.toPrecision(2));
 }
