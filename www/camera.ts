@@ -8,7 +8,7 @@
  * The picture's own coordinates run from -1 to 1, x right, y up.
  */
 
-import { FOV_Y } from './renderer/fov.ts';
+import { FOV_Y } from './renderer/limits.ts';
 import type { CameraState, View } from './renderer/renderer.ts';
 
 const TAN = Math.tan(FOV_Y / 2);

@@ -2,7 +2,7 @@
 
 import { RockFieldError } from './errors.ts';
 import type { CameraState, SceneRenderer } from './renderer/renderer.ts';
-import { MAX_PIXELS } from './stage-size.ts';
+import { MAX_PIXELS } from './renderer/limits.ts';
 
 export interface PictureOptions {
   /** Device pixels; one follows from the other, and both from the size on the screen, when left out. */

@@ -9,7 +9,6 @@ import type { ErrorInfo } from './errors.ts';
 import type { Field, FieldStats } from './field.ts';
 import { GeneratorClient } from './generator/client.ts';
 import type { Progress } from './generator/protocol.ts';
-import { describeField } from './field-description.ts';
 import { History } from './history.ts';
 import { lookOf, presetColor, sameLook, sameRocks } from './look.ts';
 import { PRESETS } from './params.ts';
@@ -473,8 +472,14 @@ export class RockFieldElement extends SceneElement {
     // Its look may have been edited since it was asked for.
     if (this.#params && sameRocks(this.#params, params)) this.#putOn(this.#params, this.#preset);
     else this.#putOn(params, this.#presets.get(params) ?? this.#preset);
-    this.describe(describeField(field, this.#metresPerPixel, this.language));
+    // Without these words the picture is still a picture.
+    this.#describe(field).catch((thrown: unknown) => console.warn(thrown));
     this.emit('generate', { stats: field.stats, field, superseded });
+  }
+
+  async #describe(field: Field): Promise<void> {
+    const { describeField } = await import('./field-description.ts');
+    if (this.field === field) this.describe(describeField(field, this.#metresPerPixel, this.language));
   }
 
   /** Reads and runs at the end of this task, once, however many attributes and properties are set in it. */

@@ -15,7 +15,6 @@ import type { Interaction } from './element-attributes.ts';
 import type { Field } from './field.ts';
 import { FramePacer } from './frame-pacer.ts';
 import { OrbitControls } from './orbit-controls.ts';
-import { pictureSize, takePicture } from './picture.ts';
 import type { PictureOptions } from './picture.ts';
 import { errorText, RendererKeeper } from './renderer-keeper.ts';
 import { wantedBackend } from './renderer/load.ts';
@@ -23,6 +22,7 @@ import type { WantedQuality } from './renderer/quality.ts';
 import type { Backend, CameraState, ColorMode, Look, Quality, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
 import { SceneCamera } from './scene-camera.ts';
 import { SceneTree } from './scene-tree.ts';
+import type { HINTS } from './scene-hints.ts';
 import { WORDS } from './scene-words.ts';
 import { StageSize } from './stage-size.ts';
 import { Visibility } from './visibility.ts';
@@ -178,7 +178,7 @@ export abstract class SceneElement extends Base {
    * @throws {RockFieldError} `OutOfRange` for a size that cannot be drawn, `NoPicture` where the browser gives none.
    */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
-    await this.ready;
+    const [{ pictureSize, takePicture }] = await Promise.all([import('./picture.ts'), this.ready]);
     const renderer = this.#kept.renderer;
     if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
     const size = pictureSize(options, this.#size.pixels);
@@ -362,7 +362,15 @@ export abstract class SceneElement extends Base {
   #explain(gesture: 'wheel' | 'touch'): void {
     if (gesture === 'touch' && this.#touchExplained) return;
     this.#touchExplained ||= gesture === 'touch';
-    this.#tree.hint(WORDS[gesture][this.language]);
+    void this.#saying(gesture, (text) => this.#tree.hint(text));
+  }
+
+  async #saying(hint: keyof typeof HINTS, say: (text: string) => void): Promise<void> {
+    try {
+      say((await import('./scene-hints.ts')).HINTS[hint][this.language]);
+    } catch (thrown) {
+      console.warn(thrown);
+    }
   }
 
   // The renderer.
@@ -376,7 +384,8 @@ export abstract class SceneElement extends Base {
   #onRenderer(renderer: SceneRenderer): void {
     this.#tree.stage.replaceChildren(renderer.canvas);
     const isMakeshift = renderer.backend === 'canvas2d' && wantedBackend(this.getAttribute('backend')) === 'auto';
-    this.#tree.messages.setStanding(isMakeshift ? WORDS.noGpu[this.language] : '');
+    this.#tree.messages.setStanding('');
+    if (isMakeshift) void this.#saying('noGpu', (text) => this.#kept.renderer === renderer && this.#tree.messages.setStanding(text));
     this.#pacer.renew();
     this.#size?.measure();
     this.#clearError();

@@ -1,7 +1,6 @@
 /** How large the picture is on the screen, in device pixels, and how large it may be drawn. */
 
-/** A 4K screen's worth. With 4 samples a pixel takes some 40 bytes, so this is 330 MB on the device. */
-export const MAX_PIXELS = 3840 * 2160;
+import { MAX_PIXELS } from './renderer/limits.ts';
 
 export class StageSize {
   width = 0;

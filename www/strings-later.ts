@@ -9,6 +9,8 @@ import type { Language, Preset, Words } from './params.ts';
 export const LATER = {
   layerCount: { en: '{n} layers', ja: '{n} 層' },
   natural: { en: 'Natural grounds', ja: '自然の地面' },
+  copied: { en: 'Link copied', ja: 'リンクをコピーしました' },
+  embedCopied: { en: 'Embed code copied', ja: '埋め込みコードをコピーしました' },
   copyByHand: { en: 'The browser does not let this page copy. Copy the text here:', ja: 'ブラウザがコピーを許可していません。ここからコピーしてください：' },
   rocks: { en: 'Rocks', ja: '岩' },
   triangles: { en: 'Triangles', ja: '三角形' },
@@ -42,6 +44,7 @@ export const LATER = {
   slidersBy: { en: 'arrow keys, Page Up, Page Down, Home, End', ja: '矢印キー、Page Up、Page Down、Home、End' },
   undoBy: { en: 'Ctrl + Z or ⌘ Z', ja: 'Ctrl + Z または ⌘ Z' },
   redoBy: { en: 'Shift + Ctrl + Z or Shift + ⌘ Z', ja: 'Shift + Ctrl + Z または Shift + ⌘ Z' },
+  notationClamped: { en: 'Some values are past the bounds of the new notation and were moved to them.', ja: '新しい単位系の範囲を超える値は、範囲の端に変更されました。' },
 } as const satisfies Record<string, Words>;
 
 export type LaterKey = keyof typeof LATER;

@@ -55,8 +55,6 @@ export const STRINGS = {
   close: { en: 'Close', ja: '閉じる' },
   dismiss: { en: 'Dismiss', ja: '閉じる' },
   cancel: { en: 'Cancel', ja: '中止' },
-  copied: { en: 'Link copied', ja: 'リンクをコピーしました' },
-  embedCopied: { en: 'Embed code copied', ja: '埋め込みコードをコピーしました' },
 
   preset: { en: 'Preset', ja: 'プリセット' },
   presetHelp: { en: 'Natural grounds, and the figures of the two papers as in their Table 1. The seed stays.', ja: '自然の地面と、2つの論文の表1にある図。シードは変わりません。' },
@@ -119,7 +117,6 @@ export const STRINGS = {
 
   clampedInField: { en: 'Allowed: {min} to {max}.', ja: '{min} 〜 {max} の範囲で入力してください。' },
   notANumber: { en: 'A number from {min} to {max}, please.', ja: '{min} 〜 {max} の数値を入力してください。' },
-  notationClamped: { en: 'Some values are past the bounds of the new notation and were moved to them.', ja: '新しい単位系の範囲を超える値は、範囲の端に変更されました。' },
   lostPicture: { en: 'The graphics device was lost; the picture is back.', ja: '描画デバイスが失われましたが、画像を復元しました。' },
   pageFailed: { en: 'Something on this page failed: {message}', ja: 'ページでエラーが発生しました：{message}' },
 } as const satisfies Record<string, Words>;

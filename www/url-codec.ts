@@ -241,7 +241,7 @@ class Reader {
   note(code: NoticeCode, key: string, given: string, used: string, bounds: { min?: number; max?: number } = {}): void {
     if (this.notices.some((notice) => notice.key === key && notice.code === code)) return;
     const notice = { code, key, given: quoted(given), used: quoted(used), ...bounds };
-    this.notices.push({ ...notice, text: noticeText('en', notice) });
+    this.notices.push({ ...notice, text: noticeText(notice) });
   }
 
   /** Everything nobody asked for, in one notice. */

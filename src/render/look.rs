@@ -21,6 +21,8 @@ pub(crate) struct Look {
     pub(crate) ground: f32,
     /// Towards the sun, of length 1. Its light falls on all colour modes.
     pub(crate) sun: Vec3,
+    /// What the smallest stones are made of, which have no mesh: as those of the last layer.
+    pub(crate) debris: u8,
     /// By layer id; see [`super::palette::natural`].
     pub(crate) materials: BTreeMap<u32, u8>,
 }
@@ -40,6 +42,7 @@ impl Look {
             weather: [0, 1, 2, 3].map(|at| value(at).clamp(0.0, 1.0)),
             ground: value(4).clamp(0.0, 2.0).round(),
             sun: sun(value(5), value(6)),
+            debris: materials.last().copied().unwrap_or(0),
             materials: layers.iter().copied().zip(materials.iter().copied()).collect(),
         }
     }

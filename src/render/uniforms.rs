@@ -25,7 +25,7 @@ pub(crate) struct Globals {
     pub(crate) dust: [f32; 4],
     /// Variation, wetness, moss, dust.
     pub(crate) weather: [f32; 4],
-    /// x ground, y quality, z 1 in natural colours.
+    /// x ground, y quality, z 1 in natural colours, w kind of the debris, 0 mixed.
     pub(crate) scene: [f32; 4],
 }
 

@@ -239,7 +239,12 @@ impl View {
             soil: palette::linear(theme.soil),
             dust: palette::linear(theme.dust),
             weather: self.look.weather,
-            scene: [self.look.ground, self.quality as u8 as f32, if natural { 1.0 } else { 0.0 }, 0.0],
+            scene: [
+                self.look.ground,
+                self.quality as u8 as f32,
+                if natural { 1.0 } else { 0.0 },
+                f32::from(self.look.debris),
+            ],
         }
     }
 }

@@ -17,6 +17,9 @@ const SECONDS = 120;
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
+/** The page with few rocks. */
+const SMALL = '#preset=journal-fig1&w=256&h=256';
+
 let session;
 let down = false;
 
@@ -152,7 +155,7 @@ test('a screen reader finds nothing wrong on any page, in light and in dark', { 
 });
 
 test('what was read once can be read without a network', async () => {
-  const { page, close } = await session.open('', { serviceWorkers: 'allow' });
+  const { page, close } = await session.open(SMALL, { serviceWorkers: 'allow' });
   await page.evaluate(() => navigator.serviceWorker.ready);
   await page.goto(`${session.url}docs/methods.html`);
   const isKept = async (file) => {

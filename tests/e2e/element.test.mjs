@@ -72,6 +72,7 @@ async function quiet(page) {
 
 test('without any attribute it shows the first preset: one run, one load, then silence', async () => {
   const { page, errors, warnings, close } = await open();
+  await until(page, () => a.shadowRoot.getElementById('description').textContent !== '');
   const state = await page.evaluate(() => ({ preset: a.params.layers.length, rocks: a.field.stats.rocks, backend: a.backend, types: types(), label: a.shadowRoot.getElementById('description').textContent }));
   assert.equal(state.preset, 3);
   assert.equal(state.backend, 'webgl');
@@ -120,13 +121,13 @@ test('the look is drawn at once and starts no run, by property, attribute, undo 
     await frame();
     await frame();
     const shared = new URL(a.shareURL()).hash;
-    const set = [a.dust, a.moss, a.material[4], a.sunElevation];
+    const set = [a.dust, a.moss, a.material.at(-1), a.sunElevation];
     const undone = a.undo();
     const kept = (await a.getField()) === field;
     return { shared, set, undone, dust: a.dust, kept, types: types(), frames: counts.frames - frames };
   });
   assert.deepEqual(seen.set, [0.9, 0.5, 'slate', 12]);
-  assert.match(seen.shared, /&moss=0\.5&dust=0\.9&se=12&mat=slate(,slate)+$/);
+  assert.match(seen.shared, /&moss=0\.5&dust=0\.9&se=12&mat=slate(,slate)*$/);
   assert.deepEqual([seen.undone, seen.kept, seen.types], [true, true, []]);
   assert(seen.frames > 0 && seen.frames <= 3, `${seen.frames} frames`);
   // Rocks and look at once are a run.
@@ -320,7 +321,8 @@ test('taken out for good it ends its worker and canvas; put back it shows the sa
     const { field } = a;
     const ready = a.ready;
     a.remove();
-    await new Promise((resolve) => setTimeout(resolve, 2500));
+    // After two seconds, and on a busy machine later.
+    for (let tenths = 0; tenths < 100 && counts.ended === 0; tenths += 1) await new Promise((resolve) => setTimeout(resolve, 100));
     const gone = [a.shadowRoot.querySelectorAll('canvas').length, counts.workers, counts.ended, a.backend];
     const refused = await a.generate().catch((error) => error.name);
     heard.length = 0;
@@ -379,16 +381,16 @@ test('after a loss of the context the same field comes back through the same cam
 
 test('a context that is lost again and again ends in the plan, with a message', async () => {
   const { page, close } = await open();
-  const seen = await page.evaluate(async () => {
+  const backend = await page.evaluate(async () => {
     for (let round = 0; round < 4; round += 1) {
       const restored = new Promise((resolve) => a.addEventListener('restored', resolve, { once: true }));
       loseContext();
       await restored;
     }
-    return [a.backend, a.shadowRoot.querySelector('[part=message]').innerText];
+    return a.backend;
   });
-  assert.equal(seen[0], 'canvas2d');
-  assert.match(seen[1], /plan is drawn/);
+  assert.equal(backend, 'canvas2d');
+  await until(page, () => /plan is drawn/.test(a.shadowRoot.querySelector('[part=message]').innerText));
   await close();
 });
 

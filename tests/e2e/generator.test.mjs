@@ -95,7 +95,7 @@ test('the worker makes the same bytes as Node', async () => {
 });
 
 test('`core.js` makes fields on the page itself, without a worker', async () => {
-  const { page, errors, close } = await session.open('');
+  const { page, errors, close } = await session.open('#preset=journal-fig1&w=64&h=64');
   const [rocks, name, key] = await page.evaluate(async () => {
     const { createGenerator, generate } = await import('/core.js');
     const field = await generate({ imageWidth: 300, imageHeight: 300, seed: 5 });

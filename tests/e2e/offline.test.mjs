@@ -8,6 +8,9 @@ import { dist, root } from '../../scripts/env.mjs';
 import { launch } from './browser.mjs';
 
 const folder = path.join(root, '.cache', 'offline-test');
+/** The page with few rocks. */
+const SMALL = '#preset=journal-fig1&w=256&h=256';
+
 let session;
 let down = false;
 const served = [];
@@ -32,7 +35,7 @@ after(async () => {
 });
 
 test('after one visit the page works without a network, and a new deploy is seen at once', async () => {
-  const { page, close } = await session.open('', { serviceWorkers: 'allow' });
+  const { page, close } = await session.open(SMALL, { serviceWorkers: 'allow' });
   await page.evaluate(() => navigator.serviceWorker.ready);
   await keptRenderer(page);
 
@@ -62,7 +65,7 @@ test('after one visit the page works without a network, and a new deploy is seen
 });
 
 test('old caches go when the new worker takes over', async () => {
-  const { page, close } = await session.open('', { serviceWorkers: 'allow' });
+  const { page, close } = await session.open(SMALL, { serviceWorkers: 'allow' });
   await page.evaluate(() => caches.open('rock-field-of-yore'));
   await page.evaluate(() => navigator.serviceWorker.ready);
   await until(page, async () => !(await caches.has('rock-field-of-yore')));

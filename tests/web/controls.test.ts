@@ -102,7 +102,10 @@ test('a random field keeps the wear and the look of what it was drawn from', () 
     const base = presetParams('lava-field');
     const { layers, ...field } = randomParams(base, seed);
     assert.deepEqual([field.border, field.ground, field.sunElevation], [base.border, base.ground, base.sunElevation]);
-    for (const { material, weathering, cellCount } of layers) assert.deepEqual([material, weathering, cellCount], ['basalt', 0.35, null]);
+    for (const [index, { material, weathering, detail, cellCount }] of layers.entries()) {
+      const like = base.layers[index]!;
+      assert.deepEqual([material, weathering, detail, cellCount], [like.material, like.weathering, like.detail, null]);
+    }
   }
 });
 
@@ -162,7 +165,7 @@ test('a cancelled run gives the look back that it was begun with', () => {
   assert.equal(page.shownParams, page.params, 'it is shown without a run');
   page.setParam(SLIDERS.find(({ key }) => key === 'radius')!, 0, 50);
   page.backToShown();
-  assert.deepEqual([page.params.dust, page.params.layers[0]!.radius], [0.9, 34]);
+  assert.deepEqual([page.params.dust, page.params.layers[0]!.radius], [0.9, presetParams('riverbed').layers[0]!.radius]);
 });
 
 test('the embed code is safe HTML', () => {

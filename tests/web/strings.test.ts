@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { LAYER_ROWS } from '../../www/params-flat.ts';
 import { PARAMS, PRESETS } from '../../www/params.ts';
+import { japaneseNotice } from '../../www/notices.ja.ts';
 import { noticeText } from '../../www/notices.ts';
 import { LATER, errorText, presetLabel } from '../../www/strings-later.ts';
 import { LANGUAGES, STRINGS, pickLanguage, presetName, translate } from '../../www/strings.ts';
@@ -30,8 +31,9 @@ test('slots are filled, and no slot is left open', () => {
   const seen = new Set<string>();
   for (const notice of links.flatMap((link) => decodeLink(link).notices)) {
     seen.add(notice.code);
-    assert.equal(notice.text, noticeText('en', notice));
-    for (const language of LANGUAGES) assert.doesNotMatch(noticeText(language, notice), /[{}]|undefined/);
+    assert.equal(notice.text, noticeText(notice));
+    for (const text of [notice.text, japaneseNotice(notice)]) assert.doesNotMatch(text, /[{}]|undefined/);
+    assert.match(japaneseNotice(notice), /[ぁ-ん]/);
   }
   assert.equal(seen.size, 12);
 });

@@ -43,8 +43,8 @@ export function showKeys(store: Store, place: Place): void {
 }
 
 /** Copies and says so; or, the last way when the browser gives no clipboard, shows the text. */
-export async function copyOrShow(store: Store, place: Place, text: string, done: StringKey, heading: StringKey): Promise<void> {
-  if (await copyText(text, place)) toast(place, store.text(done));
+export async function copyOrShow(store: Store, place: Place, text: string, done: LaterKey, heading: StringKey): Promise<void> {
+  if (await copyText(text, place)) toast(place, later(store.language, done));
   else showText(store, place, store.text(heading), text);
 }
 

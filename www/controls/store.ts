@@ -4,9 +4,9 @@ import { History } from '../history.ts';
 import { presetColor, sameRocks } from '../look.ts';
 import { MAX_LAYERS, PARAMS } from '../params.ts';
 import { boundsOf, defaultLayer, presetParams, writeValue } from '../params-flat.ts';
-import { noticeText } from '../notices.ts';
 import { translate } from '../strings.ts';
 import { loadLater } from './load-later.ts';
+import type { Later } from './load-later.ts';
 import type { ErrorInfo } from '../errors.ts';
 import type { Field } from '../field.ts';
 import type { Progress } from '../generator/protocol.ts';
@@ -77,7 +77,7 @@ export class Store {
     this.camera = camera;
     this.language = preferences.language;
     this.theme = preferences.theme;
-    this.messages = notices.map(messageOf);
+    this.messages = this.#messagesOf(notices);
   }
 
   get params(): Params {
@@ -135,10 +135,10 @@ export class Store {
 
   async setNotation(notation: Notation): Promise<void> {
     if (notation === this.params.notation) return;
-    const { inNotation } = await loadLater();
+    const { inNotation, later } = await loadLater();
     const { params, clamped } = inNotation(this.params, notation);
     this.edit(params);
-    if (clamped) this.say((language) => translate(language, 'notationClamped'));
+    if (clamped) this.say((language) => later(language, 'notationClamped'));
   }
 
   setSeed(seed: number): void {
@@ -206,11 +206,22 @@ export class Store {
     this.view = link.view;
     this.chosenColor = link.color;
     this.camera = link.camera;
-    this.messages = link.notices.map(messageOf);
+    this.messages = this.#messagesOf(link.notices);
     this.edit(link.params, '', link.preset);
     this.notify('look');
     this.notify('camera');
     this.notify('messages');
+  }
+
+  /** In English at once; the words of the other language may have to be fetched. */
+  #messagesOf(notices: readonly Notice[]): Message[] {
+    let inJapanese: ((notice: Notice) => string) | undefined;
+    const fetched = ({ japaneseNotice }: Later) => {
+      inJapanese = japaneseNotice;
+      this.notify('messages');
+    };
+    if (notices.length > 0) loadLater().then(fetched, () => undefined);
+    return notices.map((notice) => (language) => (language === 'ja' && inJapanese?.(notice)) || notice.text);
   }
 
   setView(view: View): void {
@@ -313,10 +324,6 @@ function row(key: string): ParamSpec {
   const found = PARAMS.find((spec) => spec.key === key);
   if (!found) throw new Error(`the table has no row ${key}`);
   return found;
-}
-
-function messageOf(notice: Notice): Message {
-  return (language) => noticeText(language, notice);
 }
 
 function freeId(layers: readonly Layer[]): number {

@@ -4,7 +4,7 @@
  */
 
 import type { Field, FieldLayer } from '../field.ts';
-import { FOV_Y } from './fov.ts';
+import { FOV_Y } from './limits.ts';
 import type { CameraState, Look, SceneRenderer, SceneStyle } from './renderer.ts';
 
 /** As INK in `src/render/palette.rs`: by layer id modulo 8. */

@@ -13,7 +13,10 @@ var<private> cover_shade: f32;
 // Linear; between the stones.
 fn soil_albedo(ground: f32) -> vec3f {
   let c = select(vec3f(0.115, 0.092, 0.069), vec3f(0.4, 0.335, 0.245), ground == 1.0);
-  return select(c, vec3f(0.19, 0.174, 0.148), ground == 2.0);
+  let mixed = select(c, vec3f(0.19, 0.174, 0.148), ground == 2.0);
+  let debris = globals.scene.w;
+  let share = select(select(0.12, 0.0, ground == 1.0), 0.6, ground == 2.0);
+  return mix(mixed, 0.75 * kind_albedo(debris), select(share, 0.0, debris < 0.5));
 }
 
 // Stones of about half a `period`, one per cell of a jittered and turned grid; `here` the share of cells that have one.
@@ -58,7 +61,7 @@ fn scatter(at: vec2f, period: f32, here: f32, own: f32, footprint: f32) {
         // Back to the world's axes.
         let back = vec2f(bent.x * cos(angle) + bent.y * sin(angle), -bent.x * sin(angle) + bent.y * cos(angle));
         cover_slope = mix(cover_slope, -back, seen);
-        let kind = mixed_kind(fract(s.x * 3.7 + s.z));
+        let kind = debris_kind(fract(s.x * 3.7 + s.z));
         let albedo = mix(soil_albedo(globals.scene.x) * (0.75 + 0.6 * s.x), individual(kind_albedo(kind), s.xzw), own);
         cover_albedo = mix(cover_albedo, albedo, seen);
         cover_open = mix(cover_open, smoothstep(0.0, 0.75, dome), seen);
@@ -89,8 +92,8 @@ fn ground_cover(at: vec2f, footprint: f32) {
     cover_albedo *= 1.0 + 0.05 * sin(phase) * strength;
     cover_slope += ACROSS * 0.24 * cos(phase) * strength;
     cover_open = 1.0;
-    scatter(at, 1.6, 0.12, 1.0, footprint);
-    scatter(at, 4.3, 0.05 + 0.04 * patches, 1.0, footprint);
+    scatter(at, 1.3, 0.1 + 0.1 * patches, 0.3, footprint);
+    scatter(at, 3.7, 0.03 + 0.05 * patches, 0.8, footprint);
   } else if ground == 2.0 {
     cover_albedo *= mix(1.0, 0.85, shown(2.0, footprint));
     scatter(at, 1.7, 0.95, 1.0, footprint);
@@ -116,8 +119,10 @@ fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f3
   if moss <= 0.0 {
     return 0.0;
   }
-  let patches = noise2(at.xy / 83.0 + 31.0) + 0.55 * noise2(at.xy / 29.0) + 0.3 * noise2(at.xy / 9.0);
-  let edge = 0.3 * noise2((at.xy + at.z) / 2.6) * shown(2.6, footprint);
+  // Slanted through space: straight down the patches would run down the walls as streaks.
+  let q = at.xy + vec2f(0.7, -0.6) * at.z;
+  let patches = noise2(q / 83.0 + 31.0) + 0.55 * noise2(q / 29.0) + 0.3 * noise2(q / 9.0);
+  let edge = 0.3 * noise2(q / 2.6) * shown(2.6, footprint);
   let want = patches + edge + 0.4 * (upward - 0.7) + 0.9 * sheltered - 0.012 * height
     - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
   // Half the moss covers about a third.
@@ -126,8 +131,9 @@ fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f3
 
 // Olive to yellow-green; fuzzy: dark between its tips.
 fn moss_albedo(at: vec3f, footprint: f32) -> vec3f {
-  let hue = 0.5 + 0.5 * noise2(at.xy / 13.0 + 3.0);
-  let tips = 0.35 * noise2(at.xy / 5.0) + 0.5 * noise2((at.xy + 0.7 * at.z) / 0.8) * shown(0.8, footprint)
+  let q = at.xy + vec2f(0.7, -0.6) * at.z;
+  let hue = 0.5 + 0.5 * noise2(q / 13.0 + 3.0);
+  let tips = 0.45 * noise2(q / 5.0) + 0.3 * noise2(q / 17.0) + 0.5 * noise2((at.xy + 0.7 * at.z) / 0.8) * shown(0.8, footprint)
     + 0.4 * noise2((at.xy - 0.7 * at.z) / 1.9) * shown(1.9, footprint);
-  return mix(vec3f(0.075, 0.078, 0.024), vec3f(0.175, 0.155, 0.05), hue) * (1.0 + 0.8 * tips);
+  return mix(vec3f(0.05, 0.058, 0.019), vec3f(0.135, 0.126, 0.042), hue) * (1.0 + 0.8 * tips);
 }

@@ -35,8 +35,8 @@ fn sky_seen(world: vec3f, face: vec3f, pixel: vec2f) -> f32 {
     let angle = f32(i) * TURN + start;
     let away = vec2f(cos(angle), sin(angle)) * radius;
     let rise = height_at(world.xy + away) - world.z;
-    // What the face itself would hide.
-    let own = clamp(-dot(face.xy, away) / max(face.z, 0.2), -radius, 2.0 * radius);
+    // What the face itself would hide; of a wall, all that stands behind it, or every boulder's foot would be black.
+    let own = clamp(-dot(face.xy, away) / max(face.z, 0.04), -radius, 25.0 * radius);
     let above = max(rise - max(own, 0.0) - 0.25, 0.0);
     let sine = above * inverseSqrt(above * above + radius * radius);
     blocked += sine;

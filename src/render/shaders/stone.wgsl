@@ -31,6 +31,12 @@ fn mixed_kind(share: f32) -> f32 {
   return kind;
 }
 
+// Of what lies about: mostly the finest rocks' own kind, where they have one.
+fn debris_kind(share: f32) -> f32 {
+  let kind = globals.scene.w;
+  return select(kind, mixed_kind(fract(share * 7.3)), kind < 0.5 || share > 0.88);
+}
+
 // Value and hue of one stone among its like; `own` three numbers of 0…1.
 fn individual(albedo: vec3f, own: vec3f) -> vec3f {
   let variation = globals.weather.x;
@@ -48,30 +54,31 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   var slope = vec3f(0.0);
   var pale = 0.0;
 
-  // What all stones have: patches, mottling and grain over four octaves.
+  // What all stones have: patches, mottling and grain over four octaves; in places worn smooth, in others rugged.
   let broad = noise3(at / 19.0);
   value += 0.3 * broad.w;
   warm += 0.045 * broad.x;
   slope += 0.1 * broad.xyz;
+  let rugged = 0.3 + 0.9 * smoothstep(-0.3, 0.4, broad.w + 0.6 * (own.y - 0.5));
   let mid_seen = shown(5.0, footprint);
   var mid = vec4f(0.0);
   if mid_seen > 0.0 {
     mid = noise3(at / 5.0 + 17.0) * mid_seen;
     value += 0.26 * mid.w;
     warm += 0.03 * mid.x;
-    slope += 0.14 * mid.xyz;
+    slope += 0.12 * rugged * mid.xyz;
   }
   let fine_seen = shown(1.7, footprint);
   if quality > 0.0 && fine_seen > 0.0 {
     let fine = noise3(at / 1.7 + 5.0) * fine_seen;
     value += 0.34 * fine.w;
-    slope += 0.24 * fine.xyz;
+    slope += 0.2 * rugged * fine.xyz;
   }
   let micro_seen = shown(0.55, footprint);
   if quality > 1.0 && micro_seen > 0.0 {
     let micro = noise3(at / 0.55) * micro_seen;
     value += 0.3 * micro.w;
-    slope += 0.24 * micro.xyz;
+    slope += 0.22 * rugged * micro.xyz;
   }
 
   var albedo = kind_albedo(kind);
