@@ -234,8 +234,8 @@ field_test! {
 }
 
 field_test! {
-    fn every_preset_at_8192_fits_the_default_budget() {
-        for preset in PRESETS {
+    fn every_preset_of_the_papers_at_8192_fits_the_default_budget() {
+        for preset in PRESETS.iter().filter(|preset| !preset.natural) {
             let large = Params { image_width: 8192, image_height: 8192, ..preset.params() };
             let estimate = memory_estimate(&large);
             assert_eq!(estimate.check(DEFAULT_BUDGET), Ok(()), "{}", preset.name);

@@ -78,7 +78,7 @@ function listen<K extends keyof RockFieldEventMap>(element: RockFieldElement, ty
 
 listen(field, 'load', () => {
   store.setBackend(field.backend);
-  void loadLater().then(({ keepOffline }) => keepOffline());
+  void import('./offline.ts').then(({ keepOffline }) => keepOffline());
 });
 listen(field, 'generate', ({ detail }) => {
   store.setBackend(field.backend);

@@ -13,7 +13,7 @@ use crate::rocks::{Field, Wear};
 ///
 /// Rocks in layer order, within a layer in the order of the selection; the offsets grow, and every index lies within its
 /// rock's range. The rim is at z = 0, the top where Eqs 2 and 3 put it, normals are unit and the area-weighted means of their
-/// faces, everything is finite. Of worn rocks what is promised of them holds; see [`check_worn`].
+/// faces, everything is finite. Of worn rocks what is promised of them holds (`worn.rs`).
 ///
 /// # Errors
 /// The first violation.

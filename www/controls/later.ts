@@ -7,6 +7,5 @@ export { nextLayer } from './next-layer.ts';
 export { inNotation } from './notation.ts';
 export { randomParams } from './randomise.ts';
 export { statistics } from './statistics.ts';
-export { keepOffline } from '../offline.ts';
 export { japaneseNotice } from '../notices.ja.ts';
 export { errorText, later } from '../strings-later.ts';
