@@ -27,6 +27,7 @@ mod palette;
 mod pipelines;
 mod plan;
 mod scene;
+mod settle;
 mod surface;
 mod uniforms;
 mod upload;

@@ -47,7 +47,7 @@ pub(crate) fn hash(layer: u32, site: u32) -> u32 {
 }
 
 /// A share 0…1 from eight bits of `hash`.
-fn share(hash: u32, shift: u32) -> f32 {
+pub(crate) fn share(hash: u32, shift: u32) -> f32 {
     ((hash >> shift) & 0xff) as f32 / 255.0
 }
 
@@ -79,7 +79,7 @@ pub(crate) fn rock(mode: ColorMode, layer: u32, hash: u32) -> u32 {
             let hue = std::f32::consts::TAU * (hash >> 12 & 0xffff) as f32 / 65536.0;
             pack(oklch(0.62 + 0.14 * share(hash, 0), 0.062, hue))
         }
-        ColorMode::Natural => natural(0, hash),
+        ColorMode::Natural => natural(0, 0, hash),
     }
 }
 
@@ -89,14 +89,14 @@ const LAST_KIND: u32 = 7;
 /// Of 100 stones in a river, how many are of each kind, in the order of the kinds. Chosen by eye.
 const MIXED: [u32; LAST_KIND as usize] = [24, 18, 20, 5, 19, 6, 8];
 
-/// One rock in natural colours: three random bytes, and in the fourth its kind of stone. `material`: 0 mixed, else the
+/// One rock in natural colours: three random bytes, and in the fourth its kind of stone and how far it sinks, 0…31. `material`: 0 mixed, else the
 /// kind itself (1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate); a mix has also 6 quartz and 7 red sandstone.
-pub(crate) fn natural(material: u8, hash: u32) -> u32 {
+pub(crate) fn natural(material: u8, sinks: u32, hash: u32) -> u32 {
     let kind = match u32::from(material) {
         kind @ 1..=5 => kind,
         _ => mixed(hash >> 24),
     };
-    hash & 0x00ff_ffff | kind << 24
+    hash & 0x00ff_ffff | kind << 24 | sinks << 27
 }
 
 fn mixed(byte: u32) -> u32 {

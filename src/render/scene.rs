@@ -5,6 +5,7 @@ use glam::{Mat4, Vec3};
 use super::look::Look;
 use super::maps::{MapSets, Maps};
 use super::palette::{self, ColorMode};
+use super::settle::Stands;
 use super::surface::depth_attachment;
 use super::uniforms::FieldUniforms;
 use super::{Gpu, RenderError, upload};
@@ -43,6 +44,7 @@ pub(crate) struct Scene {
     /// Two vertex numbers per edge; made when the wireframe is first shown.
     edges: Option<wgpu::Buffer>,
     rocks: Rocks,
+    stands: Stands,
     painted: Option<ColorMode>,
     stale: bool,
     /// Under which the uniforms were written.
@@ -94,15 +96,20 @@ impl Scene {
 
         let mut low = Vec3::ZERO;
         let mut high = Vec3::new(image[0], image[1], 1.0);
-        let mut axis = 0;
+        let mut stands = Stands::default();
+        let mut ends = rocks.vertex_starts.iter().skip(1).map(|&end| 3 * end).peekable();
         upload::write::<f32>(&gpu.queue, &positions, 3 * vertex_count, |start, slice| {
             let end = start + slice.len() as u32;
             mesh.positions.subarray(start, end).copy_to(slice);
-            for &value in slice.iter() {
+            for (at, vertex) in (start..).step_by(3).zip(slice.chunks_exact(3)) {
+                let vertex = Vec3::from_slice(vertex);
                 // NaN changes nothing.
-                low[axis] = low[axis].min(value);
-                high[axis] = high[axis].max(value);
-                axis = (axis + 1) % 3;
+                low = vertex.min(low);
+                high = vertex.max(high);
+                stands.add(vertex.to_array());
+                if ends.next_if_eq(&(at + 3)).is_some() {
+                    stands.close();
+                }
             }
         });
         upload_normals(gpu, &normals, vertex_count, mesh.normals);
@@ -142,6 +149,7 @@ impl Scene {
             vertex_count,
             edges: None,
             rocks,
+            stands,
             painted: None,
             stale: false,
             sun: Vec3::ZERO,
@@ -183,7 +191,7 @@ impl Scene {
             self.number = gpu.next_number();
         }
         self.painted = Some(mode);
-        let rocks = &self.rocks;
+        let Self { rocks, stands, image, high, .. } = &*self;
         let mut rock = 0;
         let mut color = 0;
         let mut end = 0;
@@ -194,7 +202,10 @@ impl Scene {
                     let (layer, site) = (id(&rocks.layers), id(&rocks.sites));
                     let hash = palette::hash(layer, site);
                     color = match mode {
-                        ColorMode::Natural => palette::natural(look.material(layer), hash),
+                        ColorMode::Natural => {
+                            let sinks = stands.sinks(rock, *image, high.z, hash);
+                            palette::natural(look.material(layer), sinks, hash)
+                        }
                         _ => palette::rock(mode, layer, hash),
                     };
                     rock += 1;

@@ -71,19 +71,14 @@ fn finish(linear: vec3f, pixel: vec2f) -> vec4f {
   return vec4f(select(encoded, c, target_is_srgb), 1.0);
 }
 
-// Natural colours only: near the image's border the rocks sink into the ground, one more than its neighbour, and the
-// border frays. In every pass that draws rocks alike; `hash` as painted, three random bytes per rock.
-fn settled(position: vec3f, hash: vec4f) -> vec3f {
-  let size = field.size.xy;
-  let inwards = min(position.xy, size - position.xy);
-  let margin = 0.1 * min(size.x, size.y);
-  // Most of them lie farther in.
-  if globals.scene.z < 0.5 || min(inwards.x, inwards.y) > 1.6 * margin {
-    return position;
-  }
-  let at = position.xy / margin;
-  let wave = sin(2.8 * at.x + 2.0) + sin(2.4 * at.y) + sin(4.5 * (at.x + at.y) + 1.0);
-  let depth = min(inwards.x, inwards.y) / margin + 0.12 * wave;
-  let sunk = 1.0 - smoothstep(0.0, 0.8, depth - 0.4 * hash.x);
-  return position - vec3f(0.0, 0.0, 1.05 * sunk * field.size.z);
+// Natural colours only: what is painted of a rock is three random bytes, then its kind in the lower three bits and in the
+// upper five how far it sinks into the ground (settle.rs). In every pass that draws rocks alike.
+fn settled(position: vec3f, painted: vec4f) -> vec3f {
+  let steps = floor((painted.w * 255.0 + 0.5) / 8.0);
+  return position - vec3f(0.0, 0.0, steps / 31.0 * field.size.z * globals.scene.z);
+}
+
+fn kind_of(painted: vec4f) -> f32 {
+  let byte = floor(painted.w * 255.0 + 0.5);
+  return byte - 8.0 * floor(byte / 8.0);
 }

@@ -99,7 +99,7 @@ fn ground_cover(at: vec2f, footprint: f32) {
     scatter(at, 1.3, vec2f(-0.5583, -0.8296), 0.1 + 0.1 * patches, 0.3, footprint);
     scatter(at, 3.7, vec2f(-0.8982, -0.4397), 0.03 + 0.05 * patches, 0.8, footprint);
   } else if ground == 2.0 {
-    cover_albedo *= mix(1.0, 0.85, shown(2.0, footprint));
+    cover_albedo *= mix(0.82, 0.85, shown(2.0, footprint));
     scatter(at, 1.7, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
     scatter(at, 3.1, vec2f(-0.5530, 0.8331), 0.8 + 0.2 * patches, 1.0, footprint);
     if quality > 0.0 {

@@ -16,7 +16,7 @@ fn vs_main(@location(0) position: vec3f, @location(1) color: vec4f, @location(2)
   out.from_eye = settled(position, color) - globals.eye.xyz;
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
   out.inside = out.from_eye;
-  out.own = color;
+  out.own = vec4f(color.xyz, kind_of(color) / 255.0);
   // Octahedral, as scene.rs packs it.
   let z = 1.0 - abs(normal.x) - abs(normal.y);
   let fold = max(-z, 0.0);

@@ -1,0 +1,49 @@
+//! How deep rocks sink near the image's border, in natural colours: it frays, and no square shows.
+
+use super::palette;
+
+/// Steps that a sinking is told in: what is left of a byte beside the kind of stone.
+const STEPS: f32 = 31.0;
+
+/// Where every rock stands and how high it is, found while its vertices pass by.
+#[derive(Default)]
+pub(crate) struct Stands {
+    /// Mean x, mean y, highest z; px.
+    rocks: Vec<[f32; 3]>,
+    sum: [f32; 2],
+    count: f32,
+    top: f32,
+}
+
+impl Stands {
+    /// The next vertex of the rock at hand.
+    pub(crate) fn add(&mut self, [x, y, z]: [f32; 3]) {
+        self.sum = [self.sum[0] + x, self.sum[1] + y];
+        self.count += 1.0;
+        self.top = self.top.max(z);
+    }
+
+    /// The rock at hand is complete.
+    pub(crate) fn close(&mut self) {
+        let [x, y] = self.sum.map(|sum| sum / self.count.max(1.0));
+        self.rocks.push([x, y, self.top]);
+        (self.sum, self.count, self.top) = ([0.0; 2], 0.0, 0.0);
+    }
+
+    /// How far `rock` sinks, in steps of 1/31 of `highest`: more the nearer it is to the border of `image`, one more than its
+    /// neighbour by its `hash`, and along a line that wanders.
+    pub(crate) fn sinks(&self, rock: usize, image: [f32; 2], highest: f32, hash: u32) -> u32 {
+        let Some(&[x, y, top]) = self.rocks.get(rock) else { return 0 };
+        let inwards = x.min(y).min(image[0] - x).min(image[1] - y);
+        let margin = 0.1 * image[0].min(image[1]).max(1.0);
+        let at = [x / margin, y / margin];
+        let wave = (2.8 * at[0] + 2.0).sin() + (2.4 * at[1]).sin() + (4.5 * (at[0] + at[1]) + 1.0).sin();
+        let depth = inwards / margin + 0.12 * wave - 0.4 * palette::share(hash, 0);
+        let t = (depth / 0.8).clamp(0.0, 1.0);
+        let sunk = 1.05 * (1.0 - t * t * (3.0 - 2.0 * t));
+        // A low rock sinks by less than a step, or goes.
+        let steps =
+            (sunk * top / highest * STEPS).round().max(if sunk > 0.5 { (top / highest * STEPS).ceil() } else { 0.0 });
+        steps.clamp(0.0, STEPS) as u32
+    }
+}
