@@ -83,7 +83,7 @@ pub(crate) struct Pipelines {
     pub(crate) ground: wgpu::RenderPipeline,
     /// Outsides, then insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
-    natural: OnceCell<[wgpu::RenderPipeline; 3]>,
+    natural: OnceCell<[wgpu::RenderPipeline; 4]>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     plan: OnceCell<[wgpu::RenderPipeline; 2]>,
 }
@@ -183,8 +183,9 @@ impl Pipelines {
         pipeline(device, layouts, self.kind, pass)
     }
 
-    /// In natural colours: outsides and insides of the rocks, then the ground, pushed back.
-    pub(crate) fn natural(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 3] {
+    /// In natural colours: outsides and insides of the rocks, both at once for half the vertices, and the ground, pushed
+    /// back.
+    pub(crate) fn natural(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 4] {
         self.natural.get_or_init(|| {
             let rock = |sides, depth| Pass {
                 label: "rock-field/natural-rock/pipeline",
@@ -207,7 +208,8 @@ impl Pipelines {
                 depth: Depth::TestBehind,
                 target: Target::View { blend: false },
             };
-            let passes = [rock(Sides::Out, Depth::Test), rock(Sides::In, Depth::TestBehind), ground];
+            let passes =
+                [rock(Sides::Out, Depth::Test), rock(Sides::In, Depth::TestBehind), rock(Sides::Both, Depth::Test), ground];
             passes.map(|pass| self.make(device, pass))
         })
     }

@@ -161,9 +161,13 @@ impl View {
             pass.set_bind_group(1, &scene.field_group, &[]);
             match (self.mode, plan) {
                 (Mode::Rocks, _) if self.is_natural() => {
-                    let [outsides, insides, ground] = gpu.pipelines.natural(&gpu.device);
-                    scene.draw_rocks(&mut pass, outsides);
-                    scene.draw_rocks(&mut pass, insides);
+                    let [outsides, insides, both, ground] = gpu.pipelines.natural(&gpu.device);
+                    if self.quality == Quality::High {
+                        scene.draw_rocks(&mut pass, outsides);
+                        scene.draw_rocks(&mut pass, insides);
+                    } else {
+                        scene.draw_rocks(&mut pass, both);
+                    }
                     // The backdrop, and the ground; last, so that only what shows of it is drawn.
                     pass.set_pipeline(ground);
                     pass.draw(0..6, 0..1);

@@ -77,9 +77,13 @@ fn settled(position: vec3f, hash: vec4f) -> vec3f {
   let size = field.size.xy;
   let inwards = min(position.xy, size - position.xy);
   let margin = 0.1 * min(size.x, size.y);
+  // Most of them lie farther in.
+  if globals.scene.z < 0.5 || min(inwards.x, inwards.y) > 1.6 * margin {
+    return position;
+  }
   let at = position.xy / margin;
   let wave = sin(2.8 * at.x + 2.0) + sin(2.4 * at.y) + sin(4.5 * (at.x + at.y) + 1.0);
   let depth = min(inwards.x, inwards.y) / margin + 0.12 * wave;
   let sunk = 1.0 - smoothstep(0.0, 0.8, depth - 0.4 * hash.x);
-  return position - vec3f(0.0, 0.0, 1.05 * sunk * field.size.z * globals.scene.z);
+  return position - vec3f(0.0, 0.0, 1.05 * sunk * field.size.z);
 }

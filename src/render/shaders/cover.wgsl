@@ -19,55 +19,59 @@ fn soil_albedo(ground: f32) -> vec3f {
   return mix(mixed, 0.75 * kind_albedo(debris), select(share, 0.0, debris < 0.5));
 }
 
-// Stones of about half a `period`, one per cell of a jittered and turned grid; `here` the share of cells that have one.
-// `own` 1: coloured as river stones, 0: as the ground.
-fn scatter(at: vec2f, period: f32, here: f32, own: f32, footprint: f32) {
+// Stones of about half a `period`, one per cell of a jittered grid, turned by `axis` so that no two sizes' grids agree.
+// `here` the share of cells that have one; `own` 1: coloured as river stones, 0: as the ground.
+fn scatter(at: vec2f, period: f32, axis: vec2f, here: f32, own: f32, footprint: f32) {
   let seen = shown(period * 0.75, footprint);
   if seen <= 0.0 {
     return;
   }
-  // A turn by a different angle for every size, so that no two grids agree.
-  let angle = 1.0 + period * 2.4;
-  let turned = vec2f(at.x * cos(angle) - at.y * sin(angle), at.x * sin(angle) + at.y * cos(angle));
-  let q = turned / period;
-  let base = vec2i(floor(q - 0.5));
+  let q = vec2f(dot(at, axis), dot(at, vec2f(-axis.y, axis.x))) / period;
   let sun = field.sun.xy / max(field.sun.z, 0.3) * 0.2;
-  let shift = clamp(vec2f(sun.x * cos(angle) - sun.y * sin(angle), sun.x * sin(angle) + sun.y * cos(angle)), vec2f(-0.3), vec2f(0.3));
+  let shift = clamp(vec2f(dot(sun, axis), dot(sun, vec2f(-axis.y, axis.x))), vec2f(-0.3), vec2f(0.3));
+  let base = vec2i(floor(q - 0.5));
+  var found = vec4f(0.0);
+  var lean = vec2f(0.0);
+  var dome = 0.0;
   for (var i = 0; i < 4; i++) {
     let cell = base + vec2i(i & 1, i >> 1u);
     let h = hash3(vec3i(cell, i32(period * 64.0)));
     let r = bytes(h);
     let s = bytes(scramble(h + 1u));
-    let away = q - (vec2f(cell) + 0.27 + 0.46 * r.xy);
     // An ellipse, bent a little off its shape.
-    let turn = vec2f(cos(r.z * 6.283), sin(r.z * 6.283));
-    let local = vec2f(dot(away, turn), dot(away, vec2f(-turn.y, turn.x)) * (1.1 + 0.6 * r.w));
+    let turn = normalize(r.zw - 0.5013);
+    let wide = vec2f(-turn.y, turn.x) * (1.1 + 0.6 * s.x);
     let radius = 0.32 + 0.26 * s.w;
-    let bend = 1.0 + 0.16 * sin(3.0 * atan2(local.y, local.x) + 6.283 * s.x);
-    let d2 = dot(local, local) / (radius * radius) * bend;
-    let high_side = period * radius * (0.5 + 0.25 * s.z);
+    let away = q - (vec2f(cell) + 0.27 + 0.46 * r.xy);
+    let local = vec2f(dot(away, turn), dot(away, wide)) / radius;
+    let round = dot(local, local);
+    let bend = 0.4 * (s.x - 0.3) * local.x * (local.x * local.x - 3.0 * local.y * local.y) / (round + 0.1);
+    let d2 = round + bend * min(round, 1.0);
     // The shadow: the same outline, moved away from the sun.
-    let moved = vec2f(dot(away + shift, turn), dot(away + shift, vec2f(-turn.y, turn.x)) * (1.1 + 0.6 * r.w));
-    if s.y < here && dot(moved, moved) < radius * radius {
-      cover_shade = max(cover_shade, high_side * seen);
+    let moved = vec2f(dot(away + shift, turn), dot(away + shift, wide)) / radius;
+    let tall = period * radius;
+    if s.y < here && dot(moved, moved) < 1.0 {
+      cover_shade = max(cover_shade, tall * (0.5 + 0.25 * s.z) * seen);
     }
-    if d2 < 1.0 && s.y < here {
-      let dome = sqrt(1.0 - d2);
-      let high = period * radius * (0.55 * dome + 0.25 * s.z);
-      if high > cover_top {
-        cover_top = high;
-        let lean = local / (radius * max(dome, 0.35)) * 0.75;
-        let bent = vec2f(dot(lean, vec2f(turn.x, -turn.y)), dot(lean, vec2f(turn.y, turn.x)));
-        // Back to the world's axes.
-        let back = vec2f(bent.x * cos(angle) + bent.y * sin(angle), -bent.x * sin(angle) + bent.y * cos(angle));
-        cover_slope = mix(cover_slope, -back, seen);
-        let kind = debris_kind(fract(s.x * 3.7 + s.z));
-        let albedo = mix(soil_albedo(globals.scene.x) * (0.75 + 0.6 * s.x), individual(kind_albedo(kind), s.xzw), own);
-        cover_albedo = mix(cover_albedo, albedo, seen);
-        cover_open = mix(cover_open, smoothstep(0.0, 0.75, dome), seen);
-      }
+    let rise = sqrt(max(1.0 - d2, 0.0));
+    let high = tall * (0.55 * rise + 0.25 * s.z);
+    if s.y < here && d2 < 1.0 && high > cover_top {
+      cover_top = high;
+      dome = rise;
+      found = s;
+      lean = local.x * turn + local.y * vec2f(-turn.y, turn.x);
     }
   }
+  if dome <= 0.0 {
+    return;
+  }
+  // Back to the world's axes.
+  let slope = -0.75 / max(dome, 0.35) * (lean.x * axis + lean.y * vec2f(-axis.y, axis.x));
+  let kind = debris_kind(fract(found.x * 3.7 + found.z));
+  let crumb = soil_albedo(globals.scene.x) * (0.75 + 0.6 * found.x);
+  cover_slope = mix(cover_slope, slope, seen);
+  cover_albedo = mix(cover_albedo, mix(crumb, individual(kind_albedo(kind), found.xzw), own), seen);
+  cover_open = mix(cover_open, smoothstep(0.0, 0.75, dome), seen);
 }
 
 // The bare ground at a point of z = 0.
@@ -92,25 +96,34 @@ fn ground_cover(at: vec2f, footprint: f32) {
     cover_albedo *= 1.0 + 0.05 * sin(phase) * strength;
     cover_slope += ACROSS * 0.24 * cos(phase) * strength;
     cover_open = 1.0;
-    scatter(at, 1.3, 0.1 + 0.1 * patches, 0.3, footprint);
-    scatter(at, 3.7, 0.03 + 0.05 * patches, 0.8, footprint);
+    scatter(at, 1.3, vec2f(-0.5583, -0.8296), 0.1 + 0.1 * patches, 0.3, footprint);
+    scatter(at, 3.7, vec2f(-0.8982, -0.4397), 0.03 + 0.05 * patches, 0.8, footprint);
   } else if ground == 2.0 {
     cover_albedo *= mix(1.0, 0.85, shown(2.0, footprint));
-    scatter(at, 1.7, 0.95, 1.0, footprint);
-    scatter(at, 3.1, 0.8 + 0.2 * patches, 1.0, footprint);
+    scatter(at, 1.7, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
+    scatter(at, 3.1, vec2f(-0.5530, 0.8331), 0.8 + 0.2 * patches, 1.0, footprint);
     if quality > 0.0 {
-      scatter(at, 5.2, 0.5 + 0.3 * patches, 1.0, footprint);
-      scatter(at, 8.3, 0.22 + 0.2 * patches, 1.0, footprint);
+      scatter(at, 5.2, vec2f(0.6109, 0.7917), 0.5 + 0.3 * patches, 1.0, footprint);
+      scatter(at, 8.3, vec2f(-0.4791, 0.8778), 0.22 + 0.2 * patches, 1.0, footprint);
     }
   } else {
     cover_albedo *= mix(1.0, 0.8, shown(1.2, footprint));
-    scatter(at, 1.2, 0.8, 0.0, footprint);
-    scatter(at, 2.3, 0.55 + 0.2 * patches, 0.06, footprint);
+    scatter(at, 1.2, vec2f(-0.7395, -0.6731), 0.8, 0.0, footprint);
+    scatter(at, 2.3, vec2f(0.9721, 0.2346), 0.55 + 0.2 * patches, 0.06, footprint);
     if quality > 0.0 {
-      scatter(at, 4.6, 0.2 + 0.15 * patches, 0.5, footprint);
-      scatter(at, 7.7, 0.06, 1.0, footprint);
+      scatter(at, 4.6, vec2f(0.8646, -0.5024), 0.2 + 0.15 * patches, 0.5, footprint);
+      scatter(at, 7.7, vec2f(0.8078, 0.5895), 0.06, 1.0, footprint);
     }
   }
+}
+
+// How wet it is, 0…1: in patches that grow together.
+fn wet_cover(at: vec2f) -> f32 {
+  let wetness = globals.weather.y;
+  if wetness <= 0.0 {
+    return 0.0;
+  }
+  return wetness * smoothstep(-0.5, 0.4, noise2(at / 37.0) + wetness);
 }
 
 // How thick moss lies, 0…1: in patches of the world, more where it is low and faces up. `upward` 0…1, `height` px.

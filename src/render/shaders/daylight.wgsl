@@ -12,7 +12,10 @@
 // What `sky_seen` found: towards the open sky, not of length 1.
 var<private> open_towards: vec3f;
 
-const TURN = 2.39996;
+// By the golden angle: the next step of a spiral.
+fn turned(way: vec2f) -> vec2f {
+  return vec2f(way.x * -0.7373688 - way.y * 0.6754902, way.x * 0.6754902 + way.y * -0.7373688);
+}
 
 fn height_at(at: vec2f) -> f32 {
   let uv = (at - field.map.xy) * field.map.zw;
@@ -23,24 +26,25 @@ fn height_at(at: vec2f) -> f32 {
 // How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks. The inner turns find the
 // neighbour it touches, the outer ones the boulder beside it. `face` is the surface without its relief.
 fn sky_seen(world: vec3f, face: vec3f, pixel: vec2f) -> f32 {
-  let taps = select(select(16, 10, globals.scene.y < 1.5), 6, globals.scene.y < 0.5);
+  let taps = select(select(16, 10, globals.scene.y < 1.5), 5, globals.scene.y < 0.5);
   let texel = field.ground.y;
   let start = dither(pixel) * 1.2;
   let reach = max(30.0, 3.0 * texel);
   var blocked = 0.0;
   var lost = vec2f(0.0);
+  var way = vec2f(cos(start), sin(start));
   for (var i = 0; i < taps; i++) {
     let share = (f32(i) + 0.5) / f32(taps);
     let radius = max(reach * share * share, 1.2 * texel);
-    let angle = f32(i) * TURN + start;
-    let away = vec2f(cos(angle), sin(angle)) * radius;
+    let away = way * radius;
+    way = turned(way);
     let rise = height_at(world.xy + away) - world.z;
     // What the face itself would hide; of a wall, all that stands behind it, or every boulder's foot would be black.
     let own = clamp(-dot(face.xy, away) / max(face.z, 0.04), -radius, 25.0 * radius);
     let above = max(rise - max(own, 0.0) - 0.25, 0.0);
     let sine = above * inverseSqrt(above * above + radius * radius);
     blocked += sine;
-    lost += away / radius * sine;
+    lost += away * (sine / radius);
   }
   open_towards = vec3f(-lost / f32(taps) * 2.0, 1.0);
   return 1.0 - blocked / f32(taps);
@@ -77,9 +81,11 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
   if quality > 1.5 {
     var found = 0.0;
     var sum = 0.0;
+    var way = vec2f(1.0, 0.0);
     for (var i = 0; i < 9; i++) {
       let radius = (most + 2.0 * texel * side) * sqrt(f32(i) / 9.0);
-      let away = vec2f(cos(f32(i) * TURN), sin(f32(i) * TURN)) * radius * wide;
+      let away = way * radius * wide;
+      way = turned(way);
       let there = textureSampleLevel(shadow_depths, depth_sampler, uv + away, 0.0).r;
       let before = select(0.0, 1.0, there < depth);
       found += before;
@@ -92,9 +98,11 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
   }
   let taps = select(8, 16, quality > 1.5);
   var lit = 0.0;
+  var way = vec2f(1.0, 0.0);
   for (var i = 0; i < taps; i++) {
     let radius = soft * sqrt((f32(i) + 0.5) / f32(taps));
-    let away = vec2f(cos(f32(i) * TURN), sin(f32(i) * TURN)) * radius * wide;
+    let away = way * radius * wide;
+    way = turned(way);
     lit += textureSampleCompareLevel(shadow_map, shadow_sampler, uv + away, depth);
   }
   return lit / f32(taps);
@@ -105,7 +113,8 @@ fn glint(n_h: f32, n_v: f32, n_l: f32, v_h: f32, rough: f32) -> f32 {
   let a = rough * rough;
   let d = n_h * n_h * (a * a - 1.0) + 1.0;
   let masking = 0.5 / mix(2.0 * n_l * n_v, n_l + n_v, a);
-  let fresnel = 0.04 + 0.96 * pow(1.0 - v_h, 5.0);
+  let grazing = (1.0 - v_h) * (1.0 - v_h);
+  let fresnel = 0.04 + 0.96 * grazing * grazing * (1.0 - v_h);
   return a * a / (3.14159 * d * d) * masking * fresnel * n_l;
 }
 

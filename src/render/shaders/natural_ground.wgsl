@@ -44,7 +44,7 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   var slope = vec3f(cover_slope, 0.0);
   // Between and under the rocks it stays damp and collects what is fine.
   let damp = 1.0 - smoothstep(0.35, 0.95, seen);
-  let wet = max(0.35 * damp, globals.weather.y * smoothstep(-0.6, 0.4, noise2(world.xy / 37.0) + globals.weather.y));
+  let wet = max(0.35 * damp, wet_cover(world.xy));
   var rough = mix(0.92, 0.4, globals.weather.y * wet);
   let moss = moss_cover(world, 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3);
   if moss > 0.0 {

@@ -67,7 +67,10 @@ fn fs_main(
 
   // Dust and splashed soil: near the ground, and where it can lie.
   let dust = globals.weather.w;
-  let loose = noise2(world.xy / 6.3) * 0.5 + noise2(world.yz / 2.7 + 5.0) * 0.35 * shown(2.7, footprint);
+  var loose = 0.0;
+  if globals.scene.y > 0.0 {
+    loose = noise2(world.xy / 6.3) * 0.5 + noise2(world.yz / 2.7 + 5.0) * 0.35 * shown(2.7, footprint);
+  }
   let low = exp(-max(world.z, 0.0) / (2.0 + 0.1 * field.size.z)) * 1.1;
   let lies = smoothstep(0.45, 1.0, relief.z) * 0.55 + low;
   let dusty = dust * smoothstep(0.25, 1.0, lies + 0.5 * loose + 0.4 * dust - 0.2 * wear);
@@ -82,7 +85,7 @@ fn fs_main(
   }
 
   // Water fills the pores: darker, more saturated, and it shines.
-  let wet = globals.weather.y * smoothstep(-0.5, 0.4, noise2(world.xy / 37.0) + globals.weather.y) * (1.0 - 0.5 * moss);
+  let wet = wet_cover(world.xy) * (1.0 - 0.5 * moss);
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   rough = mix(rough, 0.22, wet);
   bent = normalize(mix(bent, base, 0.6 * wet));
@@ -91,7 +94,8 @@ fn fs_main(
   let towards = normalize(bent + to_eye * max(0.0, 0.02 - dot(bent, to_eye)));
   // What turns faster than the pixels can show scatters (Kaplanyan et al., Filtering distributions of normals, 2016).
   let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)) * agree, 0.18);
-  rough = sqrt(sqrt(min(pow(rough, 4.0) + spread, 1.0)));
+  let square = rough * rough;
+  rough = sqrt(sqrt(min(square * square + spread, 1.0)));
   let light = daylight(albedo, rough, world, base, towards, to_eye, seen);
   return developed(light, far, pixel.xy);
 }

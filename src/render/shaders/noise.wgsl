@@ -16,8 +16,8 @@ fn bytes(h: u32) -> vec4f {
   return vec4f(vec4u(h, h >> 8u, h >> 16u, h >> 24u) & vec4u(255u)) / 255.0;
 }
 
-fn corner(cell: vec3i, away: vec3f) -> vec4f {
-  let slope = bytes(hash3(cell)).xyz * 2.0 - 1.0;
+fn corner(bits: u32, away: vec3f) -> vec4f {
+  let slope = bytes(scramble(bits)).xyz * 2.0 - 1.0;
   return vec4f(slope, dot(slope, away));
 }
 
@@ -25,27 +25,32 @@ fn corner(cell: vec3i, away: vec3f) -> vec4f {
 fn noise3(at: vec3f) -> vec4f {
   let floored = floor(at);
   let f = at - floored;
-  let c = vec3i(floored);
+  let x0 = u32(i32(floored.x)) * 0x9e3779b9u;
+  let y0 = u32(i32(floored.y)) * 0x85ebca6bu;
+  let z0 = u32(i32(floored.z)) * 0xc2b2ae35u;
+  let x1 = x0 + 0x9e3779b9u;
+  let y1 = y0 + 0x85ebca6bu;
+  let z1 = z0 + 0xc2b2ae35u;
   let u = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
   let du = 30.0 * f * f * (f * (f - 2.0) + 1.0);
-  let v000 = corner(c, f);
-  let v100 = corner(c + vec3i(1, 0, 0), f - vec3f(1.0, 0.0, 0.0));
-  let v010 = corner(c + vec3i(0, 1, 0), f - vec3f(0.0, 1.0, 0.0));
-  let v110 = corner(c + vec3i(1, 1, 0), f - vec3f(1.0, 1.0, 0.0));
-  let v001 = corner(c + vec3i(0, 0, 1), f - vec3f(0.0, 0.0, 1.0));
-  let v101 = corner(c + vec3i(1, 0, 1), f - vec3f(1.0, 0.0, 1.0));
-  let v011 = corner(c + vec3i(0, 1, 1), f - vec3f(0.0, 1.0, 1.0));
-  let v111 = corner(c + vec3i(1, 1, 1), f - vec3f(1.0, 1.0, 1.0));
+  let v000 = corner(x0 ^ y0 ^ z0, f);
+  let v100 = corner(x1 ^ y0 ^ z0, f - vec3f(1.0, 0.0, 0.0));
+  let v010 = corner(x0 ^ y1 ^ z0, f - vec3f(0.0, 1.0, 0.0));
+  let v110 = corner(x1 ^ y1 ^ z0, f - vec3f(1.0, 1.0, 0.0));
+  let v001 = corner(x0 ^ y0 ^ z1, f - vec3f(0.0, 0.0, 1.0));
+  let v101 = corner(x1 ^ y0 ^ z1, f - vec3f(1.0, 0.0, 1.0));
+  let v011 = corner(x0 ^ y1 ^ z1, f - vec3f(0.0, 1.0, 1.0));
+  let v111 = corner(x1 ^ y1 ^ z1, f - vec3f(1.0, 1.0, 1.0));
   let x00 = mix(v000, v100, u.x);
   let x10 = mix(v010, v110, u.x);
   let x01 = mix(v001, v101, u.x);
   let x11 = mix(v011, v111, u.x);
-  let y0 = mix(x00, x10, u.y);
-  let y1 = mix(x01, x11, u.y);
+  let near = mix(x00, x10, u.y);
+  let far = mix(x01, x11, u.y);
   let dx = mix(mix(v100.w - v000.w, v110.w - v010.w, u.y), mix(v101.w - v001.w, v111.w - v011.w, u.y), u.z);
   let dy = mix(x10.w - x00.w, x11.w - x01.w, u.z);
-  let whole = mix(y0, y1, u.z);
-  return whole + vec4f(du * vec3f(dx, dy, y1.w - y0.w), 0.0);
+  let whole = mix(near, far, u.z);
+  return whole + vec4f(du * vec3f(dx, dy, far.w - near.w), 0.0);
 }
 
 // The cell of a jittered grid that `at` lies in: x the distance to its middle, y, z, w three numbers of its own.
@@ -65,14 +70,20 @@ fn grains(at: vec3f) -> vec4f {
   return vec4f(sqrt(nearest.x), nearest.yzw);
 }
 
+fn corner2(bits: u32) -> f32 {
+  return f32(scramble(bits) >> 8u) / 8388608.0 - 1.0;
+}
+
+// Value noise, -1…1.
 fn noise2(at: vec2f) -> f32 {
   let floored = floor(at);
   let f = at - floored;
   let u = f * f * (3.0 - 2.0 * f);
-  let c = vec3i(vec2i(floored), 7);
-  let low = mix(bytes(hash3(c)).x, bytes(hash3(c + vec3i(1, 0, 0))).x, u.x);
-  let high = mix(bytes(hash3(c + vec3i(0, 1, 0))).x, bytes(hash3(c + vec3i(1, 1, 0))).x, u.x);
-  return mix(low, high, u.y) * 2.0 - 1.0;
+  let x = u32(i32(floored.x)) * 0x9e3779b9u;
+  let y = u32(i32(floored.y)) * 0x85ebca6bu;
+  let low = mix(corner2(x ^ y), corner2((x + 0x9e3779b9u) ^ y), u.x);
+  let high = mix(corner2(x ^ (y + 0x85ebca6bu)), corner2((x + 0x9e3779b9u) ^ (y + 0x85ebca6bu)), u.x);
+  return mix(low, high, u.y);
 }
 
 // How much of a pattern of this period is shown: none of it where it would be finer than the pixels, and shimmer.

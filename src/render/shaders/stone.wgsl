@@ -62,7 +62,7 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let rugged = 0.3 + 0.9 * smoothstep(-0.3, 0.4, broad.w + 0.6 * (own.y - 0.5));
   let mid_seen = shown(5.0, footprint);
   var mid = vec4f(0.0);
-  if mid_seen > 0.0 {
+  if quality > 0.0 && mid_seen > 0.0 {
     mid = noise3(at / 5.0 + 17.0) * mid_seen;
     value += 0.26 * mid.w;
     warm += 0.03 * mid.x;
