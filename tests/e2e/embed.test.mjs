@@ -72,6 +72,8 @@ test('what a framework assigns: text is the attribute, nothing takes it away, an
     b.preset = 'journal-fig1';
     document.body.append(b);
     await b.getField();
+    // The renderer may come later than the field.
+    while (!b.backend) await new Promise((resolve) => setTimeout(resolve, 5));
     const first = [b.seed, b.packing, radii(b), b.taperRock, b.imageWidth, b.getAttribute('packing'), b.getAttribute('preset'), b.hasAttribute('disabled'), b.hasAttribute('auto-rotate'), b.backend];
     b.preset = 'journal-fig11a';
     const moved = [b.seed, b.packing, radii(b), b.imageWidth];
@@ -219,9 +221,12 @@ test('shareURL shows the same field elsewhere; undo and redo go back and forth; 
 test('what it shows is said to those who cannot see it, in the language of the page', async () => {
   for (const [lang, label, sentence] of [['en', 'Field of rocks', /^\d+ rocks in three sizes, largest [\d.]+ c?m, \d+% covered$/], ['ja', '岩の地面', /^3種類の大きさの岩\d+個、最大[\d.]+ c?m、被覆率\d+%$/]]) {
     const { page, close } = await open(`<rock-field ${SMALL} radius="60 20 8"></rock-field>`, { lang });
-    const said = await page.evaluate(() => {
+    const said = await page.evaluate(async () => {
       const stage = a.shadowRoot.querySelector('[role=application]');
-      return [stage.getAttribute('aria-label'), a.shadowRoot.getElementById(stage.getAttribute('aria-describedby')).textContent];
+      const description = a.shadowRoot.getElementById(stage.getAttribute('aria-describedby'));
+      // The words come after the picture.
+      while (!description.textContent) await new Promise((resolve) => setTimeout(resolve, 5));
+      return [stage.getAttribute('aria-label'), description.textContent];
     });
     assert.equal(said[0], label);
     assert.match(said[1], sentence);
