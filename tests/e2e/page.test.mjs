@@ -369,7 +369,7 @@ test('layers are added, duplicated, removed; a count takes the place of an area'
   await page.getByRole('button', { name: 'Duplicate layer 1' }).click();
   assert.equal((await params(page)).layers.length, 4);
   for (let k = 0; k < 4; k += 1) await page.getByRole('button', { name: 'Add layer' }).click();
-  assert.ok(await page.getByRole('button', { name: 'Add layer' }).isDisabled());
+  await page.getByRole('button', { name: 'Add layer', disabled: true }).waitFor();
   for (let k = 0; k < 8; k += 1) await page.getByRole('button', { name: 'Remove layer 1' }).click();
   await address(page, /&r=$/);
   assert.equal((await stats(page)).rocks, 0);
@@ -380,10 +380,14 @@ test('another notation, the same rocks', async () => {
   const opened = await open('#w=512&h=512');
   const { page } = opened;
   const before = await hash(page);
+  // What converts the lengths is fetched when it is first needed.
+  const taken = (notation) => page.waitForFunction((wanted) => document.querySelector('rock-field').params.notation === wanted, notation);
   await page.locator('[data-param="u"] input[value="relative"]').check();
+  await taken('relative');
   assert.equal((await params(page)).layers[0].radius, 90 / 5.12);
   assert.equal(await hash(page), before);
   await page.locator('[data-param="u"] input[value="px"]').check();
+  await taken('px');
   assert.equal(await hash(page), before);
   await closeClean(opened);
 });
