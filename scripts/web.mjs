@@ -59,6 +59,7 @@ export async function buildWeb() {
     const meta = relativeTo(staging, merged(browser.metafile, panel.metafile));
     writeFileSync(metafile, JSON.stringify(meta));
     await finish(staging, meta);
+    writeFileSync(path.join(staging, '.npmignore'), pageAlone(meta).map((name) => `/${name}*\n`).join(''));
     swapIn(staging);
   });
 }
@@ -110,6 +111,14 @@ export function scriptsOf(meta, entry, { dynamic = false } = {}) {
     }
   }
   return [...found].map((name) => name.slice('dist/'.length));
+}
+
+/** Chunks that no entry of the package asks for: `files` in package.json cannot tell them from the others. */
+function pageAlone(meta) {
+  const entries = [...BROWSER_ENTRIES.filter((file) => file.endsWith('.ts') && file !== 'www/main.ts'), PANEL];
+  const asked = entries.flatMap((file) => scriptsOf(meta, `${path.basename(file, '.ts')}.js`, { dynamic: true }));
+  const chunks = Object.keys(meta.outputs).map((name) => path.basename(name)).filter((name) => name.startsWith('chunk-') && name.endsWith('.js'));
+  return chunks.filter((name) => !asked.includes(name));
 }
 
 function isRendererGlue(meta, name) {
