@@ -5,7 +5,7 @@
  */
 
 import type { Field } from '../field.ts';
-import type { Ground, Material } from '../params.ts';
+import type { Layer, PARAMS, Params, ParamSpec } from '../params.ts';
 
 /** `3d` and `wireframe` are seen through the camera; `diagrams` and `selection` are plans, north (+y) up. */
 export type View = '3d' | 'wireframe' | 'diagrams' | 'selection';
@@ -39,16 +39,9 @@ export interface SceneStyle {
 }
 
 /** What natural colours show beyond the mesh; the sun shines in all colours. As the parameters of the same names. */
-export interface Look {
-  variation: number;
-  wetness: number;
-  moss: number;
-  dust: number;
-  ground: Ground;
-  sunAzimuth: number;
-  sunElevation: number;
-  layers: readonly { id: number; material: Material }[];
-}
+export type Look = Pick<Params, LookKey<'field'>> & { layers: readonly ({ id: number } & Pick<Layer, LookKey<'layer'>>)[] };
+
+type LookKey<S extends ParamSpec['scope']> = Extract<(typeof PARAMS)[number], { stage: 'look'; scope: S }>['key'];
 
 export interface SceneRenderer {
   readonly backend: Backend;
