@@ -34,16 +34,20 @@ impl Stands {
     /// neighbour by its `hash`, and along a line that wanders.
     pub(crate) fn sinks(&self, rock: usize, image: [f32; 2], highest: f32, hash: u32) -> u32 {
         let Some(&[x, y, top]) = self.rocks.get(rock) else { return 0 };
-        let inwards = x.min(y).min(image[0] - x).min(image[1] - y);
-        let margin = 0.1 * image[0].min(image[1]).max(1.0);
+        let side = image[0].min(image[1]).max(1.0);
+        // To the border of the image with its corners rounded off.
+        let corner = 0.35 * side;
+        let beyond = |at: f32, size: f32| (corner - at.min(size - at)).max(0.0);
+        let inwards = corner - beyond(x, image[0]).hypot(beyond(y, image[1]));
+        let margin = 0.1 * side;
         let at = [x / margin, y / margin];
-        let wave = (2.8 * at[0] + 2.0).sin() + (2.4 * at[1]).sin() + (4.5 * (at[0] + at[1]) + 1.0).sin();
-        let depth = inwards / margin + 0.12 * wave - 0.4 * palette::share(hash, 0);
+        let broad = (0.9 * at[0] + 1.1 * at[1] + 2.0).sin() + (1.3 * at[0] - 0.8 * at[1]).sin();
+        let fine = (2.8 * at[0] + 2.0).sin() + (2.4 * at[1]).sin() + (4.5 * (at[0] + at[1]) + 1.0).sin();
+        let depth = inwards / margin - 0.2 + 0.3 * broad + 0.12 * fine - 0.5 * palette::share(hash, 0);
         let t = (depth / 0.8).clamp(0.0, 1.0);
         let sunk = 1.05 * (1.0 - t * t * (3.0 - 2.0 * t));
-        // A low rock sinks by less than a step, or goes.
-        let steps =
-            (sunk * top / highest * STEPS).round().max(if sunk > 0.5 { (top / highest * STEPS).ceil() } else { 0.0 });
+        // What would be hidden goes as deep as it can: from afar, depths are told apart no better than by a pixel.
+        let steps = if sunk > 0.9 { STEPS } else { (sunk * top / highest * STEPS).round() };
         steps.clamp(0.0, STEPS) as u32
     }
 }

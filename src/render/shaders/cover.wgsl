@@ -100,18 +100,21 @@ fn ground_cover(at: vec2f, footprint: f32) {
     scatter(at, 3.7, vec2f(-0.8982, -0.4397), 0.03 + 0.05 * patches, 0.8, footprint);
   } else if ground == 2.0 {
     cover_albedo *= mix(0.82, 0.85, shown(2.0, footprint));
-    scatter(at, 1.7, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
-    scatter(at, 3.1, vec2f(-0.5530, 0.8331), 0.8 + 0.2 * patches, 1.0, footprint);
+    // The large ones at every level: they are what goes on beyond the field's border.
     if quality > 0.0 {
-      scatter(at, 5.2, vec2f(0.6109, 0.7917), 0.5 + 0.3 * patches, 1.0, footprint);
-      scatter(at, 8.3, vec2f(-0.4791, 0.8778), 0.22 + 0.2 * patches, 1.0, footprint);
+      scatter(at, 1.7, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
     }
+    scatter(at, 3.1, vec2f(-0.5530, 0.8331), 0.8 + 0.2 * patches, 1.0, footprint);
+    scatter(at, 5.2, vec2f(0.6109, 0.7917), 0.5 + 0.3 * patches, 1.0, footprint);
+    scatter(at, 8.3, vec2f(-0.4791, 0.8778), 0.22 + 0.2 * patches, 1.0, footprint);
   } else {
     cover_albedo *= mix(1.0, 0.8, shown(1.2, footprint));
-    scatter(at, 1.2, vec2f(-0.7395, -0.6731), 0.8, 0.0, footprint);
-    scatter(at, 2.3, vec2f(0.9721, 0.2346), 0.55 + 0.2 * patches, 0.06, footprint);
     if quality > 0.0 {
-      scatter(at, 4.6, vec2f(0.8646, -0.5024), 0.2 + 0.15 * patches, 0.5, footprint);
+      scatter(at, 1.2, vec2f(-0.7395, -0.6731), 0.8, 0.0, footprint);
+    }
+    scatter(at, 2.3, vec2f(0.9721, 0.2346), 0.55 + 0.2 * patches, 0.06, footprint);
+    scatter(at, 4.6, vec2f(0.8646, -0.5024), 0.2 + 0.15 * patches, 0.5, footprint);
+    if quality > 0.0 {
       scatter(at, 7.7, vec2f(0.8078, 0.5895), 0.06, 1.0, footprint);
     }
   }

@@ -34,8 +34,10 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   let world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);
   let far = steps * length(ray);
   let to_eye = -ray / length(ray);
-  // px of the world under a pixel, between the longer and the shorter side of what it covers
-  let footprint = 2.0 * steps * length(globals.ray_up.xyz) / viewport.y / sqrt(max(to_eye.z, 0.02));
+  // px of the world under a pixel, nearer to the longer side of what it covers than to the shorter: flat pebbles would break
+  // into dashes towards the horizon.
+  let across = 2.0 * steps * length(globals.ray_up.xyz) / viewport.y;
+  let footprint = across * pow(max(to_eye.z, 0.02), -0.75);
 
   ground_cover(world.xy, footprint);
   let up = vec3f(0.0, 0.0, 1.0);

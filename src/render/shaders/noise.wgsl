@@ -53,21 +53,30 @@ fn noise3(at: vec3f) -> vec4f {
   return whole + vec4f(du * vec3f(dx, dy, far.w - near.w), 0.0);
 }
 
-// The cell of a jittered grid that `at` lies in: x the distance to its middle, y, z, w three numbers of its own.
-// Eight candidates are enough for a jitter of a quarter.
-fn grains(at: vec3f) -> vec4f {
+// The cell of a jittered grid that `at` lies in: x the distance to its middle, y, z, w three numbers of its own, which run
+// into the next cell's within `blur` of the edge. Eight candidates are enough for a jitter of a quarter.
+fn grains(at: vec3f, blur: f32) -> vec4f {
   let base = vec3i(floor(at - 0.5));
-  var nearest = vec4f(9.0, 0.0, 0.0, 0.0);
+  var first = vec2f(9.0);
+  var nearest = 0u;
+  var next = 0u;
   for (var i = 0; i < 8; i++) {
     let cell = base + vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
     let h = hash3(cell);
     let away = vec3f(cell) + 0.25 + 0.5 * bytes(h).xyz - at;
     let far = dot(away, away);
-    if far < nearest.x {
-      nearest = vec4f(far, bytes(scramble(h)).xyz);
+    if far < first.x {
+      first = vec2f(far, first.x);
+      next = nearest;
+      nearest = h;
+    } else if far < first.y {
+      first.y = far;
+      next = h;
     }
   }
-  return vec4f(sqrt(nearest.x), nearest.yzw);
+  let reach = sqrt(first);
+  let inside = 0.5 + 0.5 * min((reach.y - reach.x) / blur, 1.0);
+  return vec4f(reach.x, mix(bytes(scramble(next)).xyz, bytes(scramble(nearest)).xyz, inside));
 }
 
 fn corner2(bits: u32) -> f32 {

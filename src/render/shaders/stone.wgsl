@@ -88,16 +88,15 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let bed = normalize(vec3f(tilt, 1.0));
   let along = dot(at, bed);
   if kind == 1.0 {
-    // Dark mica and pale feldspar in grey quartz.
-    let grain = 0.8 * coarse;
+    // Interlocking grains: dark mica, pale feldspar, grey quartz between them.
+    let grain = 0.5 * coarse;
     let seen = shown(grain, footprint) * min(quality, 1.0);
     if seen > 0.0 {
-      let dark = noise3(at / grain + 3.0);
-      let light = noise3(at / (1.7 * grain) + 11.0);
-      let mica = smoothstep(0.14, 0.26, dark.w + 0.1 * light.w);
-      let feldspar = smoothstep(0.02, 0.2, light.w);
-      value += seen * (mix(0.3 * feldspar - 0.05, -0.6, mica) + 0.1);
-      warm += seen * 0.1 * feldspar * (1.0 - mica);
+      let cell = grains((at + 0.35 * mid.xyz) / grain, max(1.5 * footprint / grain, 0.08));
+      let mica = 1.0 - smoothstep(0.15, 0.19, cell.y);
+      let feldspar = smoothstep(0.52, 0.58, cell.y);
+      value += seen * (0.24 * feldspar - 0.55 * mica + 0.3 * (cell.z - 0.5) + 0.01);
+      warm += seen * (0.1 + 0.1 * (cell.w - 0.5)) * feldspar;
     }
     rough = 0.75;
   } else if kind == 2.0 {
@@ -105,7 +104,7 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
     let size = 2.4 * coarse;
     let seen = shown(size, footprint) * min(quality, 1.0);
     if seen > 0.0 {
-      let cell = grains(at / size);
+      let cell = grains(at / size, 0.05);
       let pit = select(0.0, 1.0 - smoothstep(0.1, 0.16 + 0.28 * cell.z, cell.x), cell.y < 0.55);
       value -= 0.55 * pit * seen;
     }
