@@ -64,12 +64,14 @@ mod error;
 mod literal;
 mod memory;
 mod mesh;
+mod noise;
 pub mod params;
 #[cfg(feature = "renderer")]
 mod render;
 mod rng;
 pub mod rocks;
 pub mod validate;
+pub mod wood_ear;
 
 pub use error::Error;
 pub use memory::{MemoryEstimate, memory_estimate};

@@ -28,7 +28,7 @@ pub fn link(params: &Params) -> String {
         };
         let values = match spec.scope {
             Scope::Field(get, _) => written(get(params)),
-            Scope::Layer(get, _) => list(params, |layer| written(get(layer))),
+            Scope::Item(get, _) => list(params, |layer| written(get(layer))),
         };
         link += &format!("&{}={values}", spec.url);
     }
