@@ -111,36 +111,42 @@ impl Error {
     }
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = |f: &mut fmt::Formatter<'_>, layer: &Option<usize>| match layer {
-            Some(index) => write!(f, " of layer {index}"),
-            None => Ok(()),
+impl Error {
+    /// The message for people; `number` writes a number. JavaScript has a way to write numbers, and Rust's takes 20 kB of a wasm file.
+    pub(crate) fn message(&self, number: impl Fn(f64) -> String) -> String {
+        let place = |key: &str, layer: &Option<usize>| match layer {
+            Some(index) => [key, " of layer ", &number(*index as f64)].concat(),
+            None => key.to_string(),
         };
         match self {
             Error::OutOfRange { key, layer, value, min, max } => {
-                f.write_str(key)?;
-                place(f, layer)?;
-                write!(f, " is {value}; it has to lie in {min} to {max}")
+                let [value, min, max] = [value, min, max].map(|n| number(*n));
+                [&place(key, layer), " is ", &value, "; it has to lie in ", &min, " to ", &max].concat()
             }
             Error::NotAnInteger { key, layer, value } => {
-                f.write_str(key)?;
-                place(f, layer)?;
-                write!(f, " is {value}; it has to be a whole number")
+                [&place(key, layer), " is ", &number(*value), "; it has to be a whole number"].concat()
             }
-            Error::TooManyLayers { value, max } => write!(f, "{value} layers; at most {max}"),
-            Error::DuplicateLayerId { value } => write!(f, "two layers have the id {value}"),
-            Error::UnknownPreset { value } => write!(f, "there is no preset called {value:?}"),
+            Error::TooManyLayers { value, max } => {
+                [&number(*value as f64), " layers; at most ", &number(*max as f64)].concat()
+            }
+            Error::DuplicateLayerId { value } => ["two layers have the id ", &number(f64::from(*value))].concat(),
+            Error::UnknownPreset { value } => ["there is no preset called \"", value, "\""].concat(),
             Error::MalformedRequest { value, expected } => {
-                write!(f, "the request holds {value} numbers instead of {expected}")
+                let [value, expected] = [value, expected].map(|n| number(*n as f64));
+                ["the request holds ", &value, " numbers instead of ", &expected].concat()
             }
-            Error::OverBudget { key, estimate, budget } => write!(
-                f,
-                "this field would need about {} MiB and the budget is {} MiB; change {key}",
-                estimate >> 20,
-                budget >> 20
-            ),
+            Error::OverBudget { key, estimate, budget } => {
+                let [estimate, budget] = [estimate, budget].map(|n| number((n >> 20) as f64));
+                ["this field would need about ", &estimate, " MiB and the budget is ", &budget, " MiB; change ", key]
+                    .concat()
+            }
         }
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message(|n| n.to_string()))
     }
 }
 

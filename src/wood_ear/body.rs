@@ -78,48 +78,54 @@ pub(super) struct Rib {
     pub(super) offset: DVec3,
 }
 
+impl Rib {
+    #[inline]
+    pub(super) fn point(self) -> DVec3 {
+        self.spine + self.offset
+    }
+}
+
 /// The vertices of one body in its own frame, cm.
-pub(super) fn build(params: &Params, layout: &Layout, individual: &Individual, sheet: &Sheet, body: &mut Vec<Rib>) {
+pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend, body: &mut Vec<Rib>) {
     let c = usize::from(layout.meridians);
     let d = f64::from(layout.rings);
     body.clear();
-    let mut add = |p: DVec3| {
-        let p = p * sheet.size;
-        body.push(Rib { spine: DVec3::new(0.0, p.y, 0.0), offset: DVec3::new(p.x, 0.0, p.z) });
-    };
-    sheet.points.iter().for_each(|p| add(*p));
+    let mut add = |p: DVec3, share: f64| body.push(bend.rib(p * sheet.size, share));
+    let share = |v: usize| (v / c + 1) as f64 / d;
+    for (v, p) in sheet.points.iter().enumerate() {
+        add(*p, share(v));
+    }
     if layout.thick {
         let outward = outward(layout, &sheet.points);
         // Dry flesh is thin, and the rim is thinner than the foot.
         let wet = params.thickness / sheet.size * (0.5 + 0.5 * params.moisture / 100.0);
-        let thickness = |e: usize| wet * (1.0 - 0.55 * (e as f64 + 1.0) / d);
+        let thickness = |v: usize| wet * (1.0 - 0.55 * share(v));
         let rim = sheet.points.len() - c;
-        let half = 0.5 * thickness(usize::from(layout.rings) - 1);
+        let half = 0.5 * thickness(rim);
         for k in 1..=RIM_RINGS {
             let [cos, sin] = radians(std::f64::consts::PI * f64::from(k) / f64::from(RIM_RINGS + 1));
             for f in 0..c {
                 let [normal, across] = [outward[rim + f], sheet.points[rim + f] - sheet.points[rim - c + f]];
                 let across = (across - across.dot(normal) * normal).normalize_or(DVec3::Y);
-                add(sheet.points[rim + f] + half * ((1.0 - cos) * normal + sin * across));
+                add(sheet.points[rim + f] + half * ((1.0 - cos) * normal + sin * across), 1.0);
             }
         }
         for (v, (p, normal)) in sheet.points.iter().zip(&outward).enumerate() {
-            add(*p + thickness(v / c) * *normal);
+            add(*p + thickness(v) * *normal, share(v));
         }
     }
     if layout.foot {
         // Into the log, where the surface may fall away below ring 1.
         let depth = 0.12 + 0.15 * params.foot;
         let width = 0.4 + 0.9 * params.foot;
-        sheet.points[..c].iter().for_each(|p| add(DVec3::new(p.x * width, -depth, p.z * width)));
-        add(DVec3::new(0.0, -1.3 * depth, 0.0));
+        for p in &sheet.points[..c] {
+            add(DVec3::new(p.x * width, -depth, p.z * width), 0.0);
+        }
+        add(DVec3::new(0.0, -1.3 * depth, 0.0), 0.0);
         if layout.thick {
             let floor = sheet.points[..c].iter().map(|p| p.y).sum::<f64>() / c as f64;
-            add(DVec3::new(0.0, floor, 0.0));
+            add(DVec3::new(0.0, floor, 0.0), 0.0);
         }
-    }
-    if params.droop > 0.0 {
-        bend(params, layout, individual, sheet.size, body);
     }
 }
 
@@ -139,43 +145,59 @@ fn outward(layout: &Layout, points: &[DVec3]) -> Vec<DVec3> {
     normals
 }
 
-/// Bends a body's axis towards the ground, the wetter the more, and lets the rim sag.
+/// How gravity bends a body, the wetter the more.
 ///
-/// The axis becomes an arc that leaves the foot along the normal; what stands across it turns with it. On the log's flank the bowl
-/// so becomes an ear: its lower lip comes close to the bark, the upper one stands out. Straight up there is no direction to bend
-/// to, and only the sag is left.
-fn bend(params: &Params, layout: &Layout, individual: &Individual, size: f64, body: &mut [Rib]) {
-    let wet = params.droop * (0.35 + 0.65 * params.moisture / 100.0);
-    let gravity = DVec3::from_array(individual.axes.map(|axis| -axis.z));
-    let aside = DVec3::new(gravity.x, 0.0, gravity.z);
-    let steepness = aside.length();
-    let own = 0.75 + 0.25 * Stream::new(params.seed, Purpose::Droop, 0, individual.vertex).unit();
-    let angle = 0.75 * own * wet * steepness;
-    let d = f64::from(layout.rings);
-    let top = size * ((d - 1.0) / d) * ((d - 1.0) / d);
-    let c = usize::from(layout.meridians);
-    let sheet = usize::from(layout.rings) * c;
-    let outer = sheet + usize::from(RIM_RINGS) * c;
-    for (v, rib) in body.iter_mut().enumerate() {
-        // Share of the way from the foot to the rim.
-        let u = match v {
-            v if v < sheet => (v / c + 1) as f64 / d,
-            _ if !layout.thick => 0.0,
-            v if v < outer => 1.0,
-            v if v < outer + sheet => ((v - outer) / c + 1) as f64 / d,
-            _ => 0.0,
-        };
-        if angle > 1.0e-6 {
-            let down = aside / steepness;
-            let tau = angle * (rib.spine.y / top).clamp(0.0, 1.0);
-            let [cos, sin] = radians(tau);
-            let beyond = rib.spine.y - tau * (top / angle);
-            let [along, across] = [sin * (top / angle) + beyond * cos, (1.0 - cos) * (top / angle) + beyond * sin];
-            rib.spine = DVec3::new(0.0, along, 0.0) + across * down;
-            let o = rib.offset.dot(down);
-            rib.offset += o * ((cos - 1.0) * down - DVec3::new(0.0, sin, 0.0));
+/// The axis becomes an arc that leaves the foot along the normal and turns towards the ground; what stands across it turns with it, and
+/// the rim sags. On the log's flank the bowl so becomes an ear: its lower lip comes close to the bark, the upper one stands out. Straight
+/// up there is no direction to bend to, and only the sag is left.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Bend {
+    /// None where nothing droops: then a body is the sheet, bit for bit.
+    arc: Option<Arc>,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Arc {
+    /// The direction, in the own frame, square to the axis.
+    down: DVec3,
+    /// By how much the axis has turned at the height of the rim, and that height over it: the arc's radius.
+    angle: f64,
+    radius: f64,
+    /// How far the rim slides and sags.
+    drift: DVec3,
+    sag: DVec3,
+}
+
+impl Bend {
+    pub(super) fn new(params: &Params, individual: &Individual, size: f64) -> Self {
+        if params.droop == 0.0 {
+            return Bend::default();
         }
-        // The bowl's middle slides down from the foot, and the rim hangs by its own weight.
-        rib.spine += (0.3 * wet * size * u * u) * aside + (0.22 * wet * own * size * u * u * u) * gravity;
+        let wet = params.droop * (0.35 + 0.65 * params.moisture / 100.0);
+        let gravity = DVec3::from_array(individual.axes.map(|axis| -axis.z));
+        let aside = DVec3::new(gravity.x, 0.0, gravity.z);
+        let steepness = aside.length();
+        let own = 0.75 + 0.25 * Stream::new(params.seed, Purpose::Droop, 0, individual.vertex).unit();
+        // An angle of 0.75 brings the lower lip of an undeformed bowl just above the bark.
+        let angle = (0.75 * own * wet * steepness).max(1.0e-9);
+        let edge = 1.0 - 1.0 / f64::from(params.rings);
+        let down = if steepness > 0.0 { aside / steepness } else { DVec3::X };
+        let [drift, sag] = [0.3 * wet * size * aside, 0.22 * wet * own * size * gravity];
+        Bend { arc: Some(Arc { down, angle, radius: size * edge * edge / angle, drift, sag }) }
+    }
+
+    /// Where a point of the own frame comes to lie; `share` is how far it is from the foot to the rim.
+    pub(super) fn rib(&self, p: DVec3, share: f64) -> Rib {
+        let (mut spine, mut offset) = (DVec3::new(0.0, p.y, 0.0), DVec3::new(p.x, 0.0, p.z));
+        if let Some(Arc { down, angle, radius, drift, sag }) = self.arc {
+            let turned = (p.y / radius).clamp(0.0, angle);
+            let [cos, sin] = radians(turned);
+            // Past the arc's ends the axis goes on straight.
+            let beyond = p.y - turned * radius;
+            spine = DVec3::new(0.0, sin * radius + beyond * cos, 0.0) + ((1.0 - cos) * radius + beyond * sin) * down;
+            offset += offset.dot(down) * ((cos - 1.0) * down - DVec3::new(0.0, sin, 0.0));
+            spine += share * share * (drift + share * sag);
+        }
+        Rib { spine, offset }
     }
 }

@@ -5,50 +5,27 @@
 
 use glam::DVec3;
 
-use super::body::{Layout, Rib, build};
+use super::body::{Bend, Layout};
 use super::bowl::bowl;
+use super::crossing::Count;
 use super::deform::{Sheet, deform};
 use super::log::{Log, Sweep, counts};
-use super::mesh::{ColonyMesh, LogMesh, write};
+use super::mesh::{ColonyMesh, LogMesh, shade, write};
+use super::pose::Poser;
+use super::press::{Bodies, Press};
+use super::settle::{Settle, Stats};
+use super::shape::Ground;
 use super::spawn::{Individual, Spawn, spawn};
+use super::thesis::Thesis;
 use super::user_log::{LogError, user_log};
 use crate::error::Error;
 use crate::params::wood_ear::{Base, Collisions, Log as LogParams, Params, Stage};
 
 /// What one step works on: one to five milliseconds in wasm.
 const LOG_VERTICES_PER_STEP: usize = 1 << 13;
-const BODY_VERTICES_PER_STEP: usize = 1 << 16;
-
-/// Figures of a finished run.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub struct Stats {
-    /// Individuals.
-    pub individuals: u32,
-    /// Triangles of the colony.
-    pub triangles: u32,
-    /// Pairs of individuals that pass through each other in the buffers, counted after the run.
-    pub crossing_pairs: u32,
-    /// Sweeps over all pairs.
-    pub sweeps: u32,
-    /// Rounds of the pair that took the most.
-    pub rounds: u32,
-    /// Mean rim radius after the collisions over that before: the median of the individuals.
-    pub kept_median: f64,
-    /// The tenth percentile of the same.
-    pub kept_p10: f64,
-}
-
-impl Stats {
-    const UNTOUCHED: Stats = Stats {
-        individuals: 0,
-        triangles: 0,
-        crossing_pairs: 0,
-        sweeps: 0,
-        rounds: 0,
-        kept_median: 1.0,
-        kept_p10: 1.0,
-    };
-}
+const BODY_VERTICES_PER_STEP: usize = 1 << 15;
+const ROUNDS_PER_STEP: u32 = 150;
+const PAIRS_PER_STEP: usize = 400;
 
 /// Grows colonies, keeping the stages of the last one.
 #[derive(Debug, Default)]
@@ -66,6 +43,8 @@ pub struct Generator {
     deform_key: Option<DeformKey>,
     layout: Layout,
     sheets: Vec<Sheet>,
+    ground: Option<Ground>,
+    /// The rule whose outcome the mesh holds; none while it holds the colony before collisions.
     collide_key: Option<Collisions>,
     mesh: ColonyMesh,
     stats: Stats,
@@ -99,6 +78,12 @@ enum Task {
     Spawn,
     /// From this individual on.
     Deform(usize),
+    /// With the sheets as they are by now.
+    Thesis(Box<Thesis>, Vec<Sheet>),
+    Press(Box<Press>),
+    Settle(Box<Settle>),
+    /// Nothing has moved, so only the crossing pairs are left to count.
+    Count(Box<Count>),
 }
 
 impl SpawnKey {
@@ -187,7 +172,8 @@ impl Generator {
             Some(Task::Coarse(_) | Task::Fine(_)) => Stage::Log,
             Some(Task::Spawn) => Stage::Spawn,
             Some(Task::Deform(_)) => Stage::Deform,
-            None => Stage::Mesh,
+            Some(Task::Thesis(..) | Task::Press(_)) => Stage::Collide,
+            Some(Task::Settle(_) | Task::Count(_)) | None => Stage::Mesh,
         }
     }
 
@@ -197,7 +183,11 @@ impl Generator {
             Some(Task::Coarse(sweep)) => 0.05 * sweep.progress(),
             Some(Task::Fine(sweep)) => 0.05 + 0.15 * sweep.progress(),
             Some(Task::Spawn) => 0.2,
-            Some(Task::Deform(k)) => 0.2 + 0.2 * *k as f64 / self.spawn.individuals.len().max(1) as f64,
+            Some(Task::Deform(k)) => 0.2 + 0.1 * *k as f64 / self.spawn.individuals.len().max(1) as f64,
+            Some(Task::Thesis(thesis, _)) => 0.3 + 0.5 * thesis.progress(),
+            Some(Task::Press(press)) => 0.3 + 0.5 * press.progress(),
+            Some(Task::Settle(settle)) => 0.8 + 0.2 * settle.progress(),
+            Some(Task::Count(count)) => 0.3 + 0.7 * count.progress(),
             None => 1.0,
         }
     }
@@ -265,21 +255,42 @@ impl Generator {
             self.deform_key = None;
             return Some(Task::Spawn);
         }
-        if self.deform_key.as_ref() != Some(&DeformKey::new(params)) {
+        let stale = self.deform_key.as_ref() != Some(&DeformKey::new(params));
+        if stale || self.collide_key.is_some_and(|rule| rule != params.collisions) {
+            self.deform_key = None;
             self.collide_key = None;
             self.layout = Layout::new(params);
             self.sheets.clear();
+            self.ground = (params.clear_log && self.given.is_none()).then(|| Ground::new(params.log));
             self.mesh.resize(self.spawn.individuals.len(), &self.layout);
             return Some(Task::Deform(0));
         }
         self.preview = true;
-        self.collide_key = Some(params.collisions);
-        self.stats = Stats {
-            individuals: self.mesh.individuals() as u32,
-            triangles: self.mesh.triangles() as u32,
-            ..Stats::UNTOUCHED
-        };
-        None
+        if self.collide_key.is_some() {
+            return None;
+        }
+        self.stats = Stats::of(&self.mesh);
+        Some(match params.collisions {
+            Collisions::Off => Task::Count(Box::default()),
+            Collisions::Thesis => {
+                let individuals = &self.spawn.individuals;
+                let thesis = Thesis::new(&self.layout, individuals, &self.sheets, self.bends());
+                Task::Thesis(Box::new(thesis), self.sheets.clone())
+            }
+            Collisions::Pressed => Task::Press(Box::new(Press::new(&self.mesh.positions, self.bodies()?))),
+        })
+    }
+
+    fn bends(&self) -> Vec<Bend> {
+        let Some(params) = &self.params else { return Vec::new() };
+        let each = self.spawn.individuals.iter().zip(&self.sheets);
+        each.map(|(individual, sheet)| Bend::new(params, individual, sheet.size)).collect()
+    }
+
+    fn bodies(&self) -> Option<Bodies<'_>> {
+        let (params, ground) = (self.params.as_ref()?, self.ground.as_ref());
+        let (individuals, sheets) = (&self.spawn.individuals, &self.sheets);
+        Some(Bodies { params, layout: &self.layout, individuals, sheets, ground })
     }
 
     /// Works on a task for a while; what is to be done next.
@@ -315,6 +326,39 @@ impl Generator {
                 }
                 self.deform_key = self.params.as_ref().map(DeformKey::new);
             }
+            Task::Thesis(mut thesis, mut sheets) => {
+                if !thesis.advance(&self.spawn.individuals, &mut sheets, ROUNDS_PER_STEP) {
+                    return Some(Task::Thesis(thesis, sheets));
+                }
+                [self.stats.sweeps, self.stats.rounds] = [thesis.sweeps, thesis.rounds];
+                let moved = (0..sheets.len()).map(|k| thesis.has_moved(k)).collect();
+                return Some(Task::Settle(Box::new(Settle::sheets(&self.mesh, sheets, moved))));
+            }
+            Task::Press(mut press) => {
+                if !press.advance(self.bodies()?, PAIRS_PER_STEP) {
+                    return Some(Task::Press(press));
+                }
+                self.stats.sweeps = press.sweeps;
+                self.stats.rounds = press.planes_set();
+                let (positions, moved) = press.finish();
+                return Some(Task::Settle(Box::new(Settle::positions(positions, moved))));
+            }
+            Task::Settle(mut settle) => {
+                let bodies = BODY_VERTICES_PER_STEP / usize::from(self.layout.vertices).max(1) + 1;
+                let of = self.bodies()?;
+                if !settle.advance(of, &self.mesh, bodies, PAIRS_PER_STEP) {
+                    return Some(Task::Settle(settle));
+                }
+                settle.finish(&mut self.mesh, &mut self.stats);
+                self.collide_key = self.params.as_ref().map(|params| params.collisions);
+            }
+            Task::Count(mut count) => {
+                if !count.advance(&self.layout, &self.mesh.positions, PAIRS_PER_STEP, PAIRS_PER_STEP) {
+                    return Some(Task::Count(count));
+                }
+                self.stats.crossing_pairs = count.crossing.len() as u32;
+                self.collide_key = self.params.as_ref().map(|params| params.collisions);
+            }
         }
         self.next_task()
     }
@@ -325,14 +369,15 @@ impl Generator {
         let unit = bowl(params.rings, params.meridians);
         let count = BODY_VERTICES_PER_STEP / usize::from(self.layout.vertices).max(1) + 1;
         let to = (from + count).min(self.spawn.individuals.len());
-        let (mut body, mut sums): (Vec<Rib>, Vec<DVec3>) = Default::default();
+        let (mut poser, mut sums) = (Poser::default(), Vec::<DVec3>::new());
+        let step = 3 * usize::from(self.layout.vertices);
         for k in from..to {
             let individual: Individual = self.spawn.individuals[k];
             let sheet = deform(params, &individual, &unit);
-            build(params, &self.layout, &individual, &sheet, &mut body);
-            let points = body.iter().map(|rib| individual.to_world(rib.spine + rib.offset));
-            write(self.mesh.positions_of(k, &self.layout), points);
-            self.mesh.shade(k, &self.layout, &mut sums);
+            poser.pose(params, &self.layout, &individual, &sheet, &[], self.ground.as_ref());
+            let range = k * step..(k + 1) * step;
+            write(&mut self.mesh.positions[range.clone()], poser.points.iter().copied());
+            shade(&self.layout, &self.mesh.positions[range.clone()], &mut self.mesh.normals[range], &mut sums);
             self.mesh.foot[k] = individual.vertex;
             self.mesh.size[k] = sheet.size as f32;
             self.mesh.base[k] = individual.base;

@@ -73,30 +73,22 @@ impl ColonyMesh {
             }
         }
     }
+}
 
-    /// The positions of individual k.
-    pub(super) fn positions_of(&mut self, k: usize, layout: &Layout) -> &mut [f32] {
-        let step = 3 * usize::from(layout.vertices);
-        &mut self.positions[k * step..(k + 1) * step]
+/// The normals of one body from its positions.
+pub(super) fn shade(layout: &Layout, positions: &[f32], normals: &mut [f32], sums: &mut Vec<DVec3>) {
+    let at = |v: u16| Vec3::from_slice(&positions[3 * usize::from(v)..]).as_dvec3();
+    sums.clear();
+    sums.resize(usize::from(layout.vertices), DVec3::ZERO);
+    for triangle in &layout.triangles {
+        let [a, b, c] = triangle.map(at);
+        let normal = (b - a).cross(c - a);
+        for v in triangle {
+            sums[usize::from(*v)] += normal;
+        }
     }
-
-    /// The normals of individual k from its positions.
-    pub(super) fn shade(&mut self, k: usize, layout: &Layout, sums: &mut Vec<DVec3>) {
-        let step = 3 * usize::from(layout.vertices);
-        let positions = &self.positions[k * step..(k + 1) * step];
-        let at = |v: u16| Vec3::from_slice(&positions[3 * usize::from(v)..]).as_dvec3();
-        sums.clear();
-        sums.resize(usize::from(layout.vertices), DVec3::ZERO);
-        for triangle in &layout.triangles {
-            let [a, b, c] = triangle.map(at);
-            let normal = (b - a).cross(c - a);
-            for v in triangle {
-                sums[usize::from(*v)] += normal;
-            }
-        }
-        for (slot, sum) in self.normals[k * step..(k + 1) * step].chunks_exact_mut(3).zip(sums.iter()) {
-            slot.copy_from_slice(&sum.normalize_or(DVec3::Z).as_vec3().to_array());
-        }
+    for (slot, sum) in normals.chunks_exact_mut(3).zip(sums.iter()) {
+        slot.copy_from_slice(&sum.normalize_or(DVec3::Z).as_vec3().to_array());
     }
 }
 

@@ -24,6 +24,24 @@ pub(super) struct LogShape {
     knots: [(f64, [f64; 2], f64); KNOTS],
 }
 
+/// The log as something that individuals keep out of.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Ground {
+    shape: LogShape,
+    /// The mesh that is seen is flat between its vertices: it stands out from the shape by less than this, cm.
+    margin: f64,
+}
+
+impl Ground {
+    pub(super) fn new(log: Log) -> Self {
+        Ground { shape: LogShape::new(log), margin: 0.03 + 0.12 * log.bark }
+    }
+
+    pub(super) fn is_clear(&self, point: DVec3) -> bool {
+        self.shape.depth(point) < -self.margin
+    }
+}
+
 /// What a place of the log is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
@@ -135,8 +153,8 @@ impl LogShape {
         (centre + distance * (direction[0] * across + direction[1] * DVec3::Z), [along, distance])
     }
 
-    /// How far a point is inside the log, cm, roughly; negative outside.
-    pub(super) fn depth(&self, point: DVec3) -> f64 {
+    /// How far a point is inside the log, cm; negative outside, where it is no more than a bound.
+    fn depth(&self, point: DVec3) -> f64 {
         let mut along = point.x;
         for _ in 0..2 {
             let [y, slope] = self.bow(along);
@@ -147,10 +165,12 @@ impl LogShape {
         let [centre, across] = self.frame(along);
         let [u, v] = [(point - centre).dot(across), point.z - centre.z];
         let distance = (u * u + v * v).sqrt();
-        // Beyond what any knot reaches.
-        let clear = (1.3 + 0.3 * bark) * radius + 2.0;
-        if beyond < 0.0 || distance > clear {
-            return beyond.min(clear - distance).min(0.0) - 1.0e-9;
+        // What taper, swell, bark and knots reach at most.
+        let bare = radius * 1.05 * 1.025 * (1.0 + 0.05 * (2.0 * bark).min(1.0)) + 0.25 * bark * radius.sqrt();
+        let knotted = self.knots.iter().any(|(at, ..)| (along - at).abs() < 0.2 * radius + 1.0);
+        let reach = if knotted { bare + 0.26 * bark * radius } else { bare };
+        if beyond < 0.0 || distance > reach + 0.2 {
+            return beyond.min(reach - distance);
         }
         if distance < 1.0e-9 {
             return radius.min(0.5 * length - along.abs());

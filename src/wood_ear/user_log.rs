@@ -12,8 +12,6 @@ pub const MOST_VERTICES: usize = 200_000;
 pub const MOST_TRIANGLES: usize = 400_000;
 /// cm; beyond it f32 no longer resolves a wood ear.
 const REACH: f64 = 10_000.0;
-/// Vertices closer than this share of the log's extent are one: formats that split vertices for their normals repeat positions.
-const WELD: f64 = 1.0e-6;
 
 /// Why a mesh cannot be a log. Nothing was changed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -73,7 +71,7 @@ impl fmt::Display for LogError {
 
 impl std::error::Error for LogError {}
 
-/// Checks and welds. Vertices that no triangle with an area uses are dropped: nothing could tell which way they face.
+/// Checks, and welds vertices at the same place, as formats have them that split vertices for their normals. Vertices that no triangle with an area uses are dropped: nothing could tell which way they face.
 pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Log, LogError> {
     if positions.len() % 3 != 0 || indices.len() % 3 != 0 {
         return Err(LogError::NotInThrees);
@@ -118,33 +116,27 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Log, LogErr
     Ok(log)
 }
 
-/// Per vertex the lowest one it is welded to: the first, by x, that is within the tolerance in every coordinate.
+/// Per vertex the first one at the same place, found through a table of places with open addressing.
 fn weld(points: &[DVec3]) -> Vec<u32> {
-    let fold = |pick: fn(DVec3, DVec3) -> DVec3| points.iter().copied().reduce(pick).unwrap_or_default();
-    let tolerance = WELD * (fold(DVec3::max) - fold(DVec3::min)).max_element();
-    let mut order: Vec<u32> = (0..points.len() as u32).collect();
-    let at = |v: u32| points[v as usize];
-    order.sort_by(|a, b| {
-        at(*a)
-            .x
-            .total_cmp(&at(*b).x)
-            .then(at(*a).y.total_cmp(&at(*b).y))
-            .then(at(*a).z.total_cmp(&at(*b).z))
-            .then(a.cmp(b))
-    });
-    let mut welded: Vec<u32> = (0..points.len() as u32).collect();
-    let mut from = 0;
-    for k in 0..order.len() {
-        let v = order[k];
-        while at(order[from]).x < at(v).x - tolerance {
-            from += 1;
-        }
-        // Many vertices at one x, as in an upright wall: the nearest before in the order are looked at first, and not all of them.
-        if let Some(&w) =
-            order[from..k].iter().rev().take(64).find(|w| (at(**w) - at(v)).abs().max_element() <= tolerance)
-        {
-            welded[v as usize] = welded[w as usize];
-        }
-    }
-    welded
+    let slots = (2 * points.len()).next_power_of_two();
+    let mut table = vec![u32::MAX; slots];
+    (0..points.len() as u32)
+        .map(|v| {
+            let at = points[v as usize];
+            // + 0.0: −0 and 0 are one place.
+            let mix =
+                |hash: u64, c: f64| (hash ^ (c + 0.0).to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
+            let mut slot = mix(mix(mix(0, at.x), at.y), at.z) as usize & (slots - 1);
+            loop {
+                match table[slot] {
+                    u32::MAX => {
+                        table[slot] = v;
+                        return v;
+                    }
+                    w if points[w as usize] == at => return w,
+                    _ => slot = (slot + 1) & (slots - 1),
+                }
+            }
+        })
+        .collect()
 }
