@@ -85,21 +85,23 @@ impl Rib {
     }
 }
 
-/// The vertices of one body in its own frame, cm.
-pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend, body: &mut Vec<Rib>) {
+/// The vertices of one body in its own frame, cm; all but the stalk are lifted by this much.
+pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend, lift: f64, body: &mut Vec<Rib>) {
     let c = usize::from(layout.meridians);
     let d = f64::from(layout.rings);
     body.clear();
-    let mut add = |p: DVec3, share: f64| body.push(bend.rib(p * sheet.size, share));
+    // Dry flesh is thin.
+    let wet = if layout.thick { params.thickness * (0.5 + 0.5 * params.moisture / 100.0) } else { 0.0 };
+    let lift = if lift > 0.0 { DVec3::new(0.0, lift + wet, 0.0) } else { DVec3::ZERO };
+    let mut add = |p: DVec3, share: f64| body.push(bend.rib(p * sheet.size + lift, share));
     let share = |v: usize| (v / c + 1) as f64 / d;
     for (v, p) in sheet.points.iter().enumerate() {
         add(*p, share(v));
     }
     if layout.thick {
         let outward = outward(layout, &sheet.points);
-        // Dry flesh is thin, and the rim is thinner than the foot.
-        let wet = params.thickness / sheet.size * (0.5 + 0.5 * params.moisture / 100.0);
-        let thickness = |v: usize| wet * (1.0 - 0.55 * share(v));
+        // The rim is thinner than the foot.
+        let thickness = |v: usize| wet / sheet.size * (1.0 - 0.55 * share(v));
         let rim = sheet.points.len() - c;
         let half = 0.5 * thickness(rim);
         for k in 1..=RIM_RINGS {
@@ -118,10 +120,11 @@ pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend
         // Into the log, where the surface may fall away below ring 1.
         let depth = 0.12 + 0.15 * params.foot;
         let width = 0.4 + 0.9 * params.foot;
+        let sunk = |p: DVec3| p - lift / sheet.size;
         for p in &sheet.points[..c] {
-            add(DVec3::new(p.x * width, -depth, p.z * width), 0.0);
+            add(sunk(DVec3::new(p.x * width, -depth, p.z * width)), 0.0);
         }
-        add(DVec3::new(0.0, -1.3 * depth, 0.0), 0.0);
+        add(sunk(DVec3::new(0.0, -1.3 * depth, 0.0)), 0.0);
         if layout.thick {
             let floor = sheet.points[..c].iter().map(|p| p.y).sum::<f64>() / c as f64;
             add(DVec3::new(0.0, floor, 0.0), 0.0);

@@ -5,6 +5,7 @@ use robust::{Coord3D, orient3d};
 
 use super::body::Layout;
 use super::pairs::{Bounds, overlapping};
+use super::pose::Plane;
 
 /// Triangles to a box within a body.
 const GROUP: usize = 12;
@@ -110,6 +111,18 @@ impl SignumOrZero for f64 {
     }
 }
 
+/// Whether a plane stands between two bodies, by more than rounding could be wrong about.
+fn parts(plane: &Plane, a: &[f32], b: &[f32]) -> bool {
+    let heights = |body: &[f32]| {
+        body.chunks_exact(3)
+            .map(|p| plane.normal.dot(Vec3::from_slice(p).as_dvec3()))
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], h| [low.min(h), high.max(h)])
+    };
+    let [_, highest] = heights(a);
+    let [lowest, _] = heights(b);
+    lowest - highest > 1.0e-9 * (1.0 + highest.abs())
+}
+
 /// Counts the pairs of a colony that pass through each other, a piece at a time.
 #[derive(Debug, Default)]
 pub(super) struct Count {
@@ -118,9 +131,15 @@ pub(super) struct Count {
     pairs: Option<Vec<[u32; 2]>>,
     next: usize,
     pub(super) crossing: Vec<[u32; 2]>,
+    /// Planes that may part a body from others: where one does, no triangle has to be looked at.
+    planes: Vec<Vec<Plane>>,
 }
 
 impl Count {
+    pub(super) fn with(planes: Vec<Vec<Plane>>) -> Self {
+        Count { planes, ..Count::default() }
+    }
+
     /// True when all pairs are counted.
     pub(super) fn advance(&mut self, layout: &Layout, positions: &[f32], bodies: usize, pairs: usize) -> bool {
         let step = 3 * usize::from(layout.vertices);
@@ -141,6 +160,10 @@ impl Count {
                 let k = k as usize;
                 (&positions[k * step..(k + 1) * step], &self.boxes[k], &self.bounds[k])
             };
+            let known = self.planes.get(i as usize).and_then(|planes| planes.iter().find(|plane| plane.partner == j));
+            if known.is_some_and(|plane| parts(plane, of(i).0, of(j).0)) {
+                continue;
+            }
             if cross(layout, of(i), of(j)) {
                 self.crossing.push([i, j]);
             }

@@ -9,12 +9,12 @@ use super::body::{Bend, Layout};
 use super::bowl::bowl;
 use super::crossing::Count;
 use super::deform::{Sheet, deform};
+use super::ground::Ground;
 use super::log::{Log, Sweep, counts};
 use super::mesh::{ColonyMesh, LogMesh, shade, write};
 use super::pose::Poser;
 use super::press::{Bodies, Press};
 use super::settle::{Settle, Stats};
-use super::shape::Ground;
 use super::spawn::{Individual, Spawn, spawn};
 use super::thesis::Thesis;
 use super::user_log::{LogError, user_log};
@@ -23,9 +23,10 @@ use crate::params::wood_ear::{Base, Collisions, Log as LogParams, Params, Stage}
 
 /// What one step works on: one to five milliseconds in wasm.
 const LOG_VERTICES_PER_STEP: usize = 1 << 13;
+const GROUND_PER_STEP: usize = 1 << 14;
 const BODY_VERTICES_PER_STEP: usize = 1 << 15;
 const ROUNDS_PER_STEP: u32 = 150;
-const PAIRS_PER_STEP: usize = 400;
+const PAIRS_PER_STEP: usize = 100;
 
 /// Grows colonies, keeping the stages of the last one.
 #[derive(Debug, Default)]
@@ -76,6 +77,7 @@ enum Task {
     Coarse(Box<Sweep>),
     Fine(Box<Sweep>),
     Spawn,
+    Ground(Box<Ground>),
     /// From this individual on.
     Deform(usize),
     /// With the sheets as they are by now.
@@ -169,7 +171,7 @@ impl Generator {
     /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
     pub fn stage(&self) -> Stage {
         match self.task {
-            Some(Task::Coarse(_) | Task::Fine(_)) => Stage::Log,
+            Some(Task::Coarse(_) | Task::Fine(_) | Task::Ground(_)) => Stage::Log,
             Some(Task::Spawn) => Stage::Spawn,
             Some(Task::Deform(_)) => Stage::Deform,
             Some(Task::Thesis(..) | Task::Press(_)) => Stage::Collide,
@@ -183,7 +185,8 @@ impl Generator {
             Some(Task::Coarse(sweep)) => 0.05 * sweep.progress(),
             Some(Task::Fine(sweep)) => 0.05 + 0.15 * sweep.progress(),
             Some(Task::Spawn) => 0.2,
-            Some(Task::Deform(k)) => 0.2 + 0.1 * *k as f64 / self.spawn.individuals.len().max(1) as f64,
+            Some(Task::Ground(ground)) => 0.2 + 0.05 * ground.progress(),
+            Some(Task::Deform(k)) => 0.25 + 0.05 * *k as f64 / self.spawn.individuals.len().max(1) as f64,
             Some(Task::Thesis(thesis, _)) => 0.3 + 0.5 * thesis.progress(),
             Some(Task::Press(press)) => 0.3 + 0.5 * press.progress(),
             Some(Task::Settle(settle)) => 0.8 + 0.2 * settle.progress(),
@@ -255,13 +258,18 @@ impl Generator {
             self.deform_key = None;
             return Some(Task::Spawn);
         }
+        if params.clear_log
+            && self.given.is_none()
+            && !self.ground.as_ref().is_some_and(|ground| ground.is_of(&params.log))
+        {
+            return Some(Task::Ground(Box::new(Ground::new(params.log))));
+        }
         let stale = self.deform_key.as_ref() != Some(&DeformKey::new(params));
         if stale || self.collide_key.is_some_and(|rule| rule != params.collisions) {
             self.deform_key = None;
             self.collide_key = None;
             self.layout = Layout::new(params);
             self.sheets.clear();
-            self.ground = (params.clear_log && self.given.is_none()).then(|| Ground::new(params.log));
             self.mesh.resize(self.spawn.individuals.len(), &self.layout);
             return Some(Task::Deform(0));
         }
@@ -287,8 +295,15 @@ impl Generator {
         each.map(|(individual, sheet)| Bend::new(params, individual, sheet.size)).collect()
     }
 
+    /// What individuals keep out of, if they are to.
+    fn ground(&self) -> Option<&Ground> {
+        self.ground
+            .as_ref()
+            .filter(|_| self.params.as_ref().is_some_and(|params| params.clear_log) && self.given.is_none())
+    }
+
     fn bodies(&self) -> Option<Bodies<'_>> {
-        let (params, ground) = (self.params.as_ref()?, self.ground.as_ref());
+        let (params, ground) = (self.params.as_ref()?, self.ground());
         let (individuals, sheets) = (&self.spawn.individuals, &self.sheets);
         Some(Bodies { params, layout: &self.layout, individuals, sheets, ground })
     }
@@ -319,6 +334,12 @@ impl Generator {
                 self.spawn = spawn(params, &self.log);
                 self.spawn_key = Some(SpawnKey::new(params));
             }
+            Task::Ground(mut ground) => {
+                if !ground.advance(GROUND_PER_STEP) {
+                    return Some(Task::Ground(ground));
+                }
+                self.ground = Some(*ground);
+            }
             Task::Deform(from) => {
                 let to = self.deform(from)?;
                 if to < self.spawn.individuals.len() {
@@ -340,8 +361,8 @@ impl Generator {
                 }
                 self.stats.sweeps = press.sweeps;
                 self.stats.rounds = press.planes_set();
-                let (positions, moved) = press.finish();
-                return Some(Task::Settle(Box::new(Settle::positions(positions, moved))));
+                let (positions, moved, planes) = press.finish();
+                return Some(Task::Settle(Box::new(Settle::positions(positions, moved, planes))));
             }
             Task::Settle(mut settle) => {
                 let bodies = BODY_VERTICES_PER_STEP / usize::from(self.layout.vertices).max(1) + 1;
@@ -374,7 +395,7 @@ impl Generator {
         for k in from..to {
             let individual: Individual = self.spawn.individuals[k];
             let sheet = deform(params, &individual, &unit);
-            poser.pose(params, &self.layout, &individual, &sheet, &[], self.ground.as_ref());
+            poser.pose(params, &self.layout, &individual, &sheet, &[], self.ground());
             let range = k * step..(k + 1) * step;
             write(&mut self.mesh.positions[range.clone()], poser.points.iter().copied());
             shade(&self.layout, &self.mesh.positions[range.clone()], &mut self.mesh.normals[range], &mut sums);

@@ -10,6 +10,7 @@ mod circle;
 mod crossing;
 mod deform;
 mod generator;
+mod ground;
 mod log;
 mod memory;
 mod mesh;

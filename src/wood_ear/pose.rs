@@ -4,7 +4,7 @@ use glam::DVec3;
 
 use super::body::{Bend, Layout, RIM_RINGS, Rib, build};
 use super::deform::Sheet;
-use super::shape::Ground;
+use super::ground::Ground;
 use super::spawn::Individual;
 use crate::params::wood_ear::Params;
 
@@ -43,7 +43,7 @@ impl Poser {
         ground: Option<&Ground>,
     ) {
         let bend = Bend::new(params, individual, sheet.size);
-        build(params, layout, sheet, &bend, &mut self.ribs);
+        build(params, layout, sheet, &bend, ground.map_or(0.0, Ground::lift), &mut self.ribs);
         self.points.clear();
         if planes.is_empty() {
             self.points.extend(self.ribs.iter().map(|rib| individual.to_world(rib.point())));
@@ -128,24 +128,38 @@ impl Poser {
             ground.is_clear(at).then_some(at)
         });
         let Some(haven) = haven else { return };
-        let vertices = self.points.len();
-        for v in (0..visible).chain(floor..vertices.max(floor)) {
-            let at = self.points[v];
-            if ground.is_clear(at) {
-                continue;
-            }
-            let (mut inside, mut outside) = (0.0, 1.0);
-            for _ in 0..10 {
-                let middle = 0.5 * (inside + outside);
-                if ground.is_clear(at.lerp(haven, middle)) {
-                    outside = middle;
-                } else {
-                    inside = middle;
+        let outer = sheets + usize::from(RIM_RINGS) * c;
+        for v in (0..visible).chain(floor..self.points.len().max(floor)) {
+            let share = way_out(ground, self.points[v], haven);
+            if share > 0.0 {
+                self.points[v] = self.points[v].lerp(haven, share);
+                // The inner sheet goes along, or the outer one would come through it.
+                if layout.thick && v >= outer && v < outer + sheets {
+                    let inner = self.points[v - outer].lerp(haven, share);
+                    if ground.is_clear(inner) {
+                        self.points[v - outer] = inner;
+                    }
                 }
             }
-            self.points[v] = at.lerp(haven, outside);
         }
     }
+}
+
+/// The share of its way to a clear point that a point has to go to be clear too.
+fn way_out(ground: &Ground, from: DVec3, haven: DVec3) -> f64 {
+    if ground.is_clear(from) {
+        return 0.0;
+    }
+    let (mut inside, mut outside) = (0.0, 1.0);
+    for _ in 0..7 {
+        let middle = 0.5 * (inside + outside);
+        if ground.is_clear(from.lerp(haven, middle)) {
+            outside = middle;
+        } else {
+            inside = middle;
+        }
+    }
+    outside
 }
 
 /// The share of its way from the foot that a point of the spine keeps; given relative to the foot.

@@ -9,10 +9,10 @@ use glam::{DVec3, Vec3};
 use super::body::Layout;
 use super::crossing::{Boxes, cross};
 use super::deform::Sheet;
+use super::ground::Ground;
 use super::mesh::write;
 use super::pairs::{Bounds, overlapping};
 use super::pose::{Plane, Poser};
-use super::shape::Ground;
 use super::spawn::Individual;
 use crate::params::wood_ear::Params;
 
@@ -122,10 +122,10 @@ impl Press {
         self.planes_set - 1
     }
 
-    /// The positions, and which bodies are not as they were.
-    pub(super) fn finish(self) -> (Vec<f32>, Vec<bool>) {
+    /// The positions, which bodies are not as they were, and the planes between them.
+    pub(super) fn finish(self) -> (Vec<f32>, Vec<bool>, Vec<Vec<Plane>>) {
         let moved = self.planes.iter().map(|planes| !planes.is_empty()).collect();
-        (self.positions, moved)
+        (self.positions, moved, self.planes)
     }
 
     fn body(&self, k: usize) -> &[f32] {

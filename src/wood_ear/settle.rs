@@ -5,7 +5,7 @@ use glam::{DVec3, Vec3};
 use super::crossing::Count;
 use super::deform::Sheet;
 use super::mesh::{ColonyMesh, shade, write};
-use super::pose::Poser;
+use super::pose::{Plane, Poser};
 use super::press::Bodies;
 
 /// Figures of a finished run.
@@ -56,11 +56,11 @@ pub(super) struct Settle {
 impl Settle {
     /// Sheets that have changed and still have to become bodies.
     pub(super) fn sheets(mesh: &ColonyMesh, sheets: Vec<Sheet>, moved: Vec<bool>) -> Self {
-        Settle { sheets, ..Settle::positions(mesh.positions.clone(), moved) }
+        Settle { sheets, ..Settle::positions(mesh.positions.clone(), moved, Vec::new()) }
     }
 
     /// Bodies as they are to be.
-    pub(super) fn positions(positions: Vec<f32>, moved: Vec<bool>) -> Self {
+    pub(super) fn positions(positions: Vec<f32>, moved: Vec<bool>, planes: Vec<Vec<Plane>>) -> Self {
         Settle {
             sheets: Vec::new(),
             moved,
@@ -68,7 +68,7 @@ impl Settle {
             positions,
             next: 0,
             kept: vec![0; BINS + 1],
-            count: Count::default(),
+            count: Count::with(planes),
             poser: Poser::default(),
             sums: Vec::new(),
         }

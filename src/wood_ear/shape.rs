@@ -24,24 +24,6 @@ pub(super) struct LogShape {
     knots: [(f64, [f64; 2], f64); KNOTS],
 }
 
-/// The log as something that individuals keep out of.
-#[derive(Debug, Clone, PartialEq)]
-pub(super) struct Ground {
-    shape: LogShape,
-    /// The mesh that is seen is flat between its vertices: it stands out from the shape by less than this, cm.
-    margin: f64,
-}
-
-impl Ground {
-    pub(super) fn new(log: Log) -> Self {
-        Ground { shape: LogShape::new(log), margin: 0.03 + 0.12 * log.bark }
-    }
-
-    pub(super) fn is_clear(&self, point: DVec3) -> bool {
-        self.shape.depth(point) < -self.margin
-    }
-}
-
 /// What a place of the log is made of.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
@@ -154,12 +136,11 @@ impl LogShape {
     }
 
     /// How far a point is inside the log, cm; negative outside, where it is no more than a bound.
-    fn depth(&self, point: DVec3) -> f64 {
+    pub(super) fn depth(&self, point: DVec3, radius_at: impl Fn(f64, [f64; 2]) -> f64) -> f64 {
         let mut along = point.x;
-        for _ in 0..2 {
-            let [y, slope] = self.bow(along);
-            along += ((point.x - along) + (point.y - y) * slope) / (1.0 + slope * slope);
-        }
+        // One step of Newton's method: the axis is nearly straight.
+        let [y, slope] = self.bow(along);
+        along += (point.y - y) * slope / (1.0 + slope * slope);
         let Log { length, radius, bark, .. } = self.log;
         let beyond = 0.5 * length + 0.6 * bark * radius - along.abs();
         let [centre, across] = self.frame(along);
@@ -176,8 +157,11 @@ impl LogShape {
             return radius.min(0.5 * length - along.abs());
         }
         let direction = [u / distance, v / distance];
-        let surface = self.radius(along, direction);
+        let surface = radius_at(along, direction);
         let share = (distance / surface).min(1.0);
+        if along.abs() < 0.5 * length - 0.6 * bark * radius {
+            return surface - distance;
+        }
         let end = 0.5 * length + self.jag(along > 0.0, [direction[0] * share, direction[1] * share]);
         (surface - distance).min(end - along.abs())
     }

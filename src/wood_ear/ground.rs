@@ -1,0 +1,117 @@
+//! The log as something that individuals keep out of.
+
+use glam::DVec3;
+
+use super::shape::LogShape;
+use crate::params::wood_ear::Log;
+
+/// cm between the places whose radius is tabulated: as fine as the mesh that is seen.
+const CELL: f64 = 0.8;
+
+/// The grown log's radius as a table, many times faster than its noise.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Ground {
+    shape: LogShape,
+    log: Log,
+    /// The mesh that is seen is flat between its vertices, and so is the table: both stand out from the shape by less than this, cm.
+    margin: f64,
+    rows: usize,
+    columns: usize,
+    /// Row by row along the log, each once around it.
+    radii: Vec<f32>,
+}
+
+impl Ground {
+    pub(super) fn new(log: Log) -> Self {
+        let shape = LogShape::new(log);
+        // The ends reach out by as much as they are broken.
+        let rows = ((log.length + 2.0 * log.radius) / CELL) as usize + 2;
+        let columns = 4 * ((std::f64::consts::TAU * log.radius / CELL / 4.0) as usize + 2);
+        Ground { shape, log, margin: 0.03 + 0.12 * log.bark, rows, columns, radii: Vec::with_capacity(rows * columns) }
+    }
+
+    /// Whether it is the ground of this log.
+    pub(super) fn is_of(&self, log: &Log) -> bool {
+        self.log == *log && self.radii.len() == self.rows * self.columns
+    }
+
+    /// Fills in about so many places. True when all are.
+    pub(super) fn advance(&mut self, places: usize) -> bool {
+        let to = (self.radii.len() + places).min(self.rows * self.columns);
+        for place in self.radii.len()..to {
+            let along = (place / self.columns) as f64 * CELL - self.reach();
+            let turned = (place % self.columns) as f64 * 4.0 / self.columns as f64;
+            self.radii.push(self.shape.radius(along, direction(turned)) as f32);
+        }
+        to == self.rows * self.columns
+    }
+
+    pub(super) fn progress(&self) -> f64 {
+        self.radii.len() as f64 / (self.rows * self.columns) as f64
+    }
+
+    fn reach(&self) -> f64 {
+        0.5 * self.log.length + self.log.radius
+    }
+
+    /// How far a body is lifted off the place it stands on: its outer sheet would lie in the furrows otherwise.
+    pub(super) fn lift(&self) -> f64 {
+        self.margin + 0.02
+    }
+
+    /// Whether a point is outside the log and above the earth it lies on.
+    pub(super) fn is_clear(&self, point: DVec3) -> bool {
+        point.z > 0.0 && self.shape.depth(point, |along, direction| self.radius(along, direction)) < -self.margin
+    }
+
+    /// Between the four nearest places.
+    fn radius(&self, along: f64, direction: [f64; 2]) -> f64 {
+        let row = ((along + self.reach()) / CELL).clamp(0.0, (self.rows - 2) as f64);
+        let column = turned(direction) * self.columns as f64 / 4.0;
+        let (r, c) = (row as usize, column as usize % self.columns);
+        let next = (c + 1) % self.columns;
+        let [s, t] = [row - row.floor(), column - column.floor()];
+        let line = |r: usize| {
+            let [a, b] = [c, next].map(|c| f64::from(self.radii[r * self.columns + c]));
+            a + (b - a) * t
+        };
+        line(r) + (line(r + 1) - line(r)) * s
+    }
+}
+
+/// A direction as a number 0 … 4 that grows with its angle: where its ray leaves the square with corners on the axes.
+fn turned([cos, sin]: [f64; 2]) -> f64 {
+    let a = sin / (cos.abs() + sin.abs());
+    match (cos >= 0.0, sin >= 0.0) {
+        (true, true) => a,
+        (false, _) => 2.0 - a,
+        (true, false) => 4.0 + a,
+    }
+}
+
+/// The direction of such a number.
+fn direction(turned: f64) -> [f64; 2] {
+    let quarter = turned.floor();
+    let a = turned - quarter;
+    let [x, y] = match quarter as u8 {
+        0 => [1.0 - a, a],
+        1 => [-a, 1.0 - a],
+        2 => [a - 1.0, -a],
+        _ => [a, a - 1.0],
+    };
+    let length = (x * x + y * y).sqrt();
+    [x / length, y / length]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn directions_and_their_numbers_belong_together() {
+        for k in 0..4000 {
+            let n = f64::from(k) * 0.001;
+            assert!((turned(direction(n)) - n).abs() < 1.0e-12, "{n}");
+        }
+    }
+}
