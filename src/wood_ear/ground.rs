@@ -27,7 +27,14 @@ impl Ground {
         // The ends reach out by as much as they are broken.
         let rows = ((log.length + 2.0 * log.radius) / CELL) as usize + 2;
         let columns = 4 * ((std::f64::consts::TAU * log.radius / CELL / 4.0) as usize + 2);
-        Ground { shape, log, margin: 0.03 + 0.12 * log.bark, rows, columns, radii: Vec::with_capacity(rows * columns) }
+        Ground {
+            shape,
+            log,
+            margin: 0.03 + 0.08 * log.bark * log.radius.sqrt(),
+            rows,
+            columns,
+            radii: Vec::with_capacity(rows * columns),
+        }
     }
 
     /// Whether it is the ground of this log.

@@ -79,9 +79,9 @@ impl LogShape {
             // Furrows along the trunk, some 2.4 cm apart: plates where the noise is away from 0, valleys where it crosses.
             let wander = 1.2 * noise(self.places[4] + DVec3::new(along / 9.0, x / 5.0, y / 5.0));
             let n = noise(self.places[1] + DVec3::new(along / 13.0, (x + wander) / 2.4, (y - wander) / 2.4));
-            let plate = (n.abs() * 3.0).min(1.0);
+            let plate = (n.abs() * 3.5).min(1.0);
             let grain = noise(self.places[2] + DVec3::new(along / 3.2, x / 0.9, y / 0.9));
-            height += bark * radius.sqrt() * (0.2 * plate * (2.0 - plate) + 0.045 * grain * plate);
+            height += bark * radius.sqrt() * (0.3 * plate * (2.0 - plate) + 0.06 * grain * plate);
             for &(at, [kc, ks], rise) in &self.knots {
                 let across = radius * ((cos - kc) * (cos - kc) + (sin - ks) * (sin - ks)).sqrt();
                 let reach = 0.2 * radius + 1.0;
@@ -147,7 +147,7 @@ impl LogShape {
         let [u, v] = [(point - centre).dot(across), point.z - centre.z];
         let distance = (u * u + v * v).sqrt();
         // What taper, swell, bark and knots reach at most.
-        let bare = radius * 1.05 * 1.025 * (1.0 + 0.05 * (2.0 * bark).min(1.0)) + 0.25 * bark * radius.sqrt();
+        let bare = radius * 1.05 * 1.025 * (1.0 + 0.05 * (2.0 * bark).min(1.0)) + 0.36 * bark * radius.sqrt();
         let knotted = self.knots.iter().any(|(at, ..)| (along - at).abs() < 0.2 * radius + 1.0);
         let reach = if knotted { bare + 0.26 * bark * radius } else { bare };
         if beyond < 0.0 || distance > reach + 0.2 {
