@@ -193,7 +193,7 @@ impl Bend {
     pub(super) fn rib(&self, p: DVec3, share: f64) -> Rib {
         let (mut spine, mut offset) = (DVec3::new(0.0, p.y, 0.0), DVec3::new(p.x, 0.0, p.z));
         if let Some(Arc { down, angle, radius, drift, sag }) = self.arc {
-            let turned = (p.y / radius).clamp(0.0, angle);
+            let turned = (p.y / radius).max(0.0).min(angle);
             let [cos, sin] = radians(turned);
             // Past the arc's ends the axis goes on straight.
             let beyond = p.y - turned * radius;

@@ -13,7 +13,7 @@ const CELL: f64 = 0.8;
 pub(super) struct Ground {
     shape: LogShape,
     log: Log,
-    /// The mesh that is seen is flat between its vertices, and so is the table: both stand out from the shape by less than this, cm.
+    /// The mesh that is seen is flat between its vertices: it stands out from the table by less than this, cm.
     margin: f64,
     rows: usize,
     columns: usize,
@@ -30,7 +30,7 @@ impl Ground {
         Ground {
             shape,
             log,
-            margin: 0.03 + 0.08 * log.bark * log.radius.sqrt(),
+            margin: 0.04 + 0.03 * log.bark * log.radius.sqrt(),
             rows,
             columns,
             radii: Vec::with_capacity(rows * columns),
@@ -50,7 +50,29 @@ impl Ground {
             let turned = (place % self.columns) as f64 * 4.0 / self.columns as f64;
             self.radii.push(self.shape.radius(along, direction(turned)) as f32);
         }
-        to == self.rows * self.columns
+        let done = to == self.rows * self.columns;
+        if done {
+            self.fill_furrows();
+        }
+        done
+    }
+
+    /// Every place takes the highest of its neighbourhood: furrows are narrower than the mesh that is seen can show, and wood ears lie
+    /// on the ridges.
+    fn fill_furrows(&mut self) {
+        for stride in [1, self.columns] {
+            let radii = &self.radii;
+            let around = |k: usize| {
+                let row = k / self.columns * self.columns;
+                let [before, after] = if stride == 1 {
+                    [row + (k - row + self.columns - 1) % self.columns, row + (k - row + 1) % self.columns]
+                } else {
+                    [k.saturating_sub(stride), (k + stride).min(radii.len() - 1)]
+                };
+                radii[k].max(radii[before]).max(radii[after])
+            };
+            self.radii = (0..radii.len()).map(around).collect();
+        }
     }
 
     pub(super) fn progress(&self) -> f64 {
@@ -66,14 +88,15 @@ impl Ground {
         self.margin + 0.02
     }
 
-    /// Whether a point is outside the log and above the earth it lies on.
-    pub(super) fn is_clear(&self, point: DVec3) -> bool {
-        point.z > 0.0 && self.shape.depth(point, |along, direction| self.radius(along, direction)) < -self.margin
+    /// Whether a point is outside the log and, with `earth`, above the earth it lies on.
+    pub(super) fn is_clear(&self, point: DVec3, earth: bool) -> bool {
+        (point.z > 0.0 || !earth)
+            && self.shape.depth(point, |along, direction| self.radius(along, direction)) < -self.margin
     }
 
     /// Between the four nearest places.
     fn radius(&self, along: f64, direction: [f64; 2]) -> f64 {
-        let row = ((along + self.reach()) / CELL).clamp(0.0, (self.rows - 2) as f64);
+        let row = ((along + self.reach()) / CELL).max(0.0).min((self.rows - 2) as f64);
         let column = turned(direction) * self.columns as f64 / 4.0;
         let (r, c) = (row as usize, column as usize % self.columns);
         let next = (c + 1) % self.columns;

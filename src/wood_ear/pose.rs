@@ -121,22 +121,25 @@ impl Poser {
         let sheets = usize::from(layout.rings) * c;
         let visible = if layout.thick { 2 * sheets + usize::from(RIM_RINGS) * c } else { sheets };
         let floor = visible + c + 1;
-        let haven = [0.35, 0.6, 0.9].into_iter().find_map(|height| {
-            let spine = bend.rib(DVec3::new(0.0, height * sheet.size, 0.0), 0.5).spine;
-            let spine = individual.to_world(spine) - individual.foot;
-            let at = individual.foot + keep_spine(individual.foot, spine, planes) * spine;
-            ground.is_clear(at).then_some(at)
-        });
-        let Some(haven) = haven else { return };
+        let haven = |earth: bool| {
+            [0.35, 0.6, 0.9, 1.4, 2.0, 3.0].into_iter().find_map(|height| {
+                let spine = bend.rib(DVec3::new(0.0, height * sheet.size, 0.0), 0.5).spine;
+                let spine = individual.to_world(spine) - individual.foot;
+                let at = individual.foot + keep_spine(individual.foot, spine, planes) * spine;
+                ground.is_clear(at, earth).then_some((at, earth))
+            })
+        };
+        // What grows into the earth is kept out of the log alone.
+        let Some((haven, earth)) = haven(true).or_else(|| haven(false)) else { return };
         let outer = sheets + usize::from(RIM_RINGS) * c;
         for v in (0..visible).chain(floor..self.points.len().max(floor)) {
-            let share = way_out(ground, self.points[v], haven);
+            let share = way_out(|p| ground.is_clear(p, earth), self.points[v], haven);
             if share > 0.0 {
                 self.points[v] = self.points[v].lerp(haven, share);
                 // The inner sheet goes along, or the outer one would come through it.
                 if layout.thick && v >= outer && v < outer + sheets {
                     let inner = self.points[v - outer].lerp(haven, share);
-                    if ground.is_clear(inner) {
+                    if ground.is_clear(inner, earth) {
                         self.points[v - outer] = inner;
                     }
                 }
@@ -146,14 +149,14 @@ impl Poser {
 }
 
 /// The share of its way to a clear point that a point has to go to be clear too.
-fn way_out(ground: &Ground, from: DVec3, haven: DVec3) -> f64 {
-    if ground.is_clear(from) {
+fn way_out(is_clear: impl Fn(DVec3) -> bool, from: DVec3, haven: DVec3) -> f64 {
+    if is_clear(from) {
         return 0.0;
     }
     let (mut inside, mut outside) = (0.0, 1.0);
     for _ in 0..7 {
         let middle = 0.5 * (inside + outside);
-        if ground.is_clear(from.lerp(haven, middle)) {
+        if is_clear(from.lerp(haven, middle)) {
             outside = middle;
         } else {
             inside = middle;

@@ -104,8 +104,8 @@ impl LogShape {
         let side = if positive { 0.0 } else { 57.0 };
         let place = self.places[3] + DVec3::new(side, c * radius, s * radius);
         let broken = noise(DVec3::new(place.x, place.y / (0.9 * radius), place.z / (0.7 * radius)));
-        let torn = noise(DVec3::new(place.x + 7.5, place.y / 2.6, place.z / 2.6));
-        let splinter = noise(DVec3::new(place.x + 21.5, place.y / 1.3, place.z / 1.3)).max(0.0);
+        let torn = noise(DVec3::new(place.x + 7.5, place.y / 3.4, place.z / 3.4));
+        let splinter = noise(DVec3::new(place.x + 21.5, place.y / 2.1, place.z / 2.1)).max(0.0);
         bark * radius * (0.22 * broken + 0.07 * torn + 0.3 * splinter * splinter)
     }
 
@@ -138,9 +138,14 @@ impl LogShape {
     /// How far a point is inside the log, cm; negative outside, where it is no more than a bound.
     pub(super) fn depth(&self, point: DVec3, radius_at: impl Fn(f64, [f64; 2]) -> f64) -> f64 {
         let mut along = point.x;
-        // One step of Newton's method: the axis is nearly straight.
-        let [y, slope] = self.bow(along);
-        along += (point.y - y) * slope / (1.0 + slope * slope);
+        // Newton's method, for the place whose cross-section the point lies in.
+        for _ in 0..2 {
+            let [y, slope] = self.bow(along);
+            let curve = self.log.bend * 0.07 * (8.0 + 24.0 * along / self.log.length) / self.log.length;
+            let aside = point.y - y;
+            let steepness = (1.0 + slope * slope - aside * curve).max(0.3);
+            along += (point.x - along + aside * slope) / steepness;
+        }
         let Log { length, radius, bark, .. } = self.log;
         let beyond = 0.5 * length + 0.6 * bark * radius - along.abs();
         let [centre, across] = self.frame(along);
@@ -163,6 +168,7 @@ impl LogShape {
             return surface - distance;
         }
         let end = 0.5 * length + self.jag(along > 0.0, [direction[0] * share, direction[1] * share]);
-        (surface - distance).min(end - along.abs())
+        // Splinters are narrow: the mesh that is seen is off by more here.
+        (surface - distance).min(end + 0.1 * bark * radius - along.abs())
     }
 }
