@@ -351,6 +351,27 @@ field_test! {
 }
 
 field_test! {
+    fn a_log_of_the_users_own_is_kept_clear_too() {
+        let grown = run(&Params { density: 0.0, ..small() });
+        let (positions, indices) = {
+            let log = grown.generator.log();
+            let positions: Vec<f32> = log.points.iter().flat_map(|p| p.as_vec3().to_array()).collect();
+            (positions, log.triangles.as_flattened().to_vec())
+        };
+        for clear_log in [false, true] {
+            let params = Params { droop: 0.9, thickness: 0.15, foot: 0.6, moisture: 90.0, clear_log, collisions: Collisions::Pressed, ..small() };
+            let mut generator = Generator::new();
+            generator.set_log(&positions, &indices).unwrap();
+            generator.start(params.clone(), u64::MAX).unwrap();
+            while !generator.step() {}
+            check_colony(&params, &generator).unwrap();
+            let inside = common::wood_ear::vertices_in_log(&generator).len();
+            assert_eq!(inside == 0, clear_log, "{inside} vertices in the log");
+        }
+    }
+}
+
+field_test! {
     fn the_preview_is_the_colony_without_collisions() {
         for name in ["thesis-default", "wet-colony"] {
             let mut params = preset(name).unwrap().params();

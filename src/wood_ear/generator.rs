@@ -9,7 +9,7 @@ use super::body::{Bend, Layout};
 use super::bowl::bowl;
 use super::crossing::Count;
 use super::deform::{Sheet, deform};
-use super::ground::Ground;
+use super::ground::{Given, Ground, Grown};
 use super::log::{Log, Sweep, counts};
 use super::mesh::{ColonyMesh, LogMesh, shade, write};
 use super::pose::Poser;
@@ -77,7 +77,7 @@ enum Task {
     Coarse(Box<Sweep>),
     Fine(Box<Sweep>),
     Spawn,
-    Ground(Box<Ground>),
+    Ground(Box<Grown>),
     /// From this individual on.
     Deform(usize),
     /// With the sheets as they are by now.
@@ -258,11 +258,11 @@ impl Generator {
             self.deform_key = None;
             return Some(Task::Spawn);
         }
-        if params.clear_log
-            && self.given.is_none()
-            && !self.ground.as_ref().is_some_and(|ground| ground.is_of(&params.log))
-        {
-            return Some(Task::Ground(Box::new(Ground::new(params.log))));
+        if params.clear_log && self.ground().is_none() {
+            let Some(number) = self.given else {
+                return Some(Task::Ground(Box::new(Grown::new(params.log))));
+            };
+            self.ground = Some(Ground::Given(Given::new(number, &self.log)));
         }
         let stale = self.deform_key.as_ref() != Some(&DeformKey::new(params));
         if stale || self.collide_key.is_some_and(|rule| rule != params.collisions) {
@@ -280,11 +280,7 @@ impl Generator {
         self.stats = Stats::of(&self.mesh);
         Some(match params.collisions {
             Collisions::Off => Task::Count(Box::default()),
-            Collisions::Thesis => {
-                let individuals = &self.spawn.individuals;
-                let thesis = Thesis::new(&self.layout, individuals, &self.sheets, self.bends());
-                Task::Thesis(Box::new(thesis), self.sheets.clone())
-            }
+            Collisions::Thesis => Task::Thesis(Box::new(Thesis::new(&self.layout, self.bends())), self.sheets.clone()),
             Collisions::Pressed => Task::Press(Box::new(Press::new(&self.mesh.positions, self.bodies()?))),
         })
     }
@@ -295,11 +291,13 @@ impl Generator {
         each.map(|(individual, sheet)| Bend::new(params, individual, sheet.size)).collect()
     }
 
-    /// What individuals keep out of, if they are to.
+    /// What individuals keep out of, if they are to, and if it is known.
     fn ground(&self) -> Option<&Ground> {
-        self.ground
-            .as_ref()
-            .filter(|_| self.params.as_ref().is_some_and(|params| params.clear_log) && self.given.is_none())
+        let params = self.params.as_ref().filter(|params| params.clear_log)?;
+        self.ground.as_ref().filter(|ground| match ground {
+            Ground::Grown(grown) => self.given.is_none() && grown.is_of(&params.log),
+            Ground::Given(given) => self.given == Some(given.number),
+        })
     }
 
     fn bodies(&self) -> Option<Bodies<'_>> {
@@ -338,7 +336,7 @@ impl Generator {
                 if !ground.advance(GROUND_PER_STEP) {
                     return Some(Task::Ground(ground));
                 }
-                self.ground = Some(*ground);
+                self.ground = Some(Ground::Grown(ground));
             }
             Task::Deform(from) => {
                 let to = self.deform(from)?;

@@ -2,15 +2,118 @@
 
 use glam::DVec3;
 
+use super::log::Log as LogMesh;
 use super::shape::LogShape;
 use crate::params::wood_ear::Log;
 
 /// cm between the places whose radius is tabulated: as fine as the mesh that is seen.
 const CELL: f64 = 0.8;
 
+/// A grown log, or one of the user's own.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Ground {
+    Grown(Box<Grown>),
+    Given(Given),
+}
+
+impl Ground {
+    /// How far a body is lifted off the place it stands on: its outer sheet would lie in the furrows otherwise.
+    pub(super) fn lift(&self) -> f64 {
+        match self {
+            Ground::Grown(grown) => grown.margin + 0.02,
+            Ground::Given(_) => GIVEN_MARGIN + 0.02,
+        }
+    }
+
+    /// Whether a point is outside the log and, with `earth`, above the earth that a grown log lies on; `up` leads out of the log nearby.
+    pub(super) fn is_clear(&self, point: DVec3, up: DVec3, earth: bool) -> bool {
+        match self {
+            Ground::Grown(grown) => (point.z > 0.0 || !earth) && grown.is_clear(point),
+            Ground::Given(given) => !given.holds(point) && !given.holds(point - GIVEN_MARGIN * up),
+        }
+    }
+}
+
+/// cm that bodies keep from a log of the user's own.
+const GIVEN_MARGIN: f64 = 0.05;
+
+/// Cells that the plane below a log of the user's own is cut into along its longer side, at most.
+const MOST_CELLS: f64 = 512.0;
+
+/// A closed mesh, its triangles by the cell of the plane they lie over.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Given {
+    /// Which log it is.
+    pub(super) number: u32,
+    low: DVec3,
+    cell: f64,
+    columns: usize,
+    rows: usize,
+    starts: Vec<u32>,
+    over: Vec<u32>,
+    corners: Vec<[DVec3; 3]>,
+}
+
+impl Given {
+    pub(super) fn new(number: u32, log: &LogMesh) -> Self {
+        let low = log.points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+        let size = log.points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max) - low;
+        let cell = (size.x.max(size.y) / MOST_CELLS).max(0.5);
+        let [columns, rows] = [size.x, size.y].map(|side| (side / cell) as usize + 1);
+        let corners: Vec<[DVec3; 3]> = log.triangles.iter().map(|t| t.map(|v| log.points[v as usize] - low)).collect();
+        let mut given =
+            Given { number, low, cell, columns, rows, starts: vec![0; columns * rows + 1], over: Vec::new(), corners };
+        // Counted, then filled in from the back.
+        given.visit(|starts, _, cell, _| starts[cell] += 1);
+        let mut sum = 0;
+        for start in &mut given.starts {
+            sum += *start;
+            *start = sum;
+        }
+        given.over = vec![0; sum as usize];
+        given.visit(|starts, over, cell, triangle| {
+            starts[cell] -= 1;
+            over[starts[cell] as usize] = triangle;
+        });
+        given
+    }
+
+    fn visit(&mut self, mut each: impl FnMut(&mut [u32], &mut [u32], usize, u32)) {
+        for (triangle, [a, b, c]) in (0..).zip(&self.corners) {
+            let [least, most] = [a.min(*b).min(*c), a.max(*b).max(*c)].map(|p| [p.x / self.cell, p.y / self.cell]);
+            for row in least[1] as usize..=most[1] as usize {
+                for column in least[0] as usize..=most[0] as usize {
+                    each(&mut self.starts, &mut self.over, row * self.columns + column, triangle);
+                }
+            }
+        }
+    }
+
+    /// Whether a point is inside: a ray upward leaves the log an odd number of times.
+    fn holds(&self, point: DVec3) -> bool {
+        // A little aside, where no edge of a modelled log stands.
+        let p = point - self.low + DVec3::new(1.3e-7, 2.1e-7, 0.0);
+        let [x, y] = [p.x / self.cell, p.y / self.cell];
+        if !(x >= 0.0 && y >= 0.0 && x < self.columns as f64 && y < self.rows as f64) {
+            return false;
+        }
+        let cell = y as usize * self.columns + x as usize;
+        let over = &self.over[self.starts[cell] as usize..self.starts[cell + 1] as usize];
+        let mut inside = false;
+        for triangle in over {
+            let [a, b, c] = self.corners[*triangle as usize].map(|q| q - p);
+            let turn = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
+            let [u, v, w] = [turn(b, c), turn(c, a), turn(a, b)];
+            let over = (u > 0.0 && v > 0.0 && w > 0.0) || (u < 0.0 && v < 0.0 && w < 0.0);
+            inside ^= over && (u * a.z + v * b.z + w * c.z) * (u + v + w) > 0.0;
+        }
+        inside
+    }
+}
+
 /// The grown log's radius as a table, many times faster than its noise.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) struct Ground {
+pub(super) struct Grown {
     shape: LogShape,
     log: Log,
     /// The mesh that is seen is flat between its vertices: it stands out from the table by less than this, cm.
@@ -21,13 +124,13 @@ pub(super) struct Ground {
     radii: Vec<f32>,
 }
 
-impl Ground {
+impl Grown {
     pub(super) fn new(log: Log) -> Self {
         let shape = LogShape::new(log);
         // The ends reach out by as much as they are broken.
         let rows = ((log.length + 2.0 * log.radius) / CELL) as usize + 2;
         let columns = 4 * ((std::f64::consts::TAU * log.radius / CELL / 4.0) as usize + 2);
-        Ground {
+        Grown {
             shape,
             log,
             margin: 0.04 + 0.03 * log.bark * log.radius.sqrt(),
@@ -83,15 +186,8 @@ impl Ground {
         0.5 * self.log.length + self.log.radius
     }
 
-    /// How far a body is lifted off the place it stands on: its outer sheet would lie in the furrows otherwise.
-    pub(super) fn lift(&self) -> f64 {
-        self.margin + 0.02
-    }
-
-    /// Whether a point is outside the log and, with `earth`, above the earth it lies on.
-    pub(super) fn is_clear(&self, point: DVec3, earth: bool) -> bool {
-        (point.z > 0.0 || !earth)
-            && self.shape.depth(point, |along, direction| self.radius(along, direction)) < -self.margin
+    fn is_clear(&self, point: DVec3) -> bool {
+        self.shape.depth(point, |along, direction| self.radius(along, direction)) < -self.margin
     }
 
     /// Between the four nearest places.

@@ -126,20 +126,20 @@ impl Poser {
                 let spine = bend.rib(DVec3::new(0.0, height * sheet.size, 0.0), 0.5).spine;
                 let spine = individual.to_world(spine) - individual.foot;
                 let at = individual.foot + keep_spine(individual.foot, spine, planes) * spine;
-                ground.is_clear(at, earth).then_some((at, earth))
+                ground.is_clear(at, individual.axes[1], earth).then_some((at, earth))
             })
         };
         // What grows into the earth is kept out of the log alone.
         let Some((haven, earth)) = haven(true).or_else(|| haven(false)) else { return };
         let outer = sheets + usize::from(RIM_RINGS) * c;
         for v in (0..visible).chain(floor..self.points.len().max(floor)) {
-            let share = way_out(|p| ground.is_clear(p, earth), self.points[v], haven);
+            let share = way_out(|p| ground.is_clear(p, individual.axes[1], earth), self.points[v], haven);
             if share > 0.0 {
                 self.points[v] = self.points[v].lerp(haven, share);
                 // The inner sheet goes along, or the outer one would come through it.
                 if layout.thick && v >= outer && v < outer + sheets {
                     let inner = self.points[v - outer].lerp(haven, share);
-                    if ground.is_clear(inner, earth) {
+                    if ground.is_clear(inner, individual.axes[1], earth) {
                         self.points[v - outer] = inner;
                     }
                 }

@@ -22,7 +22,7 @@ pub struct Individual {
 
 impl Individual {
     /// From its own frame to the world.
-    pub(super) fn to_world(&self, p: DVec3) -> DVec3 {
+    pub(super) fn to_world(self, p: DVec3) -> DVec3 {
         let [x, y, z] = self.axes;
         p.x * x + p.y * y + p.z * z + self.foot
     }

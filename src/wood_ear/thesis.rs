@@ -42,6 +42,8 @@ pub(super) struct Thesis {
     meridians: usize,
     models: Vec<Model>,
     bends: Vec<Bend>,
+    /// Of all that a sheet can become; empty once the pairs are known.
+    bounds: Vec<Bounds>,
     pairs: Vec<[u32; 2]>,
     /// Versions of both at which a pair was last found free.
     free: Vec<[u32; 2]>,
@@ -52,42 +54,66 @@ pub(super) struct Thesis {
 }
 
 impl Thesis {
-    pub(super) fn new(layout: &Layout, individuals: &[Individual], sheets: &[Sheet], bends: Vec<Bend>) -> Self {
+    pub(super) fn new(layout: &Layout, bends: Vec<Bend>) -> Self {
         let [rings, meridians] = [layout.rings, layout.meridians].map(usize::from);
-        let mut models = Vec::with_capacity(sheets.len());
-        let mut bounds = Vec::with_capacity(sheets.len());
-        for ((individual, sheet), bend) in individuals.iter().zip(sheets).zip(&bends) {
-            let count = sheet.points.len();
-            let mut model = Model {
-                points: vec![DVec3::ZERO; count],
-                reach: vec![0.0; count],
-                quads: vec![Bounds::EMPTY; (rings - 1) * meridians],
-                strips: vec![Bounds::EMPTY; meridians],
-                whole: Bounds::EMPTY,
-                version: 1,
-            };
-            for f in 0..meridians {
-                model.place(f, rings, meridians, individual, sheet, bend);
-            }
-            for f in 0..meridians {
-                model.bound(f, rings, meridians);
-            }
-            model.enclose();
-            // Stepping inward leads towards the axis: with its points the box holds all that the sheet can become.
-            let axis = sheet.points.iter().enumerate().map(|(v, p)| {
-                let on_axis = DVec3::new(0.0, p.y, 0.0);
-                individual.to_world(bend.rib(on_axis * sheet.size, (v / meridians + 1) as f64 / rings as f64).point())
-            });
-            bounds.push(axis.fold(model.whole, Bounds::with));
-            models.push(model);
+        Thesis {
+            rings,
+            meridians,
+            models: Vec::with_capacity(bends.len()),
+            bounds: Vec::with_capacity(bends.len()),
+            bends,
+            pairs: Vec::new(),
+            free: Vec::new(),
+            next: 0,
+            moved: false,
+            sweeps: 0,
+            rounds: 0,
         }
-        let pairs = overlapping(&bounds);
-        let free = vec![[0; 2]; pairs.len()];
-        Thesis { rings, meridians, models, bends, pairs, free, next: 0, moved: false, sweeps: 0, rounds: 0 }
+    }
+
+    /// Makes the model of the next individual.
+    fn add(&mut self, individual: &Individual, sheet: &Sheet) {
+        let (d, c) = (self.rings, self.meridians);
+        let bend = self.bends[self.models.len()];
+        let count = sheet.points.len();
+        let mut model = Model {
+            points: vec![DVec3::ZERO; count],
+            reach: vec![0.0; count],
+            quads: vec![Bounds::EMPTY; (d - 1) * c],
+            strips: vec![Bounds::EMPTY; c],
+            whole: Bounds::EMPTY,
+            version: 1,
+        };
+        for f in 0..c {
+            model.place(f, d, c, individual, sheet, &bend);
+        }
+        for f in 0..c {
+            model.bound(f, d, c);
+        }
+        model.enclose();
+        // Stepping inward leads towards the axis: with its points the box holds all that the sheet can become.
+        let axis = sheet.points.iter().enumerate().map(|(v, p)| {
+            let on_axis = DVec3::new(0.0, p.y, 0.0);
+            individual.to_world(bend.rib(on_axis * sheet.size, (v / c + 1) as f64 / d as f64).point())
+        });
+        self.bounds.push(axis.fold(model.whole, Bounds::with));
+        self.models.push(model);
     }
 
     /// Works on pairs for about so many rounds. True when a sweep moved nothing, or after the last one.
     pub(super) fn advance(&mut self, individuals: &[Individual], sheets: &mut [Sheet], rounds: u32) -> bool {
+        if self.models.len() < individuals.len() {
+            let to = (self.models.len() + rounds as usize).min(individuals.len());
+            for k in self.models.len()..to {
+                self.add(&individuals[k], &sheets[k]);
+            }
+            return false;
+        }
+        if self.bounds.len() == individuals.len() {
+            self.pairs = overlapping(&self.bounds);
+            self.free = vec![[0; 2]; self.pairs.len()];
+            self.bounds = Vec::new();
+        }
         let mut done = 0;
         while done < rounds {
             if self.next == self.pairs.len() {
@@ -287,7 +313,7 @@ fn pierce(
                 continue;
             }
             let aside = from.cross(back) * sign;
-            let [u, v] = [m.dot(aside) * -1.0, l.dot(aside)];
+            let [u, v] = [-m.dot(aside), l.dot(aside)];
             if u > 0.0 && v > 0.0 && u + v < det {
                 hits_a[of_q] = true;
                 hits_b[of_a] = true;

@@ -73,7 +73,7 @@ impl std::error::Error for LogError {}
 
 /// Checks, and welds vertices at the same place, as formats have them that split vertices for their normals. Vertices that no triangle with an area uses are dropped: nothing could tell which way they face.
 pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Log, LogError> {
-    if positions.len() % 3 != 0 || indices.len() % 3 != 0 {
+    if !positions.len().is_multiple_of(3) || !indices.len().is_multiple_of(3) {
         return Err(LogError::NotInThrees);
     }
     for (count, max) in [(positions.len() / 3, MOST_VERTICES), (indices.len() / 3, MOST_TRIANGLES)] {
