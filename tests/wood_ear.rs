@@ -104,7 +104,7 @@ field_test! {
                     if scale > 0.1 + 1.0e-9 {
                         assert!((o - *share.get_or_insert(o)).abs() < 1.0e-9);
                     }
-                    assert!(scale >= 0.1 - 1.0e-12 && scale <= 1.0 + 1.0e-12);
+                    assert!((0.1 - 1.0e-12..=1.0 + 1.0e-12).contains(&scale));
                 }
             }
         }

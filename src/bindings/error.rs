@@ -8,10 +8,9 @@ use crate::error::Error;
 /// The only conversion of errors: `name` is the code for machines, `message` the text for people.
 impl From<Error> for JsValue {
     fn from(error: Error) -> JsValue {
-        let js =
-            js_sys::Error::new(&error.message(|n| {
-                String::from(js_sys::JsString::from(js_sys::Object::from(JsValue::from_f64(n)).to_string()))
-            }));
+        let js = js_sys::Error::new(
+            &error.message(|n| String::from(js_sys::Object::from(JsValue::from_f64(n)).to_string())),
+        );
         js.set_name(error.code());
         let [value, min, max] = error.numbers();
         for (key, number) in [("value", value), ("min", min), ("max", max)] {

@@ -83,7 +83,7 @@ pub struct ParamSpec<P, I, S> {
     pub stage: S,
 }
 
-/// The words that belong to a row of [`PARAMS`].
+/// The words that belong to a row of `PARAMS`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Text {
     /// Unit in the journal's and in the conference's notation.
