@@ -195,7 +195,7 @@ impl Generator {
         }
     }
 
-    /// Whether the buffers hold this run's colony, with or without its collisions solved. True at the latest when
+    /// Whether the buffers hold this run's colony, with or without its collisions solved, those with the log too. True at the latest when
     /// [`Generator::step`] returns true; until then, buffers copied out are a complete colony whose individuals may cross.
     pub fn preview_ready(&self) -> bool {
         self.preview
@@ -279,7 +279,11 @@ impl Generator {
         }
         self.stats = Stats::of(&self.mesh);
         Some(match params.collisions {
-            Collisions::Off => Task::Count(Box::default()),
+            Collisions::Off if !params.clear_log => Task::Count(Box::default()),
+            Collisions::Off => {
+                let all = vec![true; self.sheets.len()];
+                Task::Settle(Box::new(Settle::sheets(&self.mesh, self.sheets.clone(), all)))
+            }
             Collisions::Thesis => Task::Thesis(Box::new(Thesis::new(&self.layout, self.bends())), self.sheets.clone()),
             Collisions::Pressed => Task::Press(Box::new(Press::new(&self.mesh.positions, self.bodies()?))),
         })
@@ -350,7 +354,8 @@ impl Generator {
                     return Some(Task::Thesis(thesis, sheets));
                 }
                 [self.stats.sweeps, self.stats.rounds] = [thesis.sweeps, thesis.rounds];
-                let moved = (0..sheets.len()).map(|k| thesis.has_moved(k)).collect();
+                let clear = self.params.as_ref().is_some_and(|params| params.clear_log);
+                let moved = (0..sheets.len()).map(|k| clear || thesis.has_moved(k)).collect();
                 return Some(Task::Settle(Box::new(Settle::sheets(&self.mesh, sheets, moved))));
             }
             Task::Press(mut press) => {
@@ -359,7 +364,10 @@ impl Generator {
                 }
                 self.stats.sweeps = press.sweeps;
                 self.stats.rounds = press.planes_set();
-                let (positions, moved, planes) = press.finish();
+                let (positions, mut moved, planes) = press.finish();
+                if self.ground().is_some() {
+                    moved.fill(true);
+                }
                 return Some(Task::Settle(Box::new(Settle::positions(positions, moved, planes))));
             }
             Task::Settle(mut settle) => {
@@ -393,7 +401,7 @@ impl Generator {
         for k in from..to {
             let individual: Individual = self.spawn.individuals[k];
             let sheet = deform(params, &individual, &unit);
-            poser.pose(params, &self.layout, &individual, &sheet, &[], self.ground());
+            poser.pose(params, &self.layout, &individual, &sheet, &[], (self.ground(), false));
             let range = k * step..(k + 1) * step;
             write(&mut self.mesh.positions[range.clone()], poser.points.iter().copied());
             shade(&self.layout, &self.mesh.positions[range.clone()], &mut self.mesh.normals[range], &mut sums);

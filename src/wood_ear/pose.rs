@@ -29,7 +29,7 @@ pub(super) struct Poser {
 }
 
 impl Poser {
-    /// The body in the world, in `points`.
+    /// The body in the world, in `points`; kept out of the log only where it is `last`, which takes longer than all the rest.
     ///
     /// A vertex stands off from a point of the body's spine. Where the spine leaves a half-space, it is drawn towards the foot; where a
     /// vertex does, it moves along its rib towards the spine. A half-space is convex and holds the foot, so both always end inside.
@@ -40,7 +40,7 @@ impl Poser {
         individual: &Individual,
         sheet: &Sheet,
         planes: &[Plane],
-        ground: Option<&Ground>,
+        (ground, last): (Option<&Ground>, bool),
     ) {
         let bend = Bend::new(params, individual, sheet.size);
         build(params, layout, sheet, &bend, ground.map_or(0.0, Ground::lift), &mut self.ribs);
@@ -50,7 +50,7 @@ impl Poser {
         } else {
             self.press(layout, individual, planes);
         }
-        if let Some(ground) = ground {
+        if let (Some(ground), true) = (ground, last) {
             self.clear(layout, individual, ground, &bend, sheet, planes);
         }
     }

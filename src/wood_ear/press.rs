@@ -75,7 +75,11 @@ impl Press {
     pub(super) fn advance(&mut self, of: Bodies, mut work: usize) -> bool {
         if self.boxes.len() < of.individuals.len() {
             let from = self.boxes.len();
-            for positions in self.positions.chunks_exact(self.step).skip(from).take(work) {
+            for (k, positions) in self.positions.chunks_exact_mut(self.step).enumerate().skip(from).take(work) {
+                if of.ground.is_some() {
+                    self.poser.pose(of.params, of.layout, &of.individuals[k], &of.sheets[k], &[], (of.ground, true));
+                    write(positions, self.poser.points.iter().copied());
+                }
                 let (boxes, whole) = Boxes::of(of.layout, positions);
                 self.boxes.push(boxes);
                 self.bounds.push(whole);
@@ -143,7 +147,14 @@ impl Press {
         for (k, partner, side) in [(i, pair[1], 1.0), (j, pair[0], -1.0)] {
             self.planes[k].push(Plane { normal: side * normal, offset: side * offset - gap, partner });
             self.changed[k] = self.planes_set;
-            self.poser.pose(of.params, of.layout, &of.individuals[k], &of.sheets[k], &self.planes[k], of.ground);
+            self.poser.pose(
+                of.params,
+                of.layout,
+                &of.individuals[k],
+                &of.sheets[k],
+                &self.planes[k],
+                (of.ground, true),
+            );
             let slots = &mut self.positions[k * self.step..(k + 1) * self.step];
             write(slots, self.poser.points.iter().copied());
             (self.boxes[k], self.bounds[k]) = Boxes::of(of.layout, slots);

@@ -91,7 +91,7 @@ impl Settle {
             let mut kept = 1.0;
             if self.moved[k] {
                 if let Some(sheet) = self.sheets.get(k) {
-                    self.poser.pose(of.params, of.layout, &of.individuals[k], sheet, &[], of.ground);
+                    self.poser.pose(of.params, of.layout, &of.individuals[k], sheet, &[], (of.ground, true));
                     write(&mut self.positions[range.clone()], self.poser.points.iter().copied());
                 }
                 let positions = &self.positions[range.clone()];

@@ -52,7 +52,7 @@ impl LogShape {
 
     /// The bow: how far the axis lies to +y at x, and how steeply it runs there.
     fn bow(&self, x: f64) -> [f64; 2] {
-        // A parabola with a slight S in it; its mean is 0, and at the ends it is no steeper than 0.35.
+        // A parabola with a slight S in it; its mean is 0, and nowhere it is steeper than ½.
         let t = x / self.log.length;
         let depth = self.log.bend * self.log.length * 0.07;
         [depth * (4.0 * t * t - 1.0 / 3.0 + 4.0 * t * t * t - t), self.log.bend * 0.07 * (8.0 * t + 12.0 * t * t - 1.0)]
@@ -76,11 +76,11 @@ impl LogShape {
         let mut height =
             radius * taper * (1.0 + 0.025 * (cos * cos - sin * sin)) * (1.0 + 0.05 * swell * bark.min(0.5) * 2.0);
         if bark > 0.0 {
-            // Furrows along the trunk, some 2.4 cm apart: plates where the noise is away from 0, valleys where it crosses.
+            // Furrows along the trunk, some 3 cm apart: plates where the noise is away from 0, valleys where it crosses.
             let wander = 1.2 * noise(self.places[4] + DVec3::new(along / 9.0, x / 5.0, y / 5.0));
-            let n = noise(self.places[1] + DVec3::new(along / 13.0, (x + wander) / 2.4, (y - wander) / 2.4));
-            let plate = (n.abs() * 3.5).min(1.0);
-            let grain = noise(self.places[2] + DVec3::new(along / 3.2, x / 0.9, y / 0.9));
+            let n = noise(self.places[1] + DVec3::new(along / 13.0, (x + wander) / 3.1, (y - wander) / 3.1));
+            let plate = (n.abs() * 2.8).min(1.0);
+            let grain = noise(self.places[2] + DVec3::new(along / 4.0, x / 1.6, y / 1.6));
             height += bark * radius.sqrt() * (0.3 * plate * (2.0 - plate) + 0.06 * grain * plate);
             for &(at, [kc, ks], rise) in &self.knots {
                 let across = radius * ((cos - kc) * (cos - kc) + (sin - ks) * (sin - ks)).sqrt();

@@ -154,7 +154,7 @@ table! {
     }
     {
         "logBend", url "lb", Scope::Field(|p| p.log.bend, |p, v| p.log.bend = v), Kind::Real, Log,
-        range [0.0, 1.0] step 0.01 default 0.3, slider [0.0, 1.0] linear,
+        range [0.0, 1.0] step 0.01 default 0.5, slider [0.0, 1.0] linear,
         unit NONE, label ["Log bend", "丸太の曲がり"],
         en "How far the log is bowed.",
         ja "丸太の曲がりの強さ。"
