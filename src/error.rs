@@ -114,33 +114,54 @@ impl Error {
 impl Error {
     /// The message for people; `number` writes a number. JavaScript has a way to write numbers, and Rust's takes 20 kB of a wasm file.
     pub(crate) fn message(&self, number: impl Fn(f64) -> String) -> String {
-        let place = |key: &str, layer: &Option<usize>| match layer {
-            Some(index) => [key, " of layer ", &number(*index as f64)].concat(),
-            None => key.to_string(),
+        let mut text = String::new();
+        let mut say = |words: &str, value: Option<f64>| {
+            text.push_str(words);
+            if let Some(value) = value {
+                text.push_str(&number(value));
+            }
+        };
+        let mut place = |key: &str, layer: &Option<usize>| match layer {
+            Some(index) => {
+                say(key, None);
+                say(" of layer ", Some(*index as f64));
+            }
+            None => say(key, None),
         };
         match self {
             Error::OutOfRange { key, layer, value, min, max } => {
-                let [value, min, max] = [value, min, max].map(|n| number(*n));
-                [&place(key, layer), " is ", &value, "; it has to lie in ", &min, " to ", &max].concat()
+                place(key, layer);
+                say(" is ", Some(*value));
+                say("; it has to lie in ", Some(*min));
+                say(" to ", Some(*max));
             }
             Error::NotAnInteger { key, layer, value } => {
-                [&place(key, layer), " is ", &number(*value), "; it has to be a whole number"].concat()
+                place(key, layer);
+                say(" is ", Some(*value));
+                say("; it has to be a whole number", None);
             }
             Error::TooManyLayers { value, max } => {
-                [&number(*value as f64), " layers; at most ", &number(*max as f64)].concat()
+                say("", Some(*value as f64));
+                say(" layers; at most ", Some(*max as f64));
             }
-            Error::DuplicateLayerId { value } => ["two layers have the id ", &number(f64::from(*value))].concat(),
-            Error::UnknownPreset { value } => ["there is no preset called \"", value, "\""].concat(),
+            Error::DuplicateLayerId { value } => say("two layers have the id ", Some(f64::from(*value))),
+            Error::UnknownPreset { value } => {
+                say("there is no preset called \"", None);
+                say(value, None);
+                say("\"", None);
+            }
             Error::MalformedRequest { value, expected } => {
-                let [value, expected] = [value, expected].map(|n| number(*n as f64));
-                ["the request holds ", &value, " numbers instead of ", &expected].concat()
+                say("the request holds ", Some(*value as f64));
+                say(" numbers instead of ", Some(*expected as f64));
             }
             Error::OverBudget { key, estimate, budget } => {
-                let [estimate, budget] = [estimate, budget].map(|n| number((n >> 20) as f64));
-                ["this field would need about ", &estimate, " MiB and the budget is ", &budget, " MiB; change ", key]
-                    .concat()
+                say("this field would need about ", Some((estimate >> 20) as f64));
+                say(" MiB and the budget is ", Some((budget >> 20) as f64));
+                say(" MiB; change ", None);
+                say(key, None);
             }
         }
+        text
     }
 }
 

@@ -294,7 +294,7 @@ export const WOOD_EAR_PRESETS = [
   { name: 'thesis-fig4-10', fields: { moisture: 10 } },
   { name: 'thesis-fig4-11', fields: { moisture: 90 } },
   { name: 'wet-colony', natural: true, fields: { density: 38, range: 45, moisture: 92, wrinkles: 30, perIndividual: 0.8, size: 2.4, sizeSpread: 1.7, collisions: "pressed", droop: 0.75, thickness: 0.16, foot: 0.6, clearLog: "on" } },
-  { name: 'dry-colony', natural: true, fields: { density: 38, range: 45, moisture: 12, wrinkles: 55, perIndividual: 0.6, size: 2.2, sizeSpread: 1.7, collisions: "pressed", droop: 0.5, thickness: 0.12, foot: 0.6, clearLog: "on" } },
+  { name: 'dry-colony', natural: true, fields: { density: 38, range: 45, moisture: 35, wrinkles: 45, perIndividual: 0.6, size: 2.2, sizeSpread: 1.7, collisions: "pressed", droop: 0.5, thickness: 0.12, foot: 0.6, clearLog: "on" } },
   { name: 'wrinkled-colony', natural: true, fields: { density: 30, range: 45, moisture: 70, wrinkles: 95, perIndividual: 0.3, size: 2.8, sizeSpread: 1.6, collisions: "pressed", droop: 0.6, thickness: 0.16, foot: 0.6, clearLog: "on" } },
   { name: 'fallen-log', natural: true, fields: { density: 34, range: 40, moisture: 80, wrinkles: 40, perIndividual: 0.8, size: 2.2, sizeSpread: 1.9, collisions: "pressed", droop: 0.7, thickness: 0.14, foot: 0.6, clearLog: "on", logLength: 260, logBend: 0.9, logBark: 0.7 }, bases: [[-78, -12, 22, 30], [-20, -13, 18, null], [35, -10, 24, 26], [92, -8, 25, 34]] },
 ] as const satisfies readonly WoodEarPreset[];

@@ -51,19 +51,23 @@ fn rings(log: &LogParams, fineness: u32) -> Vec<Ring> {
     let rows = (log.length / (0.75_f64.sqrt() * log.spacing)).round() as u32 * fineness;
     let around = (std::f64::consts::TAU * log.radius / log.spacing).round().max(6.0) as u32 * fineness;
     let caps = ((log.radius / (0.9 * log.spacing)).round().max(1.0) as u32) * fineness;
-    let cap = |positive: bool| {
-        (0..caps).map(move |k| {
-            let share = f64::from(k) / f64::from(caps);
-            let count = if k == 0 { 1 } else { ((f64::from(around) * share).round() as u32).max(5) };
-            Ring { count, offset: 0.5 * f64::from(k % 2), place: Place::End(positive, share) }
-        })
+    let cap = |positive: bool, k: u32| {
+        let share = f64::from(k) / f64::from(caps);
+        let count = if k == 0 { 1 } else { ((f64::from(around) * share).round() as u32).max(5) };
+        Ring { count, offset: 0.5 * f64::from(k % 2), place: Place::End(positive, share) }
     };
-    let bark = (0..=rows).map(|row| {
+    let mut rings = Vec::with_capacity((2 * caps + rows + 1) as usize);
+    for k in 0..caps {
+        rings.push(cap(false, k));
+    }
+    for row in 0..=rows {
         let along = f64::from(row) / f64::from(rows) - 0.5;
-        Ring { count: around, offset: 0.5 * f64::from(row % 2), place: Place::Bark(along) }
-    });
-    let after: Vec<Ring> = cap(true).collect();
-    cap(false).chain(bark).chain(after.into_iter().rev()).collect()
+        rings.push(Ring { count: around, offset: 0.5 * f64::from(row % 2), place: Place::Bark(along) });
+    }
+    for k in (0..caps).rev() {
+        rings.push(cap(true, k));
+    }
+    rings
 }
 
 /// How much finer the fine mesh of a log is, 1, 2 or 4, and how many vertices the coarse and the fine mesh have.

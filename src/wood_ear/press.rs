@@ -172,17 +172,15 @@ impl Press {
         let up = (up - up.dot(level) * level).normalize_or_zero();
         let (c, d) = (usize::from(of.layout.meridians), usize::from(of.layout.rings));
         let sample = |k: usize| {
-            let rings = [d - 1, (2 * d) / 3, d / 3];
             let body = self.body(k);
-            rings
-                .into_iter()
-                .flat_map(move |e| {
-                    (0..c).step_by(2).map(move |f| {
-                        let at = 3 * (e * c + f);
-                        Vec3::from_slice(&body[at..at + 3]).as_dvec3()
-                    })
-                })
-                .collect::<Vec<DVec3>>()
+            let mut points = Vec::with_capacity(2 * c);
+            for e in [d - 1, (2 * d) / 3, d / 3] {
+                for f in (0..c).step_by(2) {
+                    let at = 3 * (e * c + f);
+                    points.push(Vec3::from_slice(&body[at..at + 3]).as_dvec3());
+                }
+            }
+            points
         };
         let [of_a, of_b] = [sample(i), sample(j)];
         let middle = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;

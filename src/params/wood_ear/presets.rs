@@ -91,7 +91,7 @@ presets! {
     "thesis-fig4-10" false { moisture: 10.0 };
     "thesis-fig4-11" false { moisture: 90.0 };
     "wet-colony" true { density: 38.0, range: 45.0, moisture: 92.0, wrinkles: 30.0, perIndividual: 0.8, size: 2.4, sizeSpread: 1.7, collisions: PRESSED, droop: 0.75, thickness: 0.16, foot: 0.6, clearLog: ON };
-    "dry-colony" true { density: 38.0, range: 45.0, moisture: 12.0, wrinkles: 55.0, perIndividual: 0.6, size: 2.2, sizeSpread: 1.7, collisions: PRESSED, droop: 0.5, thickness: 0.12, foot: 0.6, clearLog: ON };
+    "dry-colony" true { density: 38.0, range: 45.0, moisture: 35.0, wrinkles: 45.0, perIndividual: 0.6, size: 2.2, sizeSpread: 1.7, collisions: PRESSED, droop: 0.5, thickness: 0.12, foot: 0.6, clearLog: ON };
     "wrinkled-colony" true { density: 30.0, range: 45.0, moisture: 70.0, wrinkles: 95.0, perIndividual: 0.3, size: 2.8, sizeSpread: 1.6, collisions: PRESSED, droop: 0.6, thickness: 0.16, foot: 0.6, clearLog: ON };
     "fallen-log" true { density: 34.0, range: 40.0, moisture: 80.0, wrinkles: 40.0, perIndividual: 0.8, size: 2.2, sizeSpread: 1.9, collisions: PRESSED, droop: 0.7, thickness: 0.14, foot: 0.6, clearLog: ON, logLength: 260.0, logBend: 0.9, logBark: 0.7 }
         [-78.0, -12.0, 22.0, 30.0] [-20.0, -13.0, 18.0, NONE] [35.0, -10.0, 24.0, 26.0] [92.0, -8.0, 25.0, 34.0];
