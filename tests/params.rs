@@ -284,3 +284,52 @@ fn a_value_out_of_range_is_named_with_its_bounds() {
         }
     }
 }
+
+#[test]
+fn the_wood_ears_table_is_as_sound_as_the_rocks() {
+    use wood_ear::{PARAMS, PRESETS, Params, Scope, TEXTS};
+    assert_eq!(PARAMS.len(), TEXTS.len());
+    for (spec, text) in PARAMS.iter().zip(TEXTS) {
+        assert!([text.label, text.doc].iter().flatten().all(|words| !words.is_empty()), "{}", spec.key);
+        let range = spec.range;
+        assert!(range.min < range.max && range.min <= spec.slider.min && spec.slider.max <= range.max, "{}", spec.key);
+        let none = range.default.is_nan() && spec.kind.is_optional();
+        assert!(none || (range.min..=range.max).contains(&range.default), "{}", spec.key);
+        if let Kind::Choice(words) = spec.kind {
+            assert_eq!((words.len(), range.max), (text.choices.len(), (words.len() - 1) as f64));
+        }
+    }
+    let mut urls: Vec<_> = PARAMS.iter().map(|spec| spec.url).collect();
+    urls.sort_unstable();
+    urls.dedup();
+    assert_eq!(urls.len(), PARAMS.len(), "two rows share a key in links");
+    for preset in PRESETS {
+        for (key, _) in preset.fields {
+            assert!(PARAMS.iter().any(|spec| spec.key == *key && matches!(spec.scope, Scope::Field(..))), "{key}");
+        }
+        let params = preset.params();
+        assert_eq!(Params::from_flat(&params.to_flat()).unwrap(), params);
+    }
+    // Table 4.2 of the thesis.
+    for (key, bounds) in [
+        ("density", [0.0, 50.0, 100.0]),
+        ("range", [20.0, 50.0, 200.0]),
+        ("moisture", [0.0, 50.0, 100.0]),
+        ("wrinkles", [0.0, 50.0, 100.0]),
+        ("size", [1.0, 2.0, 3.0]),
+        ("sizeSpread", [1.0, 1.5, 2.0]),
+    ] {
+        let range = PARAMS.iter().find(|spec| spec.key == key).unwrap().range;
+        assert_eq!([range.min, range.default, range.max], bounds, "{key}");
+    }
+    let rows = PARAMS.iter().filter(|spec| matches!(spec.scope, Scope::Field(..)));
+    for (row, spec) in rows.enumerate() {
+        for bad in [spec.range.max + 1.0, spec.range.min - 1.0, f64::NAN, f64::INFINITY] {
+            let mut flat = Params::default().to_flat();
+            flat[row] = bad;
+            assert_eq!(Params::from_flat(&flat).unwrap_err().key(), spec.key);
+        }
+    }
+    let flat = Params::default().to_flat();
+    assert_eq!(Params::from_flat(&flat[..flat.len() - 1]).unwrap_err().code(), "MalformedRequest");
+}
