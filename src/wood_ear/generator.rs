@@ -80,8 +80,7 @@ enum Task {
     Ground(Box<Grown>),
     /// From this individual on.
     Deform(usize),
-    /// With the sheets as they are by now.
-    Thesis(Box<Thesis>, Vec<Sheet>),
+    Thesis(Box<Thesis>),
     Press(Box<Press>),
     Settle(Box<Settle>),
     /// Nothing has moved, so only the crossing pairs are left to count.
@@ -174,7 +173,7 @@ impl Generator {
             Some(Task::Coarse(_) | Task::Fine(_) | Task::Ground(_)) => Stage::Log,
             Some(Task::Spawn) => Stage::Spawn,
             Some(Task::Deform(_)) => Stage::Deform,
-            Some(Task::Thesis(..) | Task::Press(_)) => Stage::Collide,
+            Some(Task::Thesis(_) | Task::Press(_)) => Stage::Collide,
             Some(Task::Settle(_) | Task::Count(_)) | None => Stage::Mesh,
         }
     }
@@ -187,7 +186,7 @@ impl Generator {
             Some(Task::Spawn) => 0.2,
             Some(Task::Ground(ground)) => 0.2 + 0.05 * ground.progress(),
             Some(Task::Deform(k)) => 0.25 + 0.05 * *k as f64 / self.spawn.individuals.len().max(1) as f64,
-            Some(Task::Thesis(thesis, _)) => 0.3 + 0.5 * thesis.progress(),
+            Some(Task::Thesis(thesis)) => 0.3 + 0.5 * thesis.progress(),
             Some(Task::Press(press)) => 0.3 + 0.5 * press.progress(),
             Some(Task::Settle(settle)) => 0.8 + 0.2 * settle.progress(),
             Some(Task::Count(count)) => 0.3 + 0.7 * count.progress(),
@@ -284,7 +283,7 @@ impl Generator {
                 let all = vec![true; self.sheets.len()];
                 Task::Settle(Box::new(Settle::sheets(&self.mesh, self.sheets.clone(), all)))
             }
-            Collisions::Thesis => Task::Thesis(Box::new(Thesis::new(&self.layout, self.bends())), self.sheets.clone()),
+            Collisions::Thesis => Task::Thesis(Box::new(Thesis::new(&self.layout, self.bends()))),
             Collisions::Pressed => Task::Press(Box::new(Press::new(&self.mesh.positions, self.bodies()?))),
         })
     }
@@ -349,13 +348,15 @@ impl Generator {
                 }
                 self.deform_key = self.params.as_ref().map(DeformKey::new);
             }
-            Task::Thesis(mut thesis, mut sheets) => {
-                if !thesis.advance(&self.spawn.individuals, &mut sheets, ROUNDS_PER_STEP) {
-                    return Some(Task::Thesis(thesis, sheets));
+            Task::Thesis(mut thesis) => {
+                if !thesis.advance(&self.spawn.individuals, &self.sheets, ROUNDS_PER_STEP) {
+                    return Some(Task::Thesis(thesis));
                 }
                 [self.stats.sweeps, self.stats.rounds] = [thesis.sweeps, thesis.rounds];
-                let clear = self.params.as_ref().is_some_and(|params| params.clear_log);
-                let moved = (0..sheets.len()).map(|k| clear || thesis.has_moved(k)).collect();
+                let (sheets, mut moved) = thesis.finish();
+                if self.ground().is_some() {
+                    moved.fill(true);
+                }
                 return Some(Task::Settle(Box::new(Settle::sheets(&self.mesh, sheets, moved))));
             }
             Task::Press(mut press) => {

@@ -41,6 +41,8 @@ pub(super) struct Thesis {
     rings: usize,
     meridians: usize,
     models: Vec<Model>,
+    /// As they are by now.
+    sheets: Vec<Sheet>,
     bends: Vec<Bend>,
     /// Of all that a sheet can become; empty once the pairs are known.
     bounds: Vec<Bounds>,
@@ -60,6 +62,7 @@ impl Thesis {
             rings,
             meridians,
             models: Vec::with_capacity(bends.len()),
+            sheets: Vec::with_capacity(bends.len()),
             bounds: Vec::with_capacity(bends.len()),
             bends,
             pairs: Vec::new(),
@@ -98,12 +101,13 @@ impl Thesis {
         });
         self.bounds.push(axis.fold(model.whole, Bounds::with));
         self.models.push(model);
+        self.sheets.push(sheet.clone());
     }
 
     /// Works on pairs for about so many rounds. True when a sweep moved nothing, or after the last one.
-    pub(super) fn advance(&mut self, individuals: &[Individual], sheets: &mut [Sheet], rounds: u32) -> bool {
+    pub(super) fn advance(&mut self, individuals: &[Individual], sheets: &[Sheet], rounds: u32) -> bool {
         if self.models.len() < individuals.len() {
-            let to = (self.models.len() + rounds as usize).min(individuals.len());
+            let to = (self.models.len() + rounds as usize / 4).min(individuals.len());
             for k in self.models.len()..to {
                 self.add(&individuals[k], &sheets[k]);
             }
@@ -127,7 +131,7 @@ impl Thesis {
             let [a, b] = pair.map(|k| k as usize);
             let versions = [self.models[a].version, self.models[b].version];
             if self.free[self.next] != versions {
-                let spent = self.solve([a, b], individuals, sheets);
+                let spent = self.solve([a, b], individuals);
                 self.rounds = self.rounds.max(spent);
                 self.moved |= spent > 0;
                 // A pair that ran out of rounds is tried again in the next sweep.
@@ -145,13 +149,14 @@ impl Thesis {
         if self.sweeps > 0 { 1.0 } else { self.next as f64 / self.pairs.len().max(1) as f64 }
     }
 
-    /// Whether an individual is not as it was.
-    pub(super) fn has_moved(&self, k: usize) -> bool {
-        self.models[k].version > 1
+    /// The sheets, and which of them are not as they were.
+    pub(super) fn finish(self) -> (Vec<Sheet>, Vec<bool>) {
+        let moved = self.models.iter().map(|model| model.version > 1).collect();
+        (self.sheets, moved)
     }
 
     /// Frees a pair; the rounds that moved something.
-    fn solve(&mut self, [a, b]: [usize; 2], individuals: &[Individual], sheets: &mut [Sheet]) -> u32 {
+    fn solve(&mut self, [a, b]: [usize; 2], individuals: &[Individual]) -> u32 {
         let (c, d) = (self.meridians, self.rings);
         // a < b: pairs are ascending.
         let (before, after) = self.models.split_at_mut(b);
@@ -168,8 +173,8 @@ impl Thesis {
             for (model, k, hits) in [(&mut *first, a, &hits_a), (&mut *second, b, &hits_b)] {
                 let mut own = false;
                 for f in (0..c).filter(|f| hits[*f]) {
-                    if step_inward(&mut sheets[k].points, f, c) {
-                        model.place(f, d, c, &individuals[k], &sheets[k], &self.bends[k]);
+                    if step_inward(&mut self.sheets[k].points, f, c) {
+                        model.place(f, d, c, &individuals[k], &self.sheets[k], &self.bends[k]);
                         own = true;
                     }
                 }
