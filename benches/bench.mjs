@@ -13,6 +13,7 @@ import { measure as measureSizes } from '../scripts/size.mjs';
 import { buildBench, folder } from './artefact.mjs';
 import { measureFrames, reportFrames } from './frames.mjs';
 import { report } from './report.mjs';
+import { measureWoodEar, reportWoodEar } from './wood-ear.mjs';
 
 const FIG1 = ['rocks', 'full', 'literal', 'npmRocks', 'npm', 'shapeEdit', 'selectEdit'];
 
@@ -26,13 +27,16 @@ await main(async () => {
   }
   await buildBench();
   const measured = await (browser ? measureInBrowser(rounds) : measureInNode(rounds));
+  say('Wood-ear colonies, in Node');
+  const woodEar = await measureWoodEar(Math.min(rounds, 5));
   const sizes = await measureSizes();
   const frames = browser ? await measureFrames(rounds, say) : undefined;
   if (json) {
-    console.log(JSON.stringify({ ...asJson(measured, sizes), frames }));
+    console.log(JSON.stringify({ ...asJson(measured, sizes), woodEar, frames }));
     return;
   }
   console.log(report({ ...measured, sizes, rounds, engine: browser ? 'Chromium, worker' : `Node ${process.versions.node}` }));
+  console.log(`\n${reportWoodEar(woodEar)}`);
   if (frames) console.log(`\n${reportFrames(frames)}`);
 });
 

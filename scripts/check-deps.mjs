@@ -4,7 +4,7 @@ import path from 'node:path';
 import { cargoEnv, pkg, root } from './env.mjs';
 import { Failure, capture, isMain, main } from './run.mjs';
 
-const BASE = ['bitmap', 'mesh', 'rng', 'params', 'error'];
+const BASE = ['bitmap', 'mesh', 'noise', 'rng', 'params', 'error'];
 
 /** Module of src/ → the modules it may use, beside itself. A longer name wins: `bindings/renderer` before `bindings`. */
 const RULES = {
@@ -12,10 +12,12 @@ const RULES = {
   // What the stages will allocate is computed from what they are: the two know each other.
   memory: [...BASE, 'rocks'],
   rocks: [...BASE, 'memory'],
-  wood_ear: [...BASE, 'memory'],
+  wood_ear: BASE,
   export: BASE,
   validate: [...BASE, 'rocks', 'wood_ear'],
-  'bindings/generator': [...BASE, 'memory', 'rocks', 'wood_ear', 'export'],
+  'bindings/generator': [...BASE, 'memory', 'rocks', 'export'],
+  'bindings/wood_ear': [...BASE, 'wood_ear', 'export'],
+  'bindings/error': ['error'],
   'bindings/renderer': ['render'],
   render: [],
 };
@@ -24,6 +26,7 @@ const RULES = {
 const FORBIDDEN_CRATES = [
   { features: [], crates: ['wgpu', 'web-sys', 'js-sys', 'wasm-bindgen'] },
   { features: ['generator'], crates: ['wgpu', 'wgpu-core', 'naga', 'web-sys'] },
+  { features: ['wood-ear'], crates: ['wgpu', 'wgpu-core', 'naga', 'web-sys'] },
 ];
 
 /** Only these files of www/ import the wasm glue. */

@@ -23,6 +23,7 @@ const STEPS = [
   { name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
   { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
   { name: 'clippy-generator', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'generator') },
+  { name: 'clippy-wood-ear', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'wood-ear') },
   { name: 'clippy-webgpu', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgpu') },
   { name: 'clippy-webgl', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgl') },
   { name: 'rust', expected: '5 min / 3 min', work: () => cargo(['test']) },
@@ -102,6 +103,7 @@ function rustInNode() {
 async function rustDocs() {
   await docs();
   await docs(...WASM, '--features', 'generator');
+  await docs(...WASM, '--features', 'wood-ear');
   await docs(...WASM, '--features', 'renderer-webgpu');
 }
 

@@ -1,4 +1,4 @@
-// The three wasm artefacts: cargo → wasm-bindgen → wasm-opt, into pkg/. An artefact whose sources have not changed is kept.
+// The four wasm artefacts: cargo → wasm-bindgen → wasm-opt, into pkg/. An artefact whose sources have not changed is kept.
 import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from './env.mjs';
@@ -12,6 +12,8 @@ export const artefacts = [
   // Its instance can be replaced after a trap, which in Node and for `rock-field/core` there is no worker for.
   // Functions called once stay functions: V8 makes a third slower code of very large ones.
   { feature: 'generator', profile: 'release', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'], expected: '10–60 s', bindgen: ['--experimental-reset-state-function'] },
+  // As large at the size levels, and half as fast.
+  { feature: 'wood-ear', profile: 'wood-ear', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'], expected: '10–60 s', bindgen: ['--experimental-reset-state-function'] },
   { feature: 'renderer-webgpu', profile: 'renderer', optimise: ['-Oz'], expected: '1–4 min the first time' },
   { feature: 'renderer-webgl', profile: 'renderer', optimise: ['-Oz'], expected: '2–6 min the first time' },
 ];

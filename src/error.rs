@@ -111,36 +111,63 @@ impl Error {
     }
 }
 
-impl fmt::Display for Error {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let place = |f: &mut fmt::Formatter<'_>, layer: &Option<usize>| match layer {
-            Some(index) => write!(f, " of layer {index}"),
-            None => Ok(()),
+impl Error {
+    /// The message for people; `number` writes a number. JavaScript has a way to write numbers, and Rust's takes 20 kB of a wasm file.
+    pub(crate) fn message(&self, number: impl Fn(f64) -> String) -> String {
+        let mut text = String::new();
+        let mut say = |words: &str, value: Option<f64>| {
+            text.push_str(words);
+            if let Some(value) = value {
+                text.push_str(&number(value));
+            }
+        };
+        let mut place = |key: &str, layer: &Option<usize>| match layer {
+            Some(index) => {
+                say(key, None);
+                say(" of layer ", Some(*index as f64));
+            }
+            None => say(key, None),
         };
         match self {
             Error::OutOfRange { key, layer, value, min, max } => {
-                f.write_str(key)?;
-                place(f, layer)?;
-                write!(f, " is {value}; it has to lie in {min} to {max}")
+                place(key, layer);
+                say(" is ", Some(*value));
+                say("; it has to lie in ", Some(*min));
+                say(" to ", Some(*max));
             }
             Error::NotAnInteger { key, layer, value } => {
-                f.write_str(key)?;
-                place(f, layer)?;
-                write!(f, " is {value}; it has to be a whole number")
+                place(key, layer);
+                say(" is ", Some(*value));
+                say("; it has to be a whole number", None);
             }
-            Error::TooManyLayers { value, max } => write!(f, "{value} layers; at most {max}"),
-            Error::DuplicateLayerId { value } => write!(f, "two layers have the id {value}"),
-            Error::UnknownPreset { value } => write!(f, "there is no preset called {value:?}"),
+            Error::TooManyLayers { value, max } => {
+                say("", Some(*value as f64));
+                say(" layers; at most ", Some(*max as f64));
+            }
+            Error::DuplicateLayerId { value } => say("two layers have the id ", Some(f64::from(*value))),
+            Error::UnknownPreset { value } => {
+                say("there is no preset called \"", None);
+                say(value, None);
+                say("\"", None);
+            }
             Error::MalformedRequest { value, expected } => {
-                write!(f, "the request holds {value} numbers instead of {expected}")
+                say("the request holds ", Some(*value as f64));
+                say(" numbers instead of ", Some(*expected as f64));
             }
-            Error::OverBudget { key, estimate, budget } => write!(
-                f,
-                "this field would need about {} MiB and the budget is {} MiB; change {key}",
-                estimate >> 20,
-                budget >> 20
-            ),
+            Error::OverBudget { key, estimate, budget } => {
+                say("this field would need about ", Some((estimate >> 20) as f64));
+                say(" MiB and the budget is ", Some((budget >> 20) as f64));
+                say(" MiB; change ", None);
+                say(key, None);
+            }
         }
+        text
+    }
+}
+
+impl fmt::Display for Error {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(&self.message(|n| n.to_string()))
     }
 }
 

@@ -27,6 +27,9 @@
 //!
 //! [`rocks::Generator`] does the same in bounded steps and keeps every stage, so that an edit re-runs only what it touches.
 //!
+//! Beside the rocks, [`wood_ear`] grows colonies of wood ears (kikurage) on a fallen log, by the method of Nishimura's bachelor thesis
+//! (fiscal 2012): log → spawn → deform → collide → mesh. It shares the conventions below; one cm is one px.
+//!
 //! # Conventions
 //!
 //! *Plane*: x right, y up, in pixels, `f64`; pixel (column, row) has its centre at (column + 0.5, row + 0.5), the origin
@@ -45,7 +48,8 @@
 //! | feature | adds |
 //! |---|---|
 //! | *(none)* | the generators: no clock, no global, no DOM, no GPU |
-//! | `generator` | wasm-bindgen exports of the generators, for workers and Node |
+//! | `generator` | wasm-bindgen exports of the rocks' generator, for workers and Node |
+//! | `wood-ear` | the same of the wood ears, an artefact of its own |
 //! | `renderer-webgpu`, `renderer-webgl` | a renderer on one backend; never both in one artefact |
 //! | `bench` | the papers' loops as they are written, for `npm run bench` |
 //!
@@ -64,12 +68,14 @@ mod error;
 mod literal;
 mod memory;
 mod mesh;
+mod noise;
 pub mod params;
 #[cfg(feature = "renderer")]
 mod render;
 mod rng;
 pub mod rocks;
 pub mod validate;
+pub mod wood_ear;
 
 pub use error::Error;
 pub use memory::{MemoryEstimate, memory_estimate};

@@ -30,6 +30,22 @@ pub(crate) enum Purpose {
     Facets = 8,
     /// Where in the noise a rough rock lies; item = site.
     Bumps = 9,
+    /// Whether a vertex of the log carries a wood ear; item = vertex, as in the next six.
+    Spawn = 10,
+    /// Turn of a wood ear about its axis.
+    Twist = 11,
+    /// U of decision K7.
+    EarSize = 12,
+    /// Where in the noise a wood ear dries (Eq. 3.2).
+    Drying = 13,
+    /// Where in the noise a wood ear wrinkles (Eq. 3.4).
+    Wrinkling = 14,
+    /// How much of the wrinkling it has (decision K3).
+    WrinkleShare = 15,
+    /// How far it droops.
+    Droop = 16,
+    /// Where in the noise the bark and the broken ends of a log lie, and its knots; item 0.
+    Bark = 17,
 }
 
 /// A stream of random numbers.

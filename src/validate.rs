@@ -7,6 +7,7 @@
 
 mod buckets;
 mod cells;
+mod colony;
 mod mesh;
 mod selection;
 mod shapes;
@@ -16,6 +17,7 @@ mod worn;
 use std::fmt;
 
 pub use cells::{check_cells, check_ownership};
+pub use colony::{check_closed, check_colony, crossing_pairs};
 pub use mesh::check_mesh;
 pub use selection::check_selection;
 pub use shapes::check_shapes;

@@ -187,7 +187,7 @@ field_test! {
                         set(&mut bad, wrong);
                         (None, get(&bad))
                     }
-                    Scope::Layer(get, set) => {
+                    Scope::Item(get, set) => {
                         set(&mut bad.layers[1], wrong);
                         (Some(1), get(&bad.layers[1]))
                     }

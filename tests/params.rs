@@ -5,7 +5,9 @@
 
 use std::fmt::Write;
 
-use rock_field::params::{Kind, MAX_LAYERS, Notation, PARAMS, PRESETS, Params, Range, Scope, Slider, TEXTS, preset};
+use rock_field::params::{
+    self, Kind, MAX_LAYERS, Notation, PARAMS, PRESETS, Params, Range, Scope, Slider, TEXTS, preset, wood_ear,
+};
 
 fn json(text: &str) -> String {
     serde_json::to_string(text).unwrap()
@@ -32,6 +34,52 @@ fn bounds(range: Range, slider: Slider) -> String {
     )
 }
 
+/// The rows of a table, whichever it is.
+macro_rules! rows {
+    ($out:ident, $table:ident, $item:literal) => {
+        for (spec, text) in $table::PARAMS.iter().zip($table::TEXTS) {
+            let scope = if matches!(spec.scope, $table::Scope::Field(..)) { "field" } else { $item };
+            let (kind, choices) = kind_of(spec.kind);
+            writeln!($out, "  {{").unwrap();
+            let component = spec.component.map_or("null".into(), |c| c.to_string());
+            writeln!(
+                $out,
+                "    key: {}, component: {component}, url: {}, scope: '{scope}', kind: '{kind}', stage: '{}',",
+                json(spec.key),
+                json(spec.url),
+                format!("{:?}", spec.stage).to_lowercase()
+            )
+            .unwrap();
+            writeln!($out, "    {},", bounds(spec.range, spec.slider)).unwrap();
+            match spec.relative {
+                Some((range, slider)) => writeln!($out, "    relative: {{ {} }},", bounds(range, slider)).unwrap(),
+                None => writeln!($out, "    relative: null,").unwrap(),
+            }
+            writeln!($out, "    unit: {{ px: {}, relative: {} }},", json(text.unit[0]), json(text.unit[1])).unwrap();
+            writeln!($out, "    label: {},", pair(text.label)).unwrap();
+            writeln!($out, "    doc: {},", pair(text.doc)).unwrap();
+            let words: Vec<String> = choices
+                .unwrap_or_default()
+                .iter()
+                .zip(text.choices)
+                .map(|(word, label)| format!("{{ value: {}, label: {} }}", json(word), pair(*label)))
+                .collect();
+            writeln!($out, "    choices: [{}],", words.join(", ")).unwrap();
+            writeln!($out, "  }},").unwrap();
+        }
+    };
+}
+
+fn kind_of(kind: Kind) -> (&'static str, Option<&'static [&'static str]>) {
+    match kind {
+        Kind::Real => ("real", None),
+        Kind::Integer => ("integer", None),
+        Kind::OptionalReal => ("optional-real", None),
+        Kind::OptionalInteger => ("optional-integer", None),
+        Kind::Choice(words) => ("choice", Some(words)),
+    }
+}
+
 fn typescript_table() -> String {
     let mut out = String::from(
         "// Generated from src/params/table.rs by `UPDATE=1 cargo test --test params`; never edited.\n\n\
@@ -39,41 +87,7 @@ fn typescript_table() -> String {
     );
     writeln!(out, "export const MAX_LAYERS = {MAX_LAYERS};\n").unwrap();
     out.push_str("/** Every parameter, in the order of the flat form. */\nexport const PARAMS = [\n");
-    for (spec, text) in PARAMS.iter().zip(TEXTS) {
-        let scope = if matches!(spec.scope, Scope::Field(..)) { "field" } else { "layer" };
-        let (kind, choices) = match spec.kind {
-            Kind::Real => ("real", None),
-            Kind::Integer => ("integer", None),
-            Kind::OptionalInteger => ("optional-integer", None),
-            Kind::Choice(words) => ("choice", Some(words)),
-        };
-        writeln!(out, "  {{").unwrap();
-        let component = spec.component.map_or("null".into(), |c| c.to_string());
-        writeln!(
-            out,
-            "    key: {}, component: {component}, url: {}, scope: '{scope}', kind: '{kind}', stage: '{}',",
-            json(spec.key),
-            json(spec.url),
-            format!("{:?}", spec.stage).to_lowercase()
-        )
-        .unwrap();
-        writeln!(out, "    {},", bounds(spec.range, spec.slider)).unwrap();
-        match spec.relative {
-            Some((range, slider)) => writeln!(out, "    relative: {{ {} }},", bounds(range, slider)).unwrap(),
-            None => writeln!(out, "    relative: null,").unwrap(),
-        }
-        writeln!(out, "    unit: {{ px: {}, relative: {} }},", json(text.unit[0]), json(text.unit[1])).unwrap();
-        writeln!(out, "    label: {},", pair(text.label)).unwrap();
-        writeln!(out, "    doc: {},", pair(text.doc)).unwrap();
-        let words: Vec<String> = choices
-            .unwrap_or_default()
-            .iter()
-            .zip(text.choices)
-            .map(|(word, label)| format!("{{ value: {}, label: {} }}", json(word), pair(*label)))
-            .collect();
-        writeln!(out, "    choices: [{}],", words.join(", ")).unwrap();
-        writeln!(out, "  }},").unwrap();
-    }
+    rows!(out, params, "layer");
     out.push_str("] as const satisfies readonly ParamSpec[];\n\n");
     out.push_str(
         "/** Table 1 of both papers, then natural grounds. A row per layer, in the order of the layer's rows without the count; a\n \
@@ -123,6 +137,42 @@ fn assert_generated(path: &str, content: &str) {
 #[test]
 fn typescript_is_generated_from_the_table() {
     assert_generated("www/params.gen.ts", &typescript_table());
+    assert_generated("www/wood-ear.gen.ts", &wood_ear_table());
+}
+
+fn wood_ear_table() -> String {
+    let mut out = String::from(
+        "// Generated from src/params/wood_ear/ by `UPDATE=1 cargo test --test params`; never edited.\n\n\
+         import type { WoodEarPreset, WoodEarSpec } from './wood-ear-params.ts';\n\n",
+    );
+    writeln!(out, "export const MAX_BASES = {};\n", wood_ear::MAX_BASES).unwrap();
+    out.push_str("/** Every parameter of a wood-ear colony, in the order of the flat form. */\nexport const WOOD_EAR_PARAMS = [\n");
+    rows!(out, wood_ear, "base");
+    out.push_str("] as const satisfies readonly WoodEarSpec[];\n\n");
+    out.push_str(
+        "/** Scenes of the thesis, then colonies as they are found. A row per base: x, y, z, range; without one, a base at the default.\n \
+         * The first is the default. */\n",
+    );
+    out.push_str("export const WOOD_EAR_PRESETS = [\n");
+    for preset in wood_ear::PRESETS {
+        let written = |&(key, value): &(&str, f64)| {
+            let spec = wood_ear::PARAMS.iter().find(|spec| spec.key == key).unwrap();
+            let value = match spec.kind {
+                Kind::Choice(words) => json(words[value as usize]),
+                _ => number(value),
+            };
+            format!("{key}: {value}")
+        };
+        let fields: Vec<String> = preset.fields.iter().map(written).collect();
+        let row = |row: &[f64; 4]| format!("[{}]", row.map(number).join(", "));
+        let bases: Vec<String> = preset.bases.iter().map(row).collect();
+        let natural = if preset.natural { ", natural: true" } else { "" };
+        let fields = if fields.is_empty() { String::new() } else { format!(", fields: {{ {} }}", fields.join(", ")) };
+        let bases = if bases.is_empty() { String::new() } else { format!(", bases: [{}]", bases.join(", ")) };
+        writeln!(out, "  {{ name: '{}'{natural}{fields}{bases} }},", preset.name).unwrap();
+    }
+    out.push_str("] as const satisfies readonly WoodEarPreset[];\n");
+    out
 }
 
 fn readme_table() -> String {
@@ -233,4 +283,53 @@ fn a_value_out_of_range_is_named_with_its_bounds() {
             assert!(error.to_string().contains(spec.key));
         }
     }
+}
+
+#[test]
+fn the_wood_ears_table_is_as_sound_as_the_rocks() {
+    use wood_ear::{PARAMS, PRESETS, Params, Scope, TEXTS};
+    assert_eq!(PARAMS.len(), TEXTS.len());
+    for (spec, text) in PARAMS.iter().zip(TEXTS) {
+        assert!([text.label, text.doc].iter().flatten().all(|words| !words.is_empty()), "{}", spec.key);
+        let range = spec.range;
+        assert!(range.min < range.max && range.min <= spec.slider.min && spec.slider.max <= range.max, "{}", spec.key);
+        let none = range.default.is_nan() && spec.kind.is_optional();
+        assert!(none || (range.min..=range.max).contains(&range.default), "{}", spec.key);
+        if let Kind::Choice(words) = spec.kind {
+            assert_eq!((words.len(), range.max), (text.choices.len(), (words.len() - 1) as f64));
+        }
+    }
+    let mut urls: Vec<_> = PARAMS.iter().map(|spec| spec.url).collect();
+    urls.sort_unstable();
+    urls.dedup();
+    assert_eq!(urls.len(), PARAMS.len(), "two rows share a key in links");
+    for preset in PRESETS {
+        for (key, _) in preset.fields {
+            assert!(PARAMS.iter().any(|spec| spec.key == *key && matches!(spec.scope, Scope::Field(..))), "{key}");
+        }
+        let params = preset.params();
+        assert_eq!(Params::from_flat(&params.to_flat()).unwrap(), params);
+    }
+    // Table 4.2 of the thesis.
+    for (key, bounds) in [
+        ("density", [0.0, 50.0, 100.0]),
+        ("range", [20.0, 50.0, 200.0]),
+        ("moisture", [0.0, 50.0, 100.0]),
+        ("wrinkles", [0.0, 50.0, 100.0]),
+        ("size", [1.0, 2.0, 3.0]),
+        ("sizeSpread", [1.0, 1.5, 2.0]),
+    ] {
+        let range = PARAMS.iter().find(|spec| spec.key == key).unwrap().range;
+        assert_eq!([range.min, range.default, range.max], bounds, "{key}");
+    }
+    let rows = PARAMS.iter().filter(|spec| matches!(spec.scope, Scope::Field(..)));
+    for (row, spec) in rows.enumerate() {
+        for bad in [spec.range.max + 1.0, spec.range.min - 1.0, f64::NAN, f64::INFINITY] {
+            let mut flat = Params::default().to_flat();
+            flat[row] = bad;
+            assert_eq!(Params::from_flat(&flat).unwrap_err().key(), spec.key);
+        }
+    }
+    let flat = Params::default().to_flat();
+    assert_eq!(Params::from_flat(&flat[..flat.len() - 1]).unwrap_err().code(), "MalformedRequest");
 }

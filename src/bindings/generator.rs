@@ -1,28 +1,10 @@
 //! What the generator artefact exports.
 
-use js_sys::{Float32Array, Float64Array, Reflect, Uint8Array, Uint32Array};
+use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-use crate::error::Error;
 use crate::params::Params;
 use crate::rocks::{Generator, LayerView};
-
-/// The only conversion of errors: `name` is the code for machines, `message` the text for people.
-impl From<Error> for JsValue {
-    fn from(error: Error) -> JsValue {
-        let js = js_sys::Error::new(&error.to_string());
-        js.set_name(error.code());
-        let [value, min, max] = error.numbers();
-        for (key, number) in [("value", value), ("min", min), ("max", max)] {
-            // Setting a property of a fresh Error cannot fail.
-            let _ = Reflect::set(&js, &key.into(), &number.into());
-        }
-        let _ = Reflect::set(&js, &"key".into(), &error.key().into());
-        let layer = error.layer().map_or(JsValue::UNDEFINED, |layer| (layer as u32).into());
-        let _ = Reflect::set(&js, &"layer".into(), &layer);
-        js.into()
-    }
-}
 
 /// A seed from the system's source of randomness.
 #[wasm_bindgen]

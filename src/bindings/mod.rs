@@ -1,8 +1,12 @@
 //! The wasm boundary: convert – call – convert, nothing else.
 
+#[cfg(any(feature = "generator", feature = "wood-ear"))]
+mod error;
 #[cfg(feature = "generator")]
 mod generator;
 #[cfg(feature = "bench")]
 mod literal;
 #[cfg(feature = "renderer")]
 mod renderer;
+#[cfg(feature = "wood-ear")]
+mod wood_ear;

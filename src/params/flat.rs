@@ -1,27 +1,128 @@
 //! The parameters as a flat list of numbers: the one form that crosses the wasm boundary.
 //!
-//! `[field rows in table order…, number of layers, then per layer: id, layer rows in table order…]`
+//! `[field rows in table order…, number of items, then per item: its id where it has one, item rows in table order…]`
 
-use super::{Kind, Layer, MAX_LAYERS, Notation, PARAMS, ParamSpec, Params, Scope};
+use super::spec::{Kind, ParamSpec, Range, Scope};
+use super::{Layer, MAX_LAYERS, Notation, PARAMS, Params, Stage};
 use crate::error::Error;
+
+/// Parameters that a table describes: values of the whole, and a list of items.
+pub(super) trait Flat: Sized + 'static {
+    type Item: 'static;
+    type Stage: 'static;
+    const ROWS: &'static [ParamSpec<Self, Self::Item, Self::Stage>];
+    /// Numbers in front of an item's rows: its id.
+    const HEAD: usize;
+
+    /// What every value is set over, with room for this many items.
+    ///
+    /// # Errors
+    /// A number of items there cannot be.
+    fn empty(items: f64) -> Result<Self, Error>;
+
+    /// The units its items are in.
+    fn notation(&self) -> Notation;
+
+    fn items(&self) -> &[Self::Item];
+
+    /// What an item's numbers begin with.
+    fn head(item: &Self::Item) -> Option<f64>;
+
+    /// An item to set the values of, appended.
+    ///
+    /// # Errors
+    /// A bad head.
+    fn append(&mut self, head: &[f64]) -> Result<&mut Self::Item, Error>;
+}
+
+pub(super) fn to_flat<T: Flat>(params: &T) -> Vec<f64> {
+    let mut flat = Vec::new();
+    flat.extend(T::ROWS.iter().filter_map(|spec| match spec.scope {
+        Scope::Field(get, _) => Some(get(params)),
+        Scope::Item(..) => None,
+    }));
+    flat.push(params.items().len() as f64);
+    for item in params.items() {
+        flat.extend(T::head(item));
+        flat.extend(T::ROWS.iter().filter_map(|spec| match spec.scope {
+            Scope::Item(get, _) => Some(get(item)),
+            Scope::Field(..) => None,
+        }));
+    }
+    flat
+}
+
+pub(super) fn from_flat<T: Flat>(flat: &[f64]) -> Result<T, Error> {
+    let field_rows = T::ROWS.iter().filter(|spec| matches!(spec.scope, Scope::Field(..))).count();
+    let stride = T::ROWS.len() - field_rows + T::HEAD;
+    let malformed = |expected| Error::MalformedRequest { value: flat.len(), expected };
+    let items = *flat.get(field_rows).ok_or(malformed(field_rows + 1))?;
+    let mut params = T::empty(items)?;
+    let expected = field_rows + 1 + items as usize * stride;
+    if flat.len() != expected {
+        return Err(malformed(expected));
+    }
+    let specs = T::ROWS.iter().filter(|spec| matches!(spec.scope, Scope::Field(..)));
+    for (spec, &value) in specs.zip(flat) {
+        if let Scope::Field(_, set) = spec.scope {
+            set(&mut params, check(spec.key, spec.kind, spec.range, None, value)?);
+        }
+    }
+    let notation = params.notation();
+    let items = flat.get(field_rows + 1..).unwrap_or_default();
+    for (index, numbers) in items.chunks_exact(stride).enumerate() {
+        let (head, values) = numbers.split_at_checked(T::HEAD).unwrap_or_default();
+        let item = params.append(head)?;
+        let specs = T::ROWS.iter().filter(|spec| matches!(spec.scope, Scope::Item(..)));
+        for (spec, &value) in specs.zip(values) {
+            if let Scope::Item(_, set) = spec.scope {
+                set(item, check(spec.key, spec.kind, spec.range(notation), Some(index), value)?);
+            }
+        }
+    }
+    Ok(params)
+}
+
+impl Flat for Params {
+    type Item = Layer;
+    type Stage = Stage;
+    const ROWS: &'static [ParamSpec<Params, Layer, Stage>] = PARAMS;
+    const HEAD: usize = 1;
+
+    fn empty(layers: f64) -> Result<Self, Error> {
+        if !(layers >= 0.0 && layers <= MAX_LAYERS as f64) {
+            return Err(Error::TooManyLayers { value: layers as usize, max: MAX_LAYERS });
+        }
+        Ok(Params { layers: Vec::with_capacity(layers as usize), ..Params::EMPTY })
+    }
+
+    fn notation(&self) -> Notation {
+        self.notation
+    }
+
+    fn items(&self) -> &[Layer] {
+        &self.layers
+    }
+
+    fn head(layer: &Layer) -> Option<f64> {
+        Some(f64::from(layer.id))
+    }
+
+    fn append(&mut self, head: &[f64]) -> Result<&mut Layer, Error> {
+        let id = check_id(head.first().copied().unwrap_or(f64::NAN), self.layers.len())?;
+        if self.layers.iter().any(|other| other.id == id) {
+            return Err(Error::DuplicateLayerId { value: id });
+        }
+        self.layers.push(Layer::with_defaults(id, self.notation));
+        let last = self.layers.len() - 1;
+        Ok(&mut self.layers[last])
+    }
+}
 
 impl Params {
     /// All values in table order; see [`Params::from_flat`].
     pub fn to_flat(&self) -> Vec<f64> {
-        let mut flat = Vec::new();
-        flat.extend(PARAMS.iter().filter_map(|spec| match spec.scope {
-            Scope::Field(get, _) => Some(get(self)),
-            Scope::Layer(..) => None,
-        }));
-        flat.push(self.layers.len() as f64);
-        for layer in &self.layers {
-            flat.push(f64::from(layer.id));
-            flat.extend(PARAMS.iter().filter_map(|spec| match spec.scope {
-                Scope::Layer(get, _) => Some(get(layer)),
-                Scope::Field(..) => None,
-            }));
-        }
-        flat
+        to_flat(self)
     }
 
     /// Reads `[field rows…, number of layers, per layer: id, layer rows…]`, rows in the order of [`PARAMS`].
@@ -31,42 +132,7 @@ impl Params {
     /// # Errors
     /// The first value out of range, with its key, value and bounds; a wrong length; a repeated layer id.
     pub fn from_flat(flat: &[f64]) -> Result<Params, Error> {
-        let field_rows = PARAMS.iter().filter(|spec| matches!(spec.scope, Scope::Field(..))).count();
-        let layer_rows = PARAMS.len() - field_rows;
-        let malformed = |expected| Error::MalformedRequest { value: flat.len(), expected };
-        let layer_count = *flat.get(field_rows).ok_or(malformed(field_rows + 1))?;
-        if !(layer_count >= 0.0 && layer_count <= MAX_LAYERS as f64) {
-            return Err(Error::TooManyLayers { value: layer_count as usize, max: MAX_LAYERS });
-        }
-        let layer_count = layer_count as usize;
-        let expected = field_rows + 1 + layer_count * (layer_rows + 1);
-        if flat.len() != expected {
-            return Err(malformed(expected));
-        }
-
-        let mut params = Params { layers: Vec::with_capacity(layer_count), ..Params::EMPTY };
-        let field_specs = PARAMS.iter().filter(|spec| matches!(spec.scope, Scope::Field(..)));
-        for (spec, &value) in field_specs.zip(flat) {
-            if let Scope::Field(_, set) = spec.scope {
-                set(&mut params, check(spec, Notation::Px, None, value)?);
-            }
-        }
-        let layers = flat.get(field_rows + 1..).unwrap_or_default();
-        for (index, row) in layers.chunks_exact(layer_rows + 1).enumerate() {
-            let id = check_id(row.first().copied().unwrap_or(f64::NAN), index)?;
-            if params.layers.iter().any(|other| other.id == id) {
-                return Err(Error::DuplicateLayerId { value: id });
-            }
-            let mut layer = Layer::with_defaults(id, params.notation);
-            let layer_specs = PARAMS.iter().filter(|spec| matches!(spec.scope, Scope::Layer(..)));
-            for (spec, &value) in layer_specs.zip(row.iter().skip(1)) {
-                if let Scope::Layer(_, set) = spec.scope {
-                    set(&mut layer, check(spec, params.notation, Some(index), value)?);
-                }
-            }
-            params.layers.push(layer);
-        }
-        Ok(params)
+        from_flat(flat)
     }
 }
 
@@ -78,17 +144,16 @@ fn check_id(value: f64, index: usize) -> Result<u32, Error> {
     }
 }
 
-fn check(spec: &ParamSpec, notation: Notation, layer: Option<usize>, value: f64) -> Result<f64, Error> {
-    let range = spec.range(notation);
-    if spec.kind == Kind::OptionalInteger && value.is_nan() {
+fn check(key: &'static str, kind: Kind, range: Range, layer: Option<usize>, value: f64) -> Result<f64, Error> {
+    if kind.is_optional() && value.is_nan() {
         return Ok(value);
     }
     // Written so that NaN fails too.
     if !(value >= range.min && value <= range.max) {
-        return Err(Error::OutOfRange { key: spec.key, layer, value, min: range.min, max: range.max });
+        return Err(Error::OutOfRange { key, layer, value, min: range.min, max: range.max });
     }
-    if !matches!(spec.kind, Kind::Real) && value != value.trunc() {
-        return Err(Error::NotAnInteger { key: spec.key, layer, value });
+    if !matches!(kind, Kind::Real | Kind::OptionalReal) && value != value.trunc() {
+        return Err(Error::NotAnInteger { key, layer, value });
     }
     Ok(value)
 }

@@ -1,16 +1,24 @@
-//! The parameters: one table ([`PARAMS`]), the struct it describes, and the presets.
+//! The parameters of rocks: one table ([`PARAMS`]), the struct it describes, and the presets; those of wood ears are in [`wood_ear`].
 //!
 //! Whatever lists parameters anywhere (sliders, links, TypeScript types, JSON Schema, README) is
 //! generated from the table; `tests/params.rs` regenerates it and fails on a difference.
 
 mod flat;
 mod presets;
+mod spec;
 mod table;
+pub mod wood_ear;
 
 pub use presets::{PRESETS, Preset, preset};
-pub use table::{Kind, PARAMS, ParamSpec, Range, Scope, Slider, Stage, TEXTS, Text};
+pub use spec::{Kind, Range, Slider, Text};
+pub use table::{PARAMS, Stage, TEXTS};
 
 use crate::error::Error;
+
+/// One row of the rocks' table.
+pub type ParamSpec = spec::ParamSpec<Params, Layer, Stage>;
+/// Whether a parameter belongs to the field or to each of its layers.
+pub type Scope = spec::Scope<Params, Layer>;
 
 /// Most layers a field can have.
 pub const MAX_LAYERS: usize = 8;

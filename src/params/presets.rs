@@ -24,7 +24,7 @@ impl Preset {
         let mut params = Params { notation: self.notation, ..Params::with_defaults() };
         for spec in PARAMS {
             let given = self.fields.iter().find(|(key, _)| *key == spec.key);
-            if let (Scope::Field(_, set), Some(&(_, value))) = (spec.scope, given) {
+            if let (Scope::Field(_, set), Some(&(_, value))) = (&spec.scope, given) {
                 set(&mut params, value);
             }
         }
@@ -34,7 +34,7 @@ impl Preset {
             .map(|(id, row)| {
                 let mut layer = Layer::with_defaults(id, self.notation);
                 for (spec, &value) in columns.clone().zip(*row) {
-                    if let Scope::Layer(_, set) = spec.scope {
+                    if let Scope::Item(_, set) = spec.scope {
                         set(&mut layer, value);
                     }
                 }

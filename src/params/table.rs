@@ -1,9 +1,7 @@
-//! The parameter table. Adding a parameter is a row here and its use in a stage.
-//!
-//! The rows give rise to two constants, so that a wasm build which only checks bounds does not carry
-//! the texts: [`PARAMS`] (keys and bounds) and [`TEXTS`] (labels and documentation, same order).
+//! The rocks' parameter table. Adding a parameter is a row here and its use in a stage.
 
-use super::{Border, Darts, Ground, Layer, Look, Material, Notation, Params, Swing};
+use super::spec::{Kind, table};
+use super::{Border, Darts, Ground, Layer, Look, Material, Notation, ParamSpec, Params, Scope, Swing};
 
 /// The step of the generator that an edit re-runs first.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -20,129 +18,6 @@ pub enum Stage {
     Mesh,
     /// None: only the picture changes.
     Look,
-}
-
-/// Whether a parameter belongs to the field or to each of its layers.
-#[derive(Debug, Clone, Copy)]
-pub enum Scope {
-    /// Once per field.
-    Field(fn(&Params) -> f64, fn(&mut Params, f64)),
-    /// Once per layer.
-    Layer(fn(&Layer) -> f64, fn(&mut Layer, f64)),
-}
-
-/// What kind of value a parameter holds. Every value travels as one number.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Kind {
-    /// Any number within the range.
-    Real,
-    /// A whole number.
-    Integer,
-    /// A whole number, or NaN for "none".
-    OptionalInteger,
-    /// An index into these words.
-    Choice(&'static [&'static str]),
-}
-
-/// Bounds, step of the control, and default.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Range {
-    /// Smallest legal value.
-    pub min: f64,
-    /// Largest legal value.
-    pub max: f64,
-    /// Step of sliders and number fields.
-    pub step: f64,
-    /// Value where none is given; NaN for "none".
-    pub default: f64,
-}
-
-/// The part of the range that a slider covers; the number field beside it takes the whole range.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Slider {
-    /// Left end.
-    pub min: f64,
-    /// Right end.
-    pub max: f64,
-    /// Equal steps are equal factors.
-    pub logarithmic: bool,
-}
-
-/// One row: the bounds and the place of a parameter.
-#[derive(Debug, Clone, Copy)]
-pub struct ParamSpec {
-    /// Property name in code; the three parts of a triple share it.
-    pub key: &'static str,
-    /// Which part of a triple: base, per rock, per vertex.
-    pub component: Option<u8>,
-    /// Key in links.
-    pub url: &'static str,
-    /// Field or layer, with its accessors.
-    pub scope: Scope,
-    /// Kind of value.
-    pub kind: Kind,
-    /// Bounds in the journal's notation.
-    pub range: Range,
-    /// Span of the slider in the journal's notation.
-    pub slider: Slider,
-    /// Bounds and slider in the conference's notation, where they differ.
-    pub relative: Option<(Range, Slider)>,
-    /// First stage an edit re-runs.
-    pub stage: Stage,
-}
-
-/// The words that belong to a row of [`PARAMS`].
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Text {
-    /// Unit in the journal's and in the conference's notation.
-    pub unit: [&'static str; 2],
-    /// Label in English and Japanese.
-    pub label: [&'static str; 2],
-    /// One sentence of documentation in English and Japanese.
-    pub doc: [&'static str; 2],
-    /// Labels of the words of a [`Kind::Choice`], in English and Japanese.
-    pub choices: &'static [[&'static str; 2]],
-}
-
-macro_rules! table {
-    ($({
-        $key:literal $(.$component:literal)?, url $url:literal, $scope:expr, $kind:expr, $stage:ident,
-        range [$min:expr, $max:expr] step $step:literal default $default:expr, slider [$lo:expr, $hi:expr] $scale:ident,
-        $(relative [$rmin:expr, $rmax:expr] step $rstep:literal default $rdefault:expr, slider [$rlo:expr, $rhi:expr] $rscale:ident,)?
-        unit $unit:expr, label $label:expr,
-        en $en:literal,
-        ja $ja:literal
-        $(, choices $choices:expr)?
-    })*) => {
-        /// Keys, bounds and accessors of every parameter.
-        pub const PARAMS: &[ParamSpec] = &[$(ParamSpec {
-            key: $key,
-            component: table!(@option $($component)?),
-            url: $url,
-            scope: $scope,
-            kind: $kind,
-            range: Range { min: $min, max: $max, step: $step, default: $default },
-            slider: Slider { min: $lo, max: $hi, logarithmic: table!(@$scale) },
-            relative: table!(@option $((
-                Range { min: $rmin, max: $rmax, step: $rstep, default: $rdefault },
-                Slider { min: $rlo, max: $rhi, logarithmic: table!(@$rscale) },
-            ))?),
-            stage: Stage::$stage,
-        }),*];
-        /// Labels and documentation of every parameter, in the order of [`PARAMS`].
-        pub const TEXTS: &[Text] = &[$(Text {
-            unit: $unit,
-            label: $label,
-            doc: [$en, $ja],
-            choices: table!(@slice $($choices)?),
-        }),*];
-    };
-    (@linear) => { false };
-    (@log) => { true };
-    (@option) => { None };
-    (@option $value:expr) => { Some($value) };
-    (@slice) => { &[] };
-    (@slice $value:expr) => { $value };
 }
 
 const PX: [&str; 2] = ["px", "px"];
@@ -268,7 +143,7 @@ table! {
         ja "太陽の高さ。低いほど影が長くなります。"
     }
     {
-        "radius", url "r", Scope::Layer(|l| l.radius, |l, v| l.radius = v), Kind::Real, Sites,
+        "radius", url "r", Scope::Item(|l| l.radius, |l, v| l.radius = v), Kind::Real, Sites,
         range [1.0, 8192.0] step 0.1 default 30.0, slider [2.0, 512.0] log,
         relative [0.01, 8192.0] step 0.01 default 3.0, slider [0.2, 50.0] log,
         unit LENGTH, label ["Radius r", "半径 r"],
@@ -276,14 +151,14 @@ table! {
         ja "この層の母点どうしの最小距離。岩の大きさを決めます。"
     }
     {
-        "areaFraction", url "a", Scope::Layer(|l| l.area_fraction, |l, v| l.area_fraction = v), Kind::Real, Selection,
+        "areaFraction", url "a", Scope::Item(|l| l.area_fraction, |l, v| l.area_fraction = v), Kind::Real, Selection,
         range [0.0, 1.0] step 0.01 default 0.25, slider [0.0, 1.0] linear,
         unit NONE, label ["Area A_s", "面積率 A_s"],
         en "Share of the whole ground that this layer's rocks may fill.",
         ja "この層の岩が占めてよい、地面全体に対する面積の割合。"
     }
     {
-        "cellCount", url "n", Scope::Layer(|l| l.cell_count.map_or(f64::NAN, f64::from), |l, v| l.cell_count = if v.is_nan() { None } else { Some(v as u32) }),
+        "cellCount", url "n", Scope::Item(|l| l.cell_count.map_or(f64::NAN, f64::from), |l, v| l.cell_count = if v.is_nan() { None } else { Some(v as u32) }),
         Kind::OptionalInteger, Selection,
         range [0.0, 4_294_967_295.0] step 1.0 default f64::NAN, slider [0.0, 1000.0] linear,
         unit NONE, label ["Count", "個数"],
@@ -291,7 +166,7 @@ table! {
         ja "この層の岩の個数。指定すると面積率の代わりに使われます。"
     }
     {
-        "taper".0, url "w1", Scope::Layer(|l| l.taper[0], |l, v| l.taper[0] = v), Kind::Real, Mesh,
+        "taper".0, url "w1", Scope::Item(|l| l.taper[0], |l, v| l.taper[0] = v), Kind::Real, Mesh,
         range [-500.0, 500.0] step 0.1 default 0.0, slider [-40.0, 40.0] linear,
         relative [-500.0, 500.0] step 0.01 default 0.0, slider [-4.0, 4.0] linear,
         unit LENGTH, label ["Taper base c_w1", "幅・基本 c_w1"],
@@ -299,7 +174,7 @@ table! {
         ja "上面の頂点を外へ（張り出し）、負なら内へ（尖った岩）動かします。"
     }
     {
-        "taper".1, url "w2", Scope::Layer(|l| l.taper[1], |l, v| l.taper[1] = v), Kind::Real, Mesh,
+        "taper".1, url "w2", Scope::Item(|l| l.taper[1], |l, v| l.taper[1] = v), Kind::Real, Mesh,
         range [-500.0, 500.0] step 0.1 default 6.0, slider [-40.0, 40.0] linear,
         relative [-500.0, 500.0] step 0.01 default 0.3, slider [-4.0, 4.0] linear,
         unit LENGTH, label ["Taper per rock c_w2", "幅・岩ごと c_w2"],
@@ -307,7 +182,7 @@ table! {
         ja "岩ごとに1つの乱数で変化する移動量を加えます。"
     }
     {
-        "taper".2, url "w3", Scope::Layer(|l| l.taper[2], |l, v| l.taper[2] = v), Kind::Real, Mesh,
+        "taper".2, url "w3", Scope::Item(|l| l.taper[2], |l, v| l.taper[2] = v), Kind::Real, Mesh,
         range [-500.0, 500.0] step 0.1 default 2.0, slider [-40.0, 40.0] linear,
         relative [-500.0, 500.0] step 0.01 default 0.1, slider [-4.0, 4.0] linear,
         unit LENGTH, label ["Taper per vertex c_w3", "幅・頂点ごと c_w3"],
@@ -315,7 +190,7 @@ table! {
         ja "頂点ごとの乱数で移動量を加え、輪郭を不規則にします。"
     }
     {
-        "height".0, url "h1", Scope::Layer(|l| l.height[0], |l, v| l.height[0] = v), Kind::Real, Mesh,
+        "height".0, url "h1", Scope::Item(|l| l.height[0], |l, v| l.height[0] = v), Kind::Real, Mesh,
         range [0.0, 500.0] step 0.1 default 5.0, slider [0.0, 80.0] linear,
         relative [0.0, 500.0] step 0.01 default 0.3, slider [0.0, 2.0] linear,
         unit HEIGHT, label ["Height base c_h1", "高さ・基本 c_h1"],
@@ -323,7 +198,7 @@ table! {
         ja "上面のすべての頂点が持つ最低の高さ。"
     }
     {
-        "height".1, url "h2", Scope::Layer(|l| l.height[1], |l, v| l.height[1] = v), Kind::Real, Mesh,
+        "height".1, url "h2", Scope::Item(|l| l.height[1], |l, v| l.height[1] = v), Kind::Real, Mesh,
         range [0.0, 500.0] step 0.1 default 5.0, slider [0.0, 80.0] linear,
         relative [0.0, 500.0] step 0.01 default 0.3, slider [0.0, 2.0] linear,
         unit HEIGHT, label ["Height per rock c_h2", "高さ・岩ごと c_h2"],
@@ -331,7 +206,7 @@ table! {
         ja "岩ごとの乱数で、最大この値まで高さを加えます。"
     }
     {
-        "height".2, url "h3", Scope::Layer(|l| l.height[2], |l, v| l.height[2] = v), Kind::Real, Mesh,
+        "height".2, url "h3", Scope::Item(|l| l.height[2], |l, v| l.height[2] = v), Kind::Real, Mesh,
         range [0.0, 500.0] step 0.1 default 3.0, slider [0.0, 80.0] linear,
         relative [0.0, 500.0] step 0.01 default 0.1, slider [0.0, 2.0] linear,
         unit HEIGHT, label ["Height per vertex c_h3", "高さ・頂点ごと c_h3"],
@@ -339,35 +214,35 @@ table! {
         ja "頂点ごとの乱数で、最大この値まで高さを加え、上面を起伏させます。"
     }
     {
-        "weathering", url "we", Scope::Layer(|l| l.weathering, |l, v| l.weathering = v), Kind::Real, Mesh,
+        "weathering", url "we", Scope::Item(|l| l.weathering, |l, v| l.weathering = v), Kind::Real, Mesh,
         range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
         unit NONE, label ["Weathering", "風化"],
         en "Off, the papers' facets; from 0.2, freshly broken stone, worn at its edges and corners first; at 1, rounded by a river.",
         ja "0 は論文どおりの面。0.2 から割れたばかりの石となり、角や稜から先に摩耗して、1 で川の丸石になります。"
     }
     {
-        "roughness", url "ro", Scope::Layer(|l| l.roughness, |l, v| l.roughness = v), Kind::Real, Mesh,
+        "roughness", url "ro", Scope::Item(|l| l.roughness, |l, v| l.roughness = v), Kind::Real, Mesh,
         range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
         unit NONE, label ["Roughness", "粗さ"],
         en "Bumps of several sizes on the surface.",
         ja "表面に大小の凹凸を加えます。"
     }
     {
-        "detail", url "de", Scope::Layer(|l| f64::from(l.detail), |l, v| l.detail = v as u32), Kind::Integer, Mesh,
+        "detail", url "de", Scope::Item(|l| f64::from(l.detail), |l, v| l.detail = v as u32), Kind::Integer, Mesh,
         range [0.0, 3.0] step 1.0 default 0.0, slider [0.0, 3.0] linear,
         unit NONE, label ["Detail", "細かさ"],
         en "How often every triangle is cut into four; weathering and roughness need some.",
         ja "三角形を4分割する回数。風化と粗さの表現には分割が必要です。"
     }
     {
-        "embedding", url "em", Scope::Layer(|l| l.embedding, |l, v| l.embedding = v), Kind::Real, Mesh,
+        "embedding", url "em", Scope::Item(|l| l.embedding, |l, v| l.embedding = v), Kind::Real, Mesh,
         range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
         unit NONE, label ["Embedding", "埋まり"],
         en "Share of a rock's height that lies below the ground.",
         ja "岩の高さのうち、地面の下に埋まる割合。"
     }
     {
-        "material", url "mat", Scope::Layer(|l| l.material as u8 as f64, |l, v| l.material = Material::ALL.get(v as usize).copied().unwrap_or_default()),
+        "material", url "mat", Scope::Item(|l| l.material as u8 as f64, |l, v| l.material = Material::ALL.get(v as usize).copied().unwrap_or_default()),
         Kind::Choice(&["mixed", "granite", "basalt", "sandstone", "limestone", "slate"]), Look,
         range [0.0, 5.0] step 1.0 default 0.0, slider [0.0, 5.0] linear,
         unit NONE, label ["Material", "石質"],
@@ -449,25 +324,10 @@ impl Layer {
     pub fn with_defaults(id: u32, notation: Notation) -> Self {
         let mut layer = Layer { id, ..Layer::EMPTY };
         for spec in PARAMS {
-            if let Scope::Layer(_, set) = spec.scope {
+            if let Scope::Item(_, set) = spec.scope {
                 set(&mut layer, spec.range(notation).default);
             }
         }
         layer
-    }
-}
-
-impl ParamSpec {
-    /// Whether it has a column in the rows of the presets: every parameter of a layer but the count.
-    pub fn is_column(&self) -> bool {
-        matches!(self.scope, Scope::Layer(..)) && self.kind != Kind::OptionalInteger
-    }
-
-    /// Bounds in a notation.
-    pub fn range(&self, notation: Notation) -> Range {
-        match (notation, self.relative) {
-            (Notation::Relative, Some((range, _))) => range,
-            _ => self.range,
-        }
     }
 }

@@ -7,7 +7,6 @@ mod field;
 mod generator;
 mod grid;
 mod mesher;
-mod noise;
 mod select;
 mod shape;
 mod sites;

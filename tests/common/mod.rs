@@ -2,6 +2,8 @@
 #![allow(dead_code, unused_macros, unused_imports, reason = "every test takes its share")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+pub mod wood_ear;
+
 use rock_field::params::{Border, Darts, Kind, Layer, Notation, PARAMS, Params, Scope, Swing};
 use rock_field::rocks::{Field, Pixel, Sites, generate, voronoi};
 use rock_field::validate::check_field;
@@ -28,7 +30,7 @@ pub fn link(params: &Params) -> String {
         };
         let values = match spec.scope {
             Scope::Field(get, _) => written(get(params)),
-            Scope::Layer(get, _) => list(params, |layer| written(get(layer))),
+            Scope::Item(get, _) => list(params, |layer| written(get(layer))),
         };
         link += &format!("&{}={values}", spec.url);
     }

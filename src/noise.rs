@@ -4,7 +4,7 @@ use glam::DVec3;
 
 /// Smooth noise −1 … 1 with features of about one unit: random values on the integer lattice, blended by quintics (Perlin 2002,
 /// *Improving noise*, for the blend).
-pub(super) fn noise(at: DVec3) -> f64 {
+pub(crate) fn noise(at: DVec3) -> f64 {
     let cell = at.floor();
     let f = at - cell;
     let blend = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);

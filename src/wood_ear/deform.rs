@@ -1,0 +1,130 @@
+//! Drying and wrinkling (Eqs 3.2 to 3.5): what makes individuals of one size differ.
+
+use glam::DVec3;
+
+use super::spawn::Individual;
+use crate::noise::noise;
+use crate::params::wood_ear::Params;
+use crate::rng::{Purpose, Stream};
+
+/// g of decision K2: fractal noise hardly leaves ±0.5, and a dry rim would hardly shrink.
+const GAIN: f64 = 2.0;
+/// No vertex comes closer to what it shrinks towards than a tenth of its distance (decisions K2, K3).
+const MOST: f64 = 0.9;
+
+/// k of decision K4 and the octaves, for drying and wrinkling: k · 2^(octaves − 1) has to stay below c / 4π, or the noise is no
+/// longer smooth from vertex to vertex.
+const DRYING: (f64, u32) = (0.7, 2);
+const WRINKLING: (f64, u32) = (1.5, 1);
+/// q of decision K4: wrinkling changes along a meridian too.
+const ALONG: f64 = 3.0;
+
+/// One individual's sheet in its own frame, in units of its size, and the size.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Sheet {
+    /// Rim radius before drying, cm.
+    pub size: f64,
+    /// Ring by ring, as [`super::bowl()`] gives them.
+    pub points: Vec<DVec3>,
+}
+
+/// size · v^U, U uniform in −1 … 1 (decision K7).
+pub(super) fn size(params: &Params, vertex: u32) -> f64 {
+    let u = 2.0 * Stream::new(params.seed, Purpose::EarSize, 0, vertex).unit() - 1.0;
+    params.size * power(params.size_spread, u)
+}
+
+/// v^u for 1 ≤ v ≤ 2 and |u| ≤ 1 from + − × ÷ √ alone: the binary digits of u choose among repeated roots of v.
+fn power(v: f64, u: f64) -> f64 {
+    if v == 1.0 {
+        return 1.0;
+    }
+    let (mut left, mut root, mut product) = (u.abs(), v, 1.0);
+    for _ in 0..40 {
+        if left >= 1.0 {
+            product *= root;
+            left -= 1.0;
+        }
+        left *= 2.0;
+        root = root.sqrt();
+    }
+    if u < 0.0 { 1.0 / product } else { product }
+}
+
+/// How far an individual wrinkles, 0 … 1: at `per_individual` 1 about one in five not at all (decision K3).
+fn wrinkle_share(params: &Params, vertex: u32) -> f64 {
+    if params.per_individual == 0.0 {
+        return 1.0;
+    }
+    let share = (1.25 * Stream::new(params.seed, Purpose::WrinkleShare, 0, vertex).unit() - 0.25).max(0.0);
+    1.0 + (share - 1.0) * params.per_individual
+}
+
+/// Sum of octaves over the sum of their amplitudes, persistence 0.5, so |n| ≤ 1 (decision K4).
+fn fractal(at: DVec3, octaves: u32) -> f64 {
+    let (mut sum, mut amplitudes, mut amplitude, mut scale) = (0.0, 0.0, 1.0, 1.0);
+    for _ in 0..octaves {
+        sum += amplitude * noise(at * scale);
+        amplitudes += amplitude;
+        amplitude *= 0.5;
+        scale *= 2.0;
+    }
+    sum / amplitudes
+}
+
+/// Where in the noise an individual lies: its own seed of decision K4.
+fn place(params: &Params, purpose: Purpose, vertex: u32) -> DVec3 {
+    let mut stream = Stream::new(params.seed, purpose, 0, vertex);
+    DVec3::new(stream.unit(), stream.unit(), stream.unit()) * 4096.0
+}
+
+/// n of Eq. 3.2 per meridian, −1 … 1: noise on a circle, so that f = c meets f = 1.
+pub fn drying(params: &Params, vertex: u32, unit: &[DVec3]) -> Vec<f64> {
+    let (k, octaves) = DRYING;
+    let origin = place(params, Purpose::Drying, vertex);
+    let circle = unit.iter().take(params.meridians as usize).map(|p| on_circle(params, *p));
+    circle.map(|[c, s]| (GAIN * fractal(origin + DVec3::new(k * c, k * s, 0.0), octaves)).clamp(-1.0, 1.0)).collect()
+}
+
+/// (cos θ, sin θ) of a vertex of the first ring.
+fn on_circle(params: &Params, p: DVec3) -> [f64; 2] {
+    let d = f64::from(params.rings);
+    [p.z * d, p.x * d]
+}
+
+/// The sheet of an individual: the unit bowl, dried and wrinkled.
+///
+/// Drying scales a vertex about the foot by 1 − |n| e/d (1 − m/100), the same n along a meridian (Eqs 3.2, 3.3; decision K2 turns the
+/// sign of m and adds the gain). Wrinkling scales x and z by 1 − max(n, 0) s/100, another n at every vertex (Eqs 3.4, 3.5; K3).
+pub fn deform(params: &Params, individual: &Individual, unit: &[DVec3]) -> Sheet {
+    let vertex = individual.vertex;
+    let meridians = params.meridians as usize;
+    let d = f64::from(params.rings);
+    let dryness = 1.0 - params.moisture / 100.0;
+    let strength = params.wrinkles / 100.0 * wrinkle_share(params, vertex);
+    let mut points = unit.to_vec();
+    if dryness > 0.0 {
+        let n = drying(params, vertex, unit);
+        for (e, ring) in (1..).zip(points.chunks_exact_mut(meridians)) {
+            let step = f64::from(e) / d * dryness;
+            for (p, n) in ring.iter_mut().zip(&n) {
+                *p *= 1.0 - (n.abs() * step).min(MOST);
+            }
+        }
+    }
+    if strength > 0.0 {
+        let (k, octaves) = WRINKLING;
+        let origin = place(params, Purpose::Wrinkling, vertex);
+        let circle: Vec<[f64; 2]> = unit.iter().take(meridians).map(|p| on_circle(params, *p)).collect();
+        for (e, ring) in (1..).zip(points.chunks_exact_mut(meridians)) {
+            let along = ALONG * f64::from(e) / d;
+            for (p, [c, s]) in ring.iter_mut().zip(&circle) {
+                let n = (GAIN * fractal(origin + DVec3::new(k * c, k * s, along), octaves)).clamp(0.0, 1.0);
+                let scale = 1.0 - (n * strength).min(MOST);
+                p.x *= scale;
+                p.z *= scale;
+            }
+        }
+    }
+    Sheet { size: size(params, vertex), points }
+}

@@ -1,0 +1,416 @@
+//! The stages, run in pieces and cached.
+//!
+//! Every stage is keyed by what it is a function of, so an edit re-runs from the first stage it touches, and a superseded run
+//! leaves its finished stages behind. The colony is written before its collisions, so that there is something to show at once.
+
+use glam::DVec3;
+
+use super::body::{Bend, Layout};
+use super::bowl::bowl;
+use super::crossing::Count;
+use super::deform::{Sheet, deform};
+use super::ground::{Given, Ground, Grown};
+use super::log::{Log, Sweep, counts};
+use super::mesh::{ColonyMesh, LogMesh, shade, write};
+use super::pose::Poser;
+use super::press::{Bodies, Press};
+use super::settle::{Settle, Stats};
+use super::spawn::{Individual, Spawn, spawn};
+use super::thesis::Thesis;
+use super::user_log::{LogError, user_log};
+use crate::error::Error;
+use crate::params::wood_ear::{Base, Collisions, Log as LogParams, Params, Stage};
+
+/// What one step works on: one to five milliseconds in wasm.
+const LOG_VERTICES_PER_STEP: usize = 1 << 13;
+const GROUND_PER_STEP: usize = 1 << 14;
+const BODY_VERTICES_PER_STEP: usize = 1 << 15;
+const ROUNDS_PER_STEP: u32 = 150;
+const PAIRS_PER_STEP: usize = 100;
+
+/// Grows colonies, keeping the stages of the last one.
+#[derive(Debug, Default)]
+pub struct Generator {
+    params: Option<Params>,
+    /// A log of the user's own; counts as a version of the log.
+    given: Option<u32>,
+    logs_given: u32,
+    log_key: Option<LogKey>,
+    log: Log,
+    log_mesh: LogMesh,
+    log_version: u32,
+    spawn_key: Option<SpawnKey>,
+    spawn: Spawn,
+    deform_key: Option<DeformKey>,
+    layout: Layout,
+    sheets: Vec<Sheet>,
+    ground: Option<Ground>,
+    /// The rule whose outcome the mesh holds; none while it holds the colony before collisions.
+    collide_key: Option<Collisions>,
+    mesh: ColonyMesh,
+    stats: Stats,
+    /// What the mesh shows was written by this run or is still right for it.
+    preview: bool,
+    task: Option<Task>,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum LogKey {
+    Given(u32),
+    Grown(LogParams),
+}
+
+#[derive(Debug, Clone, PartialEq)]
+struct SpawnKey {
+    seed: u32,
+    density: f64,
+    range: f64,
+    bases: Vec<Base>,
+}
+
+/// Everything of a body's shape; whatever is not set here by name stays at the table's defaults.
+#[derive(Debug, Clone, PartialEq)]
+struct DeformKey([f64; 12]);
+
+#[derive(Debug)]
+enum Task {
+    Coarse(Box<Sweep>),
+    Fine(Box<Sweep>),
+    Spawn,
+    Ground(Box<Grown>),
+    /// From this individual on.
+    Deform(usize),
+    Thesis(Box<Thesis>),
+    Press(Box<Press>),
+    Settle(Box<Settle>),
+    /// Nothing has moved, so only the crossing pairs are left to count.
+    Count(Box<Count>),
+}
+
+impl SpawnKey {
+    fn new(params: &Params) -> Self {
+        let Params { seed, density, range, ref bases, .. } = *params;
+        SpawnKey { seed, density, range, bases: bases.clone() }
+    }
+}
+
+impl DeformKey {
+    fn new(p: &Params) -> Self {
+        let [rings, meridians] = [p.rings, p.meridians].map(f64::from);
+        let clear = f64::from(u8::from(p.clear_log));
+        DeformKey([
+            f64::from(p.seed),
+            p.moisture,
+            p.wrinkles,
+            p.size,
+            p.size_spread,
+            rings,
+            meridians,
+            p.per_individual,
+            p.droop,
+            p.thickness,
+            p.foot,
+            clear,
+        ])
+    }
+}
+
+impl Generator {
+    /// An empty cache.
+    pub fn new() -> Self {
+        Generator::default()
+    }
+
+    /// Takes a mesh for the log instead of a grown one, from the next [`Generator::start`] on: 3 numbers a vertex (cm, z up), 3 indices a
+    /// triangle (counter-clockwise seen from outside). Vertices at one place are welded.
+    ///
+    /// # Errors
+    /// What is wrong with it; then nothing has changed.
+    pub fn set_log(&mut self, positions: &[f32], indices: &[u32]) -> Result<(), LogError> {
+        let log = user_log(positions, indices)?;
+        self.task = None;
+        self.logs_given += 1;
+        self.given = Some(self.logs_given);
+        self.log_mesh = LogMesh::from(&log);
+        self.log_version += 1;
+        self.log = log;
+        self.log_key = Some(LogKey::Given(self.logs_given));
+        self.spawn_key = None;
+        Ok(())
+    }
+
+    /// Goes back to the grown log, from the next [`Generator::start`] on.
+    pub fn clear_log(&mut self) {
+        self.task = None;
+        self.given = None;
+    }
+
+    /// Begins a run, dropping the one in progress but not the stages it has finished.
+    ///
+    /// # Errors
+    /// A parameter out of range, or an estimate over `max_bytes`; then nothing has changed.
+    pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
+        params.validate()?;
+        let vertices = if self.given.is_some() { Some(self.log.points.len()) } else { None };
+        super::memory::check(&params, vertices, max_bytes)?;
+        self.params = Some(params);
+        self.preview = false;
+        self.task = self.next_task();
+        Ok(())
+    }
+
+    /// Does a bounded piece of work. True when the run is finished.
+    pub fn step(&mut self) -> bool {
+        if let Some(task) = self.task.take() {
+            self.task = self.advance(task);
+        }
+        self.task.is_none()
+    }
+
+    /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
+    pub fn stage(&self) -> Stage {
+        match self.task {
+            Some(Task::Coarse(_) | Task::Fine(_) | Task::Ground(_)) => Stage::Log,
+            Some(Task::Spawn) => Stage::Spawn,
+            Some(Task::Deform(_)) => Stage::Deform,
+            Some(Task::Thesis(_) | Task::Press(_)) => Stage::Collide,
+            Some(Task::Settle(_) | Task::Count(_)) | None => Stage::Mesh,
+        }
+    }
+
+    /// 0 … 1.
+    pub fn progress(&self) -> f64 {
+        match &self.task {
+            Some(Task::Coarse(sweep)) => 0.05 * sweep.progress(),
+            Some(Task::Fine(sweep)) => 0.05 + 0.15 * sweep.progress(),
+            Some(Task::Spawn) => 0.2,
+            Some(Task::Ground(ground)) => 0.2 + 0.05 * ground.progress(),
+            Some(Task::Deform(k)) => 0.25 + 0.05 * *k as f64 / self.spawn.individuals.len().max(1) as f64,
+            Some(Task::Thesis(thesis)) => 0.3 + 0.5 * thesis.progress(),
+            Some(Task::Press(press)) => 0.3 + 0.5 * press.progress(),
+            Some(Task::Settle(settle)) => 0.8 + 0.2 * settle.progress(),
+            Some(Task::Count(count)) => 0.3 + 0.7 * count.progress(),
+            None => 1.0,
+        }
+    }
+
+    /// Whether the buffers hold this run's colony, with or without its collisions solved, those with the log too. True at the latest when
+    /// [`Generator::step`] returns true; until then, buffers copied out are a complete colony whose individuals may cross.
+    pub fn preview_ready(&self) -> bool {
+        self.preview
+    }
+
+    /// The buffers; see [`Generator::preview_ready`].
+    pub fn mesh(&self) -> &ColonyMesh {
+        &self.mesh
+    }
+
+    /// The log to be seen. Complete when [`Generator::preview_ready`].
+    pub fn log_mesh(&self) -> &LogMesh {
+        &self.log_mesh
+    }
+
+    /// Counts up whenever [`Generator::log_mesh`] changes.
+    pub fn log_version(&self) -> u32 {
+        self.log_version
+    }
+
+    /// The log that individuals stand on.
+    pub fn log(&self) -> &Log {
+        &self.log
+    }
+
+    /// Who stands where.
+    pub fn spawn(&self) -> &Spawn {
+        &self.spawn
+    }
+
+    /// The sheets before collisions, in the order of the individuals.
+    pub fn sheets(&self) -> &[Sheet] {
+        &self.sheets
+    }
+
+    /// What all bodies have in common.
+    pub fn layout(&self) -> &Layout {
+        &self.layout
+    }
+
+    /// Where the bases are: vertices of the log, 3 numbers each.
+    pub fn bases(&self) -> Vec<f64> {
+        self.spawn.bases.iter().flat_map(|v| self.log.points[*v as usize].to_array()).collect()
+    }
+
+    /// Figures of the run. Complete once [`Generator::step`] has returned true.
+    pub fn stats(&self) -> Stats {
+        self.stats
+    }
+
+    /// The first piece of work whose result is not in the cache.
+    fn next_task(&mut self) -> Option<Task> {
+        let params = self.params.as_ref()?;
+        let key = self.given.map_or(LogKey::Grown(params.log), LogKey::Given);
+        if self.log_key.as_ref() != Some(&key) {
+            self.spawn_key = None;
+            return Some(Task::Coarse(Box::new(Sweep::new(&params.log, 1))));
+        }
+        if self.spawn_key.as_ref() != Some(&SpawnKey::new(params)) {
+            self.deform_key = None;
+            return Some(Task::Spawn);
+        }
+        if params.clear_log && self.ground().is_none() {
+            let Some(number) = self.given else {
+                return Some(Task::Ground(Box::new(Grown::new(params.log))));
+            };
+            self.ground = Some(Ground::Given(Given::new(number, &self.log)));
+        }
+        let stale = self.deform_key.as_ref() != Some(&DeformKey::new(params));
+        if stale || self.collide_key.is_some_and(|rule| rule != params.collisions) {
+            self.deform_key = None;
+            self.collide_key = None;
+            self.layout = Layout::new(params);
+            self.sheets.clear();
+            self.mesh.resize(self.spawn.individuals.len(), &self.layout);
+            return Some(Task::Deform(0));
+        }
+        self.preview = true;
+        if self.collide_key.is_some() {
+            return None;
+        }
+        self.stats = Stats::of(&self.mesh);
+        Some(match params.collisions {
+            Collisions::Off if !params.clear_log => Task::Count(Box::default()),
+            Collisions::Off => {
+                let all = vec![true; self.sheets.len()];
+                Task::Settle(Box::new(Settle::sheets(&self.mesh, self.sheets.clone(), all)))
+            }
+            Collisions::Thesis => Task::Thesis(Box::new(Thesis::new(&self.layout, self.bends()))),
+            Collisions::Pressed => Task::Press(Box::new(Press::new(&self.mesh.positions, self.bodies()?))),
+        })
+    }
+
+    fn bends(&self) -> Vec<Bend> {
+        let Some(params) = &self.params else { return Vec::new() };
+        let each = self.spawn.individuals.iter().zip(&self.sheets);
+        each.map(|(individual, sheet)| Bend::new(params, individual, sheet.size)).collect()
+    }
+
+    /// What individuals keep out of, if they are to, and if it is known.
+    fn ground(&self) -> Option<&Ground> {
+        let params = self.params.as_ref().filter(|params| params.clear_log)?;
+        self.ground.as_ref().filter(|ground| match ground {
+            Ground::Grown(grown) => self.given.is_none() && grown.is_of(&params.log),
+            Ground::Given(given) => self.given == Some(given.number),
+        })
+    }
+
+    fn bodies(&self) -> Option<Bodies<'_>> {
+        let (params, ground) = (self.params.as_ref()?, self.ground());
+        let (individuals, sheets) = (&self.spawn.individuals, &self.sheets);
+        Some(Bodies { params, layout: &self.layout, individuals, sheets, ground })
+    }
+
+    /// Works on a task for a while; what is to be done next.
+    fn advance(&mut self, task: Task) -> Option<Task> {
+        match task {
+            Task::Coarse(mut sweep) => {
+                if !sweep.advance(LOG_VERTICES_PER_STEP) {
+                    return Some(Task::Coarse(sweep));
+                }
+                let params = self.params.as_ref()?;
+                self.log = sweep.finish();
+                self.log_key = None;
+                let (fineness, _) = counts(&params.log);
+                return Some(Task::Fine(Box::new(Sweep::new(&params.log, fineness))));
+            }
+            Task::Fine(mut sweep) => {
+                if !sweep.advance(LOG_VERTICES_PER_STEP) {
+                    return Some(Task::Fine(sweep));
+                }
+                self.log_mesh = LogMesh::from(&sweep.finish());
+                self.log_version += 1;
+                self.log_key = Some(LogKey::Grown(self.params.as_ref()?.log));
+            }
+            Task::Spawn => {
+                let params = self.params.as_ref()?;
+                self.spawn = spawn(params, &self.log);
+                self.spawn_key = Some(SpawnKey::new(params));
+            }
+            Task::Ground(mut ground) => {
+                if !ground.advance(GROUND_PER_STEP) {
+                    return Some(Task::Ground(ground));
+                }
+                self.ground = Some(Ground::Grown(ground));
+            }
+            Task::Deform(from) => {
+                let to = self.deform(from)?;
+                if to < self.spawn.individuals.len() {
+                    return Some(Task::Deform(to));
+                }
+                self.deform_key = self.params.as_ref().map(DeformKey::new);
+            }
+            Task::Thesis(mut thesis) => {
+                if !thesis.advance(&self.spawn.individuals, &self.sheets, ROUNDS_PER_STEP) {
+                    return Some(Task::Thesis(thesis));
+                }
+                [self.stats.sweeps, self.stats.rounds] = [thesis.sweeps, thesis.rounds];
+                let (sheets, mut moved) = thesis.finish();
+                if self.ground().is_some() {
+                    moved.fill(true);
+                }
+                return Some(Task::Settle(Box::new(Settle::sheets(&self.mesh, sheets, moved))));
+            }
+            Task::Press(mut press) => {
+                if !press.advance(self.bodies()?, PAIRS_PER_STEP) {
+                    return Some(Task::Press(press));
+                }
+                self.stats.sweeps = press.sweeps;
+                self.stats.rounds = press.planes_set();
+                let (positions, mut moved, planes) = press.finish();
+                if self.ground().is_some() {
+                    moved.fill(true);
+                }
+                return Some(Task::Settle(Box::new(Settle::positions(positions, moved, planes))));
+            }
+            Task::Settle(mut settle) => {
+                let bodies = BODY_VERTICES_PER_STEP / usize::from(self.layout.vertices).max(1) + 1;
+                let of = self.bodies()?;
+                if !settle.advance(of, &self.mesh, bodies, PAIRS_PER_STEP) {
+                    return Some(Task::Settle(settle));
+                }
+                settle.finish(&mut self.mesh, &mut self.stats);
+                self.collide_key = self.params.as_ref().map(|params| params.collisions);
+            }
+            Task::Count(mut count) => {
+                if !count.advance(&self.layout, &self.mesh.positions, PAIRS_PER_STEP, PAIRS_PER_STEP) {
+                    return Some(Task::Count(count));
+                }
+                self.stats.crossing_pairs = count.crossing.len() as u32;
+                self.collide_key = self.params.as_ref().map(|params| params.collisions);
+            }
+        }
+        self.next_task()
+    }
+
+    /// Deforms individuals and writes them as they are before collisions; the first one left.
+    fn deform(&mut self, from: usize) -> Option<usize> {
+        let params = self.params.as_ref()?;
+        let unit = bowl(params.rings, params.meridians);
+        let count = BODY_VERTICES_PER_STEP / usize::from(self.layout.vertices).max(1) + 1;
+        let to = (from + count).min(self.spawn.individuals.len());
+        let (mut poser, mut sums) = (Poser::default(), Vec::<DVec3>::new());
+        let step = 3 * usize::from(self.layout.vertices);
+        for k in from..to {
+            let individual: Individual = self.spawn.individuals[k];
+            let sheet = deform(params, &individual, &unit);
+            poser.pose(params, &self.layout, &individual, &sheet, &[], (self.ground(), false));
+            let range = k * step..(k + 1) * step;
+            write(&mut self.mesh.positions[range.clone()], poser.points.iter().copied());
+            shade(&self.layout, &self.mesh.positions[range.clone()], &mut self.mesh.normals[range], &mut sums);
+            self.mesh.foot[k] = individual.vertex;
+            self.mesh.size[k] = sheet.size as f32;
+            self.mesh.base[k] = individual.base;
+            self.sheets.push(sheet);
+        }
+        Some(to)
+    }
+}

@@ -1,0 +1,91 @@
+//! What the tests of wood ears share.
+
+use glam::DVec3;
+use rock_field::params::wood_ear::{Log, Params};
+use rock_field::wood_ear::Generator;
+
+/// A finished run, and the positions that it showed before its collisions.
+pub struct Run {
+    pub generator: Generator,
+    pub preview: Vec<f32>,
+}
+
+pub fn run(params: &Params) -> Run {
+    let mut generator = Generator::new();
+    generator.start(params.clone(), u64::MAX).unwrap();
+    let mut preview = None;
+    loop {
+        if preview.is_none() && generator.preview_ready() {
+            preview = Some(generator.mesh().positions.clone());
+        }
+        if generator.step() {
+            break;
+        }
+    }
+    let preview = preview.unwrap_or_else(|| generator.mesh().positions.clone());
+    Run { generator, preview }
+}
+
+/// A short log with some hundred individuals.
+pub fn small() -> Params {
+    let mut params = Params { range: 26.0, ..Params::with_defaults() };
+    params.log = Log { length: 60.0, radius: 9.0, bend: 0.3, bark: 0.5, spacing: 3.0, seed: 1 };
+    params.bases[0].position = [2.0, -6.0, 14.0];
+    params
+}
+
+/// Vertices above the ground, other than those of stalks, that are inside the log that is seen: a ray upward leaves it an odd
+/// number of times.
+pub fn vertices_in_log(generator: &Generator) -> Vec<DVec3> {
+    let (log, mesh, layout) = (generator.log_mesh(), generator.mesh(), generator.layout());
+    let at = |positions: &[f32], v: u32| {
+        let k = 3 * v as usize;
+        DVec3::new(positions[k].into(), positions[k + 1].into(), positions[k + 2].into())
+    };
+    // Triangles by the cells of the plane they lie over.
+    const CELL: f64 = 1.0;
+    let (mut low, mut high) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
+    for v in 0..log.positions.len() as u32 / 3 {
+        (low, high) = (low.min(at(&log.positions, v)), high.max(at(&log.positions, v)));
+    }
+    let columns = ((high.x - low.x) / CELL) as usize + 1;
+    let rows = ((high.y - low.y) / CELL) as usize + 1;
+    let mut cells = vec![Vec::new(); columns * rows];
+    let cell = |p: DVec3| [((p.x - low.x) / CELL) as usize, ((p.y - low.y) / CELL) as usize];
+    for t in log.indices.chunks_exact(3) {
+        let corners = [t[0], t[1], t[2]].map(|v| at(&log.positions, v));
+        let [least, most] =
+            [corners.into_iter().reduce(DVec3::min).unwrap(), corners.into_iter().reduce(DVec3::max).unwrap()]
+                .map(cell);
+        for y in least[1]..=most[1] {
+            for x in least[0]..=most[0] {
+                cells[y * columns + x].push(corners);
+            }
+        }
+    }
+    let body = usize::from(layout.vertices);
+    let c = usize::from(layout.meridians);
+    let sheets = usize::from(layout.rings) * c;
+    let visible = if layout.thick { 2 * (sheets + c) } else { sheets };
+    let mut inside = Vec::new();
+    for v in 0..mesh.positions.len() / 3 {
+        // An angle that no edge of the log has.
+        let p = at(&mesh.positions, v as u32) + DVec3::new(1.234e-7, 2.345e-7, 0.0);
+        let outside = p.x <= low.x || p.y <= low.y || p.x >= high.x || p.y >= high.y;
+        if v % body >= visible && v % body != visible + c + 1 || outside || p.z <= 0.0 {
+            continue;
+        }
+        let [x, y] = cell(p);
+        let above = cells[y * columns + x].iter().filter(|corners| {
+            let [a, b, c] = corners.map(|q| q - p);
+            let turn = |a: DVec3, b: DVec3| a.x * b.y - a.y * b.x;
+            let turns = [turn(a, b), turn(b, c), turn(c, a)];
+            let over = turns.iter().all(|t| *t > 0.0) || turns.iter().all(|t| *t < 0.0);
+            over && (turns[0] * c.z + turns[1] * a.z + turns[2] * b.z) / turns.iter().sum::<f64>() > 0.0
+        });
+        if above.count() % 2 == 1 {
+            inside.push(p);
+        }
+    }
+    inside
+}
