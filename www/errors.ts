@@ -57,3 +57,7 @@ export function isCoded(thrown: unknown): thrown is Error & ErrorInfo {
 export function abortError(message: string): DOMException {
   return new DOMException(message, 'AbortError');
 }
+
+export function isAbort(thrown: unknown): boolean {
+  return thrown instanceof DOMException && thrown.name === 'AbortError';
+}
