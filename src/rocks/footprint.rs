@@ -18,8 +18,8 @@ pub(super) struct Footprint(Vec<[DVec2; 3]>);
 impl Footprint {
     /// Six numbers per triangle: x, y of its corners.
     pub(super) fn new(numbers: &[f64]) -> Result<Self, Error> {
-        let (triangles, rest) = numbers.as_chunks::<6>();
-        if !rest.is_empty() {
+        let triangles = numbers.chunks_exact(6);
+        if !triangles.remainder().is_empty() {
             return Err(Error::MalformedRequest { value: numbers.len(), expected: 6 * (triangles.len() + 1) });
         }
         let limits = |value: f64, min: f64, max: f64| {
@@ -28,7 +28,7 @@ impl Footprint {
         };
         limits(triangles.len() as f64, 0.0, MAX_TRIANGLES as f64)?;
         numbers.iter().try_for_each(|&value| limits(value, -FARTHEST, FARTHEST))?;
-        Ok(Footprint(triangles.iter().map(|&[a, b, c, d, e, f]| [(a, b), (c, d), (e, f)].map(DVec2::from)).collect()))
+        Ok(Footprint(triangles.map(|t| [0, 2, 4].map(|i| DVec2::new(t[i], t[i + 1]))).collect()))
     }
 
     /// Flags every pixel that a triangle touches, be it by a corner.
