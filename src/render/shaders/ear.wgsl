@@ -55,9 +55,9 @@ fn fs_main(
   var slope = 0.06 * broad.xyz;
   var vein = 0.0;
   if globals.scene.y > 0.0 && seen_veins > 0.0 {
-    let net = noise3((at + 0.5 * broad.xyz) / 0.85);
-    vein = (1.0 - smoothstep(0.0, 0.16, abs(net.w))) * seen_veins;
-    slope -= 0.16 * sign(net.w) * net.xyz * vein;
+    let net = noise3((at + 0.3 * broad.xyz) / 1.3);
+    vein = (1.0 - smoothstep(0.0, 0.22, abs(net.w))) * seen_veins * smoothstep(-0.25, 0.3, broad.w);
+    slope -= 0.3 * sign(net.w) * net.xyz * vein;
   }
   var down_hair = 0.0;
   let hair_seen = shown(0.12, footprint) * back;
@@ -70,13 +70,13 @@ fn fs_main(
   // Inside from red-brown to nearly black as it dries, outside to a pale grey; some are more yellow, some younger and paler.
   let young = variation * (own.y - 0.4);
   let warm = vec3f(1.0 + 0.1 * young, 1.0 + 0.45 * young, 1.0 + 0.25 * young);
-  let jelly = mix(vec3f(0.15, 0.046, 0.026), vec3f(0.24, 0.095, 0.05), own.x * own.x) * warm;
-  let inner = mix(vec3f(0.03, 0.022, 0.019), jelly, wet) * (1.0 + 0.3 * broad.w - 0.25 * vein);
-  let skin = mix(vec3f(0.19, 0.165, 0.145), vec3f(0.15, 0.082, 0.056), wet) * warm;
+  let jelly = mix(vec3f(0.062, 0.017, 0.01), vec3f(0.12, 0.042, 0.021), own.x * own.x) * warm;
+  let inner = mix(vec3f(0.03, 0.022, 0.019), jelly, wet) * (1.0 + 0.5 * broad.w + 0.12 * vein);
+  let skin = mix(vec3f(0.17, 0.148, 0.13), vec3f(0.095, 0.056, 0.04), wet) * warm;
   let zones = 1.0 + 0.12 * sin(own.x * 26.0 + 3.0 * broad.w) * back;
   let outer = skin * zones * (1.0 + 0.25 * broad.w + 0.5 * down_hair);
   var albedo = mix(inner, outer, back) * exp2(variation * (own.z - 0.5) * 1.2);
-  var rough = mix(mix(0.6, 0.24, wet), 0.85, back);
+  var rough = mix(mix(0.6, 0.2, wet), 0.85, back);
   let relief = bumped(base, slope);
   let seen = mix(0.25, 1.0, sky_seen(world, base, pixel.xy));
   let towards = normalize(relief + to_eye * max(0.0, 0.02 - dot(relief, to_eye)));
@@ -99,8 +99,8 @@ fn fs_main(
     let direct = sun_seen(world + sun * 0.15, toward_sun) * behind;
     let scatter = 0.6 + 1.2 * pow(max(dot(-to_eye, sun), 0.0), 4.0);
     let depth = mix(1.5, 0.5, own.x);
-    let tint = exp(-depth * vec3f(0.75, 2.2, 3.3) * (1.0 + 0.5 * vein));
-    light += tint * thin * (sunshine() * direct * scatter * 0.55 + vec3f(0.36, 0.4, 0.45) * 0.25 * seen);
+    let tint = exp(-depth * vec3f(0.7, 2.4, 3.8) * (1.0 + 0.5 * vein));
+    light += tint * thin * (sunshine() * direct * scatter * 0.6 + vec3f(0.36, 0.4, 0.45) * 0.12 * seen);
   }
   return developed(light, far, pixel.xy);
 }

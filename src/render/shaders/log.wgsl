@@ -68,26 +68,33 @@ fn fs_main(
   let bare = end + splinter;
 
   // Bark: ridges between fissures along the axis, cut across into plates, and scaly.
-  const RIDGE = vec3f(0.22, 1.0, 1.0) / 2.6;
-  const PLATE = vec3f(1.0, 0.55, 0.55) / 3.1;
+  const RIDGE = vec3f(0.2, 1.0, 1.0) / 1.9;
+  const PLATE = vec3f(1.0, 0.6, 0.6) / 2.3;
   let warped = at + vec3f(0.0, 1.1, 1.1) * broad.w;
   var ridge = noise3(warped * RIDGE);
-  ridge = fissures(vec4f(ridge.xyz * RIDGE, ridge.w), 0.24);
+  ridge = fissures(vec4f(ridge.xyz * RIDGE, ridge.w), 0.2);
   var plate = noise3(warped * PLATE + 11.0) * shown(2.0, footprint);
   plate = fissures(vec4f(plate.xyz * PLATE, plate.w + 0.15), 0.12);
-  let high = ridge.w * mix(1.0, plate.w, 0.55);
-  var slope = 0.75 * (ridge.xyz * mix(1.0, plate.w, 0.55) + 0.3 * plate.xyz * ridge.w);
+  // Cracks within the ridges.
+  var crack = vec4f(vec3f(0.0), 1.0);
+  if quality > 0.0 {
+    crack = noise3(warped * RIDGE * 2.7 + 41.0) * shown(0.8, footprint);
+    crack = fissures(vec4f(crack.xyz * RIDGE * 2.7, crack.w), 0.09);
+    crack = mix(vec4f(vec3f(0.0), 1.0), crack, 0.6 * shown(0.8, footprint));
+  }
+  let high = ridge.w * mix(1.0, plate.w, 0.55) * crack.w;
+  var slope = 0.8 * ridge.xyz * mix(1.0, plate.w, 0.55) + (0.3 * plate.xyz + 0.22 * crack.xyz) * ridge.w;
   var value = 0.3 * broad.w;
   let scale_seen = shown(0.9, footprint);
   if quality > 0.0 && scale_seen > 0.0 {
     let scales = noise3(at * vec3f(0.6, 1.0, 1.0) / 0.9 + 7.0) * scale_seen;
-    slope += 0.3 * scales.xyz;
-    value += 0.5 * scales.w;
+    slope += 0.4 * scales.xyz;
+    value += 0.7 * scales.w;
   }
-  value += 0.35 * fiber.w;
-  slope += 0.1 * fiber.xyz * LONG / 0.5;
+  value += 0.6 * fiber.w;
+  slope += 0.1 * fiber.xyz * LONG / 0.5 * ridge.w;
   let hue = 0.5 + broad.x * 0.35;
-  var albedo = mix(vec3f(0.035, 0.023, 0.016), mix(vec3f(0.135, 0.1, 0.072), vec3f(0.17, 0.148, 0.122), hue), high);
+  var albedo = mix(vec3f(0.042, 0.028, 0.019), mix(vec3f(0.12, 0.086, 0.06), vec3f(0.152, 0.132, 0.108), hue), high);
   albedo *= max(1.0 + value, 0.25);
   var open = mix(0.45, 1.0, high);
   var rough = 0.9;
@@ -122,7 +129,7 @@ fn fs_main(
   let soiled = smoothstep(0.25, 1.0, 1.1 * exp(-max(world.z, 0.0) / 2.5) + 0.5 * loose) * (0.35 + 0.65 * globals.weather.w);
   albedo = mix(albedo, soil_albedo(globals.scene.x), 0.8 * soiled);
   var bent = relief;
-  let moss = moss_cover(world, base.z, 0.35 * world.z, 1.0 - seen + 0.25 * (1.0 - high), footprint) * (1.0 - 0.7 * bare);
+  let moss = moss_cover(world, base.z, 0.35 * world.z, 1.0 - seen + 0.35 + 0.25 * (1.0 - high), footprint) * (1.0 - 0.7 * bare);
   if moss > 0.0 {
     albedo = mix(albedo, moss_albedo(world, footprint), moss);
     bent = normalize(mix(relief, base, 0.5 * moss));
