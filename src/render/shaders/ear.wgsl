@@ -38,6 +38,8 @@ fn fs_main(
   let step_x = dot(across, across);
   let step_y = dot(down, down);
   let footprint = sqrt(sqrt(step_x * step_y)) * 0.5 + sqrt(max(step_x, step_y)) * 0.5;
+  let turn_x = dpdx(given);
+  let turn_y = dpdy(given);
   // A single sheet shows its back as its inner side turned over.
   let base = normalize(given) * select(-1.0, 1.0, front);
   let world = inside + globals.eye.xyz;
@@ -86,6 +88,9 @@ fn fs_main(
   let velvet = globals.flesh.w * back * (1.0 - 0.35 * wet);
   let fuzz = velvet * pow(1.0 - n_v, 2.5);
   albedo = mix(albedo, vec3f(0.36, 0.32, 0.285) * (1.0 + 0.6 * down_hair), 0.25 * velvet + 0.6 * fuzz);
+  // What turns faster than the pixels can show scatters, as in natural_rock.wgsl: a rim is as wide as a pixel.
+  let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.3);
+  rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
   var light = daylight(albedo, rough, world, base, towards, to_eye, seen);
 
   // Light through the flesh: of the sun and the sky behind it, redder the thicker it is, and most at the rim.

@@ -70,7 +70,7 @@ fn fs_main(
   // Bark: ridges between fissures along the axis, cut across into plates, and scaly.
   const RIDGE = vec3f(0.2, 1.0, 1.0) / 1.9;
   const PLATE = vec3f(1.0, 0.6, 0.6) / 2.3;
-  let warped = at + vec3f(0.0, 1.1, 1.1) * broad.w;
+  let warped = at + vec3f(0.0, 0.6, 0.6) * broad.w;
   var ridge = noise3(warped * RIDGE);
   ridge = fissures(vec4f(ridge.xyz * RIDGE, ridge.w), 0.2);
   var plate = noise3(warped * PLATE + 11.0) * shown(2.0, footprint);
@@ -80,7 +80,7 @@ fn fs_main(
   if quality > 0.0 {
     crack = noise3(warped * RIDGE * 2.7 + 41.0) * shown(0.8, footprint);
     crack = fissures(vec4f(crack.xyz * RIDGE * 2.7, crack.w), 0.09);
-    crack = mix(vec4f(vec3f(0.0), 1.0), crack, 0.6 * shown(0.8, footprint));
+    crack = mix(vec4f(vec3f(0.0), 1.0), crack, 0.4 * shown(0.8, footprint));
   }
   let high = ridge.w * mix(1.0, plate.w, 0.55) * crack.w;
   var slope = 0.8 * ridge.xyz * mix(1.0, plate.w, 0.55) + (0.3 * plate.xyz + 0.22 * crack.xyz) * ridge.w;
@@ -94,9 +94,9 @@ fn fs_main(
   value += 0.6 * fiber.w;
   slope += 0.1 * fiber.xyz * LONG / 0.5 * ridge.w;
   let hue = 0.5 + broad.x * 0.35;
-  var albedo = mix(vec3f(0.042, 0.028, 0.019), mix(vec3f(0.12, 0.086, 0.06), vec3f(0.152, 0.132, 0.108), hue), high);
+  var albedo = mix(vec3f(0.042, 0.028, 0.019), mix(vec3f(0.135, 0.098, 0.07), vec3f(0.18, 0.157, 0.13), hue), high);
   albedo *= max(1.0 + value, 0.25);
-  var open = mix(0.45, 1.0, high);
+  var open = mix(0.65, 1.0, high);
   var rough = 0.9;
 
   // Lichen: pale crusts where the sky is seen, on the ridges.
@@ -110,7 +110,7 @@ fn fs_main(
     let years = radius / 0.42 + 1.5 * noise2(vec2f(radius / 1.3, 0.5));
     let late = smoothstep(0.35, 0.95, fract(years)) * (1.0 - smoothstep(0.95, 1.0, fract(years)));
     let rings = late * shown(0.42, footprint);
-    let check = fissures(noise3(vec3f(0.5, world.yz / 3.7) + 23.0), 0.05);
+    let check = fissures(noise3(vec3f(0.5, world.yz / 3.7) + 23.0), 0.03);
     var pale = mix(vec3f(0.3, 0.215, 0.135), vec3f(0.23, 0.2, 0.165), 0.5 + broad.x);
     pale *= (1.0 - 0.35 * rings) * (1.0 + 0.3 * broad.w + 0.35 * fiber.w);
     pale *= mix(0.7, 1.0, smoothstep(1.0, 7.0, wood.y));
