@@ -6,8 +6,8 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 use crate::render::{
-    Camera, ColorMode, Ears, Gpu, Layer, Look, Mesh, Mode, Place, Plan, Prop, PropMesh, Props, Quality, RenderError, Rocks,
-    Scene, View,
+    Camera, ColorMode, Ears, Gpu, Layer, Look, Mesh, Mode, Place, Plan, Prop, PropMesh, Props, Quality, RenderError,
+    Rocks, Scene, View,
 };
 
 thread_local! {

@@ -111,8 +111,7 @@ impl Prop {
         let kind = |vertex: u32| u32::from(kinds.get(vertex as usize).copied().unwrap_or(0).min(2)) << 24;
         let mut log = Self::new(gpu, place, mesh, kind)?;
         let usage = wgpu::BufferUsages::VERTEX;
-        let buffer =
-            upload::buffer(&gpu.device, "rock-field/log/coords", "coords", 8 * u64::from(vertices), usage)?;
+        let buffer = upload::buffer(&gpu.device, "rock-field/log/coords", "coords", 8 * u64::from(vertices), usage)?;
         upload::write::<f32>(&gpu.queue, &buffer, 2 * vertices, |start, slice| {
             coords.subarray(start, start + slice.len() as u32).copy_to(slice);
             for coord in slice {
@@ -131,12 +130,7 @@ impl Prop {
         Self::new(gpu, place, mesh, |vertex| ears.painted(vertex, each.max(1)))
     }
 
-    fn new(
-        gpu: &Gpu,
-        place: Place,
-        mesh: &PropMesh<'_>,
-        painted: impl Fn(u32) -> u32,
-    ) -> Result<Self, RenderError> {
+    fn new(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, painted: impl Fn(u32) -> u32) -> Result<Self, RenderError> {
         let vertices = mesh.positions.length() / 3;
         let index_count = mesh.indices.length() / 3 * 3;
         if mesh.normals.length() != mesh.positions.length() {

@@ -87,14 +87,20 @@ fn fs_main(
   var value = 0.3 * broad.w;
   let scale_seen = shown(0.9, footprint);
   if quality > 0.0 && scale_seen > 0.0 {
-    let scales = noise3(at * vec3f(0.6, 1.0, 1.0) / 0.9 + 7.0) * scale_seen;
-    slope += 0.4 * scales.xyz;
-    value += 0.7 * scales.w;
+    let scales = noise3(at * vec3f(0.6, 1.0, 1.0) / 0.7 + 7.0) * scale_seen;
+    slope += 0.45 * scales.xyz;
+    value += 0.9 * scales.w;
+  }
+  let micro_seen = shown(0.25, footprint);
+  if quality > 1.0 && micro_seen > 0.0 {
+    let micro = noise3(at / 0.25) * micro_seen;
+    slope += 0.25 * micro.xyz;
+    value += 0.4 * micro.w;
   }
   value += 0.6 * fiber.w;
   slope += 0.1 * fiber.xyz * LONG / 0.5 * ridge.w;
   let hue = 0.5 + broad.x * 0.35;
-  var albedo = mix(vec3f(0.042, 0.028, 0.019), mix(vec3f(0.135, 0.098, 0.07), vec3f(0.18, 0.157, 0.13), hue), high);
+  var albedo = mix(vec3f(0.058, 0.041, 0.029), mix(vec3f(0.135, 0.098, 0.07), vec3f(0.18, 0.157, 0.13), hue), high);
   albedo *= max(1.0 + value, 0.25);
   var open = mix(0.65, 1.0, high);
   var rough = 0.9;
