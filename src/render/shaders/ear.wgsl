@@ -72,7 +72,7 @@ fn fs_main(
   // Inside from red-brown to nearly black as it dries, outside to a pale grey; some are more yellow, some younger and paler.
   let young = variation * (own.y - 0.4);
   let warm = vec3f(1.0 + 0.1 * young, 1.0 + 0.45 * young, 1.0 + 0.25 * young);
-  let jelly = mix(vec3f(0.062, 0.017, 0.01), vec3f(0.12, 0.042, 0.021), own.x * own.x) * warm;
+  let jelly = mix(vec3f(0.06, 0.022, 0.013), vec3f(0.115, 0.049, 0.026), own.x * own.x) * warm;
   let inner = mix(vec3f(0.03, 0.022, 0.019), jelly, wet) * (1.0 + 0.5 * broad.w + 0.12 * vein);
   let skin = mix(vec3f(0.17, 0.148, 0.13), vec3f(0.095, 0.056, 0.04), wet) * warm;
   let zones = 1.0 + 0.12 * sin(own.x * 26.0 + 3.0 * broad.w) * back;
@@ -104,7 +104,7 @@ fn fs_main(
     let direct = sun_seen(world + sun * 0.15, toward_sun) * behind;
     let scatter = 0.6 + 1.2 * pow(max(dot(-to_eye, sun), 0.0), 4.0);
     let depth = mix(1.5, 0.5, own.x);
-    let tint = exp(-depth * vec3f(0.7, 2.4, 3.8) * (1.0 + 0.5 * vein));
+    let tint = exp(-depth * vec3f(0.75, 2.1, 3.4) * (1.0 + 0.5 * vein));
     light += tint * thin * (sunshine() * direct * scatter * 0.6 + vec3f(0.36, 0.4, 0.45) * 0.12 * seen);
   }
   return developed(light, far, pixel.xy);
