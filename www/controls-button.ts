@@ -3,16 +3,16 @@
  * wanted. Of the panel itself this file knows nothing but that it can be opened, told of changes and closed.
  */
 
-import type { Edition } from './controls/store.ts';
+import type { Edition } from './controls/scene-store.ts';
 import type { History } from './history.ts';
-import { loadPanel } from './load-panel.ts';
 import type { Language } from './params.ts';
 import type { ColorMode } from './renderer/renderer.ts';
-import type { RockFieldElement } from './rock-field-element.ts';
+import type { GeneratorElement } from './generator-element.ts';
+import type { Kind } from './table.ts';
 
 /** What the panel needs of its element beside what is public. */
-export interface PanelOwner {
-  element: RockFieldElement;
+export interface PanelOwner<K extends Kind> {
+  element: GeneratorElement<K>;
   root: ShadowRoot;
   language: () => Language;
   /** Whether the element's cycle has begun: before, nothing is loaded. */
@@ -21,7 +21,10 @@ export interface PanelOwner {
   isSettled: () => boolean;
   /** Null while the colour is the preset's. */
   chosenColor: () => ColorMode | null;
-  history: () => History<Edition>;
+  random: (params: K['params'], seed: number) => Promise<K['params']>;
+  history: () => History<Edition<K>>;
+  /** The panel, on demand: nothing of it is fetched before. */
+  loadPanel: () => Promise<PanelModule<K>>;
   say: (text: string) => void;
 }
 
@@ -32,6 +35,11 @@ export interface OpenPanel {
   /** Something may have changed at the element: shows it. */
   sync: () => void;
   dispose: () => void;
+}
+
+/** What the file of a panel exports. */
+export interface PanelModule<K extends Kind> {
+  openPanel: (owner: PanelOwner<K>, close: () => void) => OpenPanel;
 }
 
 const WORDS = {
@@ -66,16 +74,16 @@ const STYLES = `
 @media (pointer: coarse) { .controls-button { width: 40px; height: 40px } }
 `;
 
-export class ControlsButton {
+export class ControlsButton<K extends Kind> {
   readonly #button = document.createElement('button');
-  readonly #owner: PanelOwner;
+  readonly #owner: PanelOwner<K>;
   #panel: OpenPanel | undefined;
   /** Counts openings and closings: what has loaded meanwhile may no longer be wanted. */
   #turn = 0;
   #attribute: string | null = null;
   #hasFailed = false;
 
-  constructor(owner: PanelOwner) {
+  constructor(owner: PanelOwner<K>) {
     this.#owner = owner;
     const button = this.#button;
     button.type = 'button';
@@ -124,7 +132,7 @@ export class ControlsButton {
     const turn = ++this.#turn;
     this.#button.ariaBusy = 'true';
     try {
-      const { openPanel } = await loadPanel();
+      const { openPanel } = await this.#owner.loadPanel();
       if (turn !== this.#turn) return;
       this.#panel = openPanel(this.#owner, () => this.close());
       this.#button.hidden = true;

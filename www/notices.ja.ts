@@ -1,7 +1,7 @@
 /** What may be wrong with a link, in Japanese; see `notices.ts`. */
 
 import { filled } from './filled.ts';
-import type { Notice } from './url-codec.ts';
+import type { Notice } from './link.ts';
 
 const NOTICES: Record<Notice['code'], string> = {
   'too-long': 'リンクが {given} 文字あります。最初の {used} 文字だけを読み込みました。',
@@ -12,8 +12,9 @@ const NOTICES: Record<Notice['code'], string> = {
   'not-a-number': '{key}：「{given}」は数値ではありません。プリセットの値 {used} を使います。',
   clamped: '{key}：{given} は使えません（{min} 〜 {max}）。{used} を使います。',
   repeated: '{key} がリンク内に複数あります。最初のものを使います。',
-  'unequal-lists': 'リンク内の層の数が一致しません（{given}）。プリセットの層を表示しています。',
+  'unequal-lists': 'リンク内のリストが一致しません（{given}）。プリセットの値を使います。',
   'too-many-layers': 'リンクに {given} 層あります（{key}）。最初の {used} 層を表示しています。',
+  'too-many-bases': 'リンクに基点が {given} 個あります（{key}）。最初の {used} 個を使います。',
   'bad-ids': '層の id（{given}）は互いに異なる整数でなければなりません。{used} を使います。',
   'bad-camera': 'camera：「{given}」はカメラ位置ではありません。全体を表示しています。',
 };

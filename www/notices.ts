@@ -1,7 +1,7 @@
 /** What may be wrong with a link, in English: an element reads links too. `notices.ja.ts` has the same in Japanese, for the page. */
 
 import { filled } from './filled.ts';
-import type { Notice } from './url-codec.ts';
+import type { Notice } from './link.ts';
 
 /** `{key}` names what is wrong. */
 const NOTICES: Record<Notice['code'], string> = {
@@ -13,8 +13,9 @@ const NOTICES: Record<Notice['code'], string> = {
   'not-a-number': '{key}: “{given}” is not a number; the preset’s value {used} is used.',
   clamped: '{key}: {given} is not allowed ({min} to {max}); {used} is used.',
   repeated: '{key} stands more than once in the link; the first one counts.',
-  'unequal-lists': 'The link’s lists of layers differ in length ({given}); the preset’s layers are shown.',
+  'unequal-lists': 'The lists in the link do not fit together ({given}); the preset’s are used.',
   'too-many-layers': 'The link has {given} layers ({key}); the first {used} are shown.',
+  'too-many-bases': 'The link has {given} bases ({key}); the first {used} are used.',
   'bad-ids': 'The layers’ ids ({given}) have to be different whole numbers; {used} is used.',
   'bad-camera': 'camera: “{given}” is not a camera position; the whole field is shown.',
 };

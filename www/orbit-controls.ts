@@ -5,7 +5,7 @@
  */
 
 import { orbit, pan, zoom } from './camera.ts';
-import type { Interaction } from './element-attributes.ts';
+import type { Interaction } from './attribute-reader.ts';
 import { Fingers } from './gesture.ts';
 import type { CameraState } from './renderer/renderer.ts';
 

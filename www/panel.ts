@@ -1,10 +1,17 @@
-/** `panel.js`: what an element with `controls` loads when its panel is opened for the first time. */
+/** `panel.js`: what a `<rock-field controls>` loads when its panel is opened for the first time. */
 
-import { cdnBeside } from './controls/clipboard.ts';
+import { panelAddress } from './controls/clipboard.ts';
+import { ControlPanel } from './controls/control-panel.ts';
 import { EmbeddedPanel } from './controls/embedded-panel.ts';
-import type { PanelOwner } from './controls-button.ts';
+import { Store } from './controls/store.ts';
+import type { OpenPanel, PanelOwner } from './controls-button.ts';
+import type { Rocks } from './rocks.ts';
 
-export function openPanel(owner: PanelOwner, close: () => void): EmbeddedPanel {
-  // The address of this very file: what the panel is made of may lie in others.
-  return new EmbeddedPanel(owner, close, cdnBeside(import.meta.url));
+export function openPanel(owner: PanelOwner<Rocks>, close: () => void): OpenPanel {
+  return new EmbeddedPanel(owner, close, {
+    newStore: (link, preferences, history) => new Store(link, preferences, history),
+    panel: new ControlPanel(),
+    // The address of this very file: what the panel is made of may lie in others.
+    script: panelAddress(import.meta.url),
+  });
 }

@@ -1,10 +1,10 @@
-/** A property for every row of the parameter table: `element.packing = 0.5`, `element.radius = [90, 30, 10]`. */
+/** A property for every row of a parameter table: `element.packing = 0.5`, `element.radius = [90, 30, 10]`. */
 
-import { attributeOf, propertyOf } from './element-attributes.ts';
+import { attributeOf, propertyOf } from './attribute-reader.ts';
 import { RockFieldError } from './errors.ts';
-import type { Layer, Params, ParamSpec, Triple } from './params.ts';
-import { defaultLayer, FIELD_ROWS, LAYER_ROWS, readValue, resolveParams, writeValue } from './params-flat.ts';
+import type { Layer, Params, Triple } from './params.ts';
 import { writeAttribute } from './reflected-properties.ts';
+import type { Kind, Row, Table } from './table.ts';
 
 type LayerKey = Exclude<keyof Layer, 'id'>;
 
@@ -15,91 +15,102 @@ type LayerProperties = {
 
 export type ParameterProperties = Omit<Params, 'layers'> & LayerProperties;
 
-const ROWS: readonly ParamSpec[] = [...FIELD_ROWS, ...LAYER_ROWS];
+/** The rows of a table that are properties: of its items each as a list, or none where items are a property themselves. */
+export class RowProperties<K extends Kind> {
+  readonly names: readonly string[];
+  readonly #table: Table<K>;
+  readonly #rows: readonly Row[];
+  /**
+   * What was assigned to single properties of an element. Like its attributes these replace what the preset says, whichever came
+   * first: a framework sets attributes and properties in the order of its template, and afterwards only those that changed.
+   */
+  readonly #assigned = new WeakMap<HTMLElement, Map<Row, unknown>>();
 
-export const PARAMETER_PROPERTIES: readonly string[] = ROWS.map(propertyOf);
-
-type Owner = HTMLElement & { params: Params };
-
-/**
- * What was assigned to single properties of an element. Like its attributes these replace what the preset says, whichever came
- * first: a framework sets attributes and properties in the order of its template, and afterwards only those that changed.
- */
-const assigned = new WeakMap<HTMLElement, Map<ParamSpec, unknown>>();
-
-/** Makes the accessors, each in terms of `params`. */
-export function defineParameterProperties(prototype: Owner): void {
-  for (const spec of ROWS) {
-    Object.defineProperty(prototype, propertyOf(spec), {
-      configurable: true,
-      enumerable: true,
-      get(this: Owner): unknown {
-        const { params } = this;
-        return spec.scope === 'field' ? readValue(params, spec) : params.layers.map((layer) => readValue(layer, spec));
-      },
-      set(this: Owner, value: unknown) {
-        // Frameworks assign what a template has as text, and nothing where it has it no longer.
-        if (isAttribute(spec, value)) {
-          const name = attributeOf(spec);
-          // So that it counts as changed also where it says this, or nothing, already: something else was assigned in between.
-          this.setAttribute(name, '');
-          writeAttribute(this, name, value);
-          return;
-        }
-        const others = [...(assigned.get(this) ?? [])].filter(([other]) => other !== spec);
-        this.params = replaced(this.params, spec, value);
-        assigned.set(this, new Map([...others, [spec, structuredClone(value)]]));
-      },
-    });
+  constructor(table: Table<K>, rows: readonly Row[]) {
+    this.#table = table;
+    this.#rows = rows;
+    this.names = rows.map(propertyOf);
   }
-}
 
-/** `params` with what was assigned to single properties. */
-export function withAssigned(element: HTMLElement, params: Params): Params {
-  const values = [...(assigned.get(element) ?? [])];
-  if (values.length === 0) return params;
-  return resolveParams(values.reduce((result, [spec, value]) => replaced(result, spec, value), params));
-}
-
-/** What was assigned to single properties counts no more; with `attributes`, to those of whose attribute that is said. */
-export function forgetAssigned(element: HTMLElement, attributes?: ReadonlySet<string>): void {
-  const values = assigned.get(element);
-  if (!attributes) values?.clear();
-  else for (const spec of [...(values?.keys() ?? [])]) if (attributes.has(attributeOf(spec))) values?.delete(spec);
-}
-
-function isAttribute(spec: ParamSpec, value: unknown): value is string | null | undefined {
-  return value === null || value === undefined || (typeof value === 'string' && (spec.scope === 'layer' || spec.kind !== 'choice'));
-}
-
-function replaced(params: Params, spec: ParamSpec, value: unknown): Params {
-  return spec.scope === 'field' ? { ...params, [spec.key]: value } : { ...params, layers: withList(params, spec, value) };
-}
-
-/** `random` with the values of `old` for the properties named in `lock`. */
-export function keepLocked(random: Params, old: Params, lock: readonly string[]): Params {
-  const kept = structuredClone(random);
-  if (lock.includes('layers')) kept.layers = old.layers;
-  for (const spec of ROWS.filter((candidate) => lock.includes(propertyOf(candidate)))) {
-    if (spec.scope === 'field') writeValue(kept, spec, readValue(old, spec));
-    // Values of layers can only be kept with as many layers.
-    else kept.layers = old.layers.map((layer, index) => withValue(kept.layers[index] ?? layer, spec, readValue(layer, spec)));
+  #isItems(row: Row): boolean {
+    return this.#table.itemRows.includes(row);
   }
-  return kept;
-}
 
-function withList({ layers: old, notation }: Params, spec: ParamSpec, values: unknown): Layer[] {
-  if (!Array.isArray(values)) {
-    const name = propertyOf(spec);
-    throw new RockFieldError({ name: 'WrongType', key: name, value: values, message: `${name} has to be a list with a value for each layer` });
+  /** Makes the accessors, each in terms of `params`. */
+  define(prototype: HTMLElement & { params: K['params'] }): void {
+    type Owner = typeof prototype;
+    const table = this.#table;
+    const properties = this;
+    for (const row of this.#rows) {
+      Object.defineProperty(prototype, propertyOf(row), {
+        configurable: true,
+        enumerable: true,
+        get(this: Owner): unknown {
+          const { params } = this;
+          return properties.#isItems(row) ? table.items(params).map((item) => table.read(item, row)) : table.read(params, row);
+        },
+        set(this: Owner, value: unknown) {
+          properties.#assign(this, row, value);
+        },
+      });
+    }
   }
-  // Not an id that another layer has, or had.
-  const unused = 1 + Math.max(-1, ...old.map(({ id }) => id));
-  return values.map((value: unknown, index) => withValue(old[index] ?? defaultLayer(unused + index - old.length, notation), spec, value));
-}
 
-function withValue(layer: Layer, spec: ParamSpec, value: unknown): Layer {
-  const copy = structuredClone(layer);
-  writeValue(copy, spec, value);
-  return copy;
+  #assign(element: HTMLElement & { params: K['params'] }, row: Row, value: unknown): void {
+    // Frameworks assign what a template has as text, and nothing where it has it no longer.
+    if (this.#isAttribute(row, value)) {
+      const name = attributeOf(row);
+      // So that it counts as changed also where it says this, or nothing, already: something else was assigned in between.
+      element.setAttribute(name, '');
+      writeAttribute(element, name, value);
+      return;
+    }
+    const others = [...(this.#assigned.get(element) ?? [])].filter(([other]) => other !== row);
+    element.params = this.#replaced(element.params, row, value);
+    this.#assigned.set(element, new Map([...others, [row, structuredClone(value)]]));
+  }
+
+  #isAttribute(row: Row, value: unknown): boolean {
+    return value === null || value === undefined || (typeof value === 'string' && (this.#isItems(row) || row.kind !== 'choice'));
+  }
+
+  /** `params` with what was assigned to single properties. */
+  withAssigned(element: HTMLElement, params: K['params']): K['params'] {
+    const values = [...(this.#assigned.get(element) ?? [])];
+    if (values.length === 0) return params;
+    return this.#table.resolve(values.reduce((result, [row, value]) => this.#replaced(result, row, value), params));
+  }
+
+  /** What was assigned to single properties counts no more; with `attributes`, to those of whose attribute that is said. */
+  forget(element: HTMLElement, attributes?: ReadonlySet<string>): void {
+    const values = this.#assigned.get(element);
+    if (!attributes) values?.clear();
+    else for (const row of [...(values?.keys() ?? [])]) if (attributes.has(attributeOf(row))) values?.delete(row);
+  }
+
+  #replaced(params: K['params'], row: Row, value: unknown): K['params'] {
+    return this.#isItems(row) ? this.#withList(params, row, value) : this.#table.written(params, row, value);
+  }
+
+  #withList(params: K['params'], row: Row, values: unknown): K['params'] {
+    const table = this.#table;
+    if (!Array.isArray(values)) {
+      const name = propertyOf(row);
+      throw new RockFieldError({ name: 'WrongType', key: name, value: values, message: `${name} has to be a list with a value for each ${row.scope}` });
+    }
+    const old = table.items(params);
+    return table.withItems(params, values.map((value: unknown, index) => table.written(old[index] ?? table.newItem(index, params), row, value)));
+  }
+
+  /** `random` with the values of `old` for the properties named in `lock`; `list` is what the items are called. */
+  keepLocked(random: K['params'], old: K['params'], lock: readonly string[], list: string): K['params'] {
+    const table = this.#table;
+    let kept = lock.includes(list) ? table.withItems(random, table.items(old)) : random;
+    for (const row of this.#rows.filter((candidate) => lock.includes(propertyOf(candidate)))) {
+      if (!this.#isItems(row)) kept = table.written(kept, row, table.read(old, row));
+      // Values of items can only be kept with as many items.
+      else kept = table.withItems(kept, table.items(old).map((item, index) => table.written(table.items(kept)[index] ?? item, row, table.read(item, row))));
+    }
+    return kept;
+  }
 }

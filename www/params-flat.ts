@@ -10,6 +10,7 @@ import { checkNumber, checkValue, objectOf, rejectUnknown, unknownPreset, wrongT
 import type { Loose, Place } from './param-checks.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from './params.ts';
 import type { Bounds, Layer, Notation, Params, ParamSpec, Preset, PresetName } from './params.ts';
+import type { Row } from './table.ts';
 
 /** What code may ask for: a preset fills everything, each key given then replaces it, `layers` replaces the whole list. */
 export type FieldRequest = { preset?: PresetName | undefined } & { [K in Exclude<keyof Params, 'layers'>]?: Params[K] | undefined } & {
@@ -27,25 +28,25 @@ const LAYER_KEYS = new Set(['id', ...LAYER_ROWS.map((spec) => spec.key)]);
 const MAX_ID = 0xffff_ffff;
 
 /** The row's bounds in a notation. */
-export function boundsOf(spec: ParamSpec, notation: Notation): Bounds {
+export function boundsOf(spec: Row, notation: Notation): Bounds {
   return notation === 'relative' && spec.relative ? spec.relative : spec;
 }
 
 /** The value of a row in `owner` (the params for a field row, a layer for a layer row). */
-export function readValue(owner: Params | Layer, spec: ParamSpec): unknown {
+export function readValue(owner: Params | Layer, spec: Row): unknown {
   const value = (owner as unknown as Loose)[spec.key];
   return spec.component === null ? value : Array.isArray(value) ? value[spec.component] : undefined;
 }
 
 /** Puts the value of a row into `owner`, unchecked; a triple is created when it is not there yet. */
-export function writeValue(owner: Params | Layer, spec: ParamSpec, value: unknown): void {
+export function writeValue(owner: Params | Layer, spec: Row, value: unknown): void {
   const record = owner as unknown as Loose;
   if (spec.component === null) record[spec.key] = value;
   else ((record[spec.key] ??= [0, 0, 0]) as unknown[])[spec.component] = value;
 }
 
 /** The table's default of a row in a notation: a number, a choice's word, or null. */
-export function defaultOf(spec: ParamSpec, notation: Notation): number | string | null {
+export function defaultOf(spec: Row, notation: Notation): number | string | null {
   const value = boundsOf(spec, notation).default;
   return spec.kind === 'choice' ? (spec.choices[value ?? 0]?.value ?? null) : value;
 }
@@ -101,7 +102,7 @@ export function encodeParams(params: Params): Float64Array {
   return Float64Array.from(flat);
 }
 
-function encodeValue(spec: ParamSpec, value: unknown): number {
+function encodeValue(spec: Row, value: unknown): number {
   if (spec.kind === 'choice') return spec.choices.findIndex((choice) => choice.value === value);
   return typeof value === 'number' ? value : NaN;
 }
@@ -223,7 +224,7 @@ export function clampParams(params: Params): { params: Params; changes: Clamping
   return { params: clamped, changes };
 }
 
-function clampValue(spec: ParamSpec, notation: Notation, value: unknown): number | string | null {
+function clampValue(spec: Row, notation: Notation, value: unknown): number | string | null {
   if (spec.kind === 'choice') return spec.choices.some((choice) => choice.value === value) ? (value as string) : defaultOf(spec, notation);
   if (typeof value !== 'number' || Number.isNaN(value)) {
     return spec.kind === 'optional-integer' ? null : defaultOf(spec, notation);

@@ -1,6 +1,7 @@
 /** The parameters of a field, and their table (generated from the Rust one). */
 
 import { MAX_LAYERS, PARAMS, PRESETS } from './params.gen.ts';
+import type { Row } from './table.ts';
 
 export { MAX_LAYERS, PARAMS, PRESETS };
 
@@ -20,22 +21,10 @@ export interface Bounds {
   slider: { min: number; max: number; logarithmic: boolean };
 }
 
-/** One row of the table. */
-export interface ParamSpec extends Bounds {
-  key: string;
-  /** Part of a triple: 0 base, 1 per rock, 2 per vertex. */
-  component: number | null;
-  url: string;
+export interface ParamSpec extends Row {
   scope: 'field' | 'layer';
   kind: 'real' | 'integer' | 'optional-integer' | 'choice';
-  /** First stage an edit re-runs; `look` re-runs none and is drawn at once. */
   stage: 'sites' | 'cells' | 'selection' | 'shape' | 'mesh' | 'look';
-  /** Bounds in the conference's notation where they differ. */
-  relative: Bounds | null;
-  unit: Record<Notation, string>;
-  label: Words;
-  doc: Words;
-  choices: readonly { value: string; label: Words }[];
 }
 
 /** One row per layer: r, A_s, c_w1..3, c_h1..3, and for natural grounds weathering, roughness, detail, embedding, material. */

@@ -1,6 +1,6 @@
 /** Properties that are their attributes and nothing else. Frameworks assign a property where there is one; only so is `false` no text. */
 
-import type { Loading } from './element-attributes.ts';
+import type { Loading } from './attribute-reader.ts';
 import type { PresetName } from './params.ts';
 
 export interface ReflectedProperties {

@@ -11,7 +11,7 @@ import type { ErrorInfo } from './errors.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { isPlan } from './camera.ts';
 import { RockFieldError } from './errors.ts';
-import type { Interaction } from './element-attributes.ts';
+import type { Interaction } from './attribute-reader.ts';
 import type { Field } from './field.ts';
 import { FramePacer } from './frame-pacer.ts';
 import { OrbitControls } from './orbit-controls.ts';

@@ -30,21 +30,21 @@ function copyBySelection(text: string, place: HTMLElement | ShadowRoot): boolean
   return isCopied;
 }
 
-/** The classic script beside a file of the build, because it can start its workers from other pages' origins. */
-const CDN = 'cdn.js';
+/** The classic scripts beside a file of the build, by element: they can start their workers from other pages' origins. */
+const CDN: Readonly<Record<string, string>> = { 'rock-field': 'cdn.js', 'wood-ear-log': 'wood-ear-cdn.js' };
 
-/** The address of cdn.js beside panel.js. Null where a bundler has taken panel.js elsewhere: then nobody knows of a cdn.js. */
-export function cdnBeside(panel: string): string | null {
+/** The address of a panel's file, if its classic script lies beside it. Null where a bundler has taken the panel elsewhere. */
+export function panelAddress(panel: string): string | null {
   // Some bundlers write the path on the disk they were run on.
-  return /^https?:.*\/panel\.js$/.test(panel) ? new URL(CDN, panel).href : null;
+  return /^https?:.*panel\.js$/.test(panel) ? panel : null;
 }
 
-/** Two lines of HTML that show the field of `link` on any page. `page`: an address that cdn.js lies beside. */
-export function embedCode(link: string, page: string): string {
-  const script = new URL(CDN, page.replace(/[?#].*$/s, '')).href;
+/** Two lines of HTML that show the scene of `link` on any page. `page`: an address that the classic scripts lie beside. */
+export function embedCode(element: string, link: string, page: string): string {
+  const script = new URL(CDN[element] ?? '', page.replace(/[?#].*$/s, '')).href;
   return [
     `<script async src="${escaped(script)}"></script>`,
-    `<rock-field src="${escaped(`#${link}`)}" style="width: 100%; height: 60vh"></rock-field>`,
+    `<${element} src="${escaped(`#${link}`)}" style="width: 100%; height: 60vh"></${element}>`,
   ].join('\n');
 }
 

@@ -3,48 +3,55 @@
 import { errorInfo } from '../errors.ts';
 import { translate } from '../strings.ts';
 import { embedCode } from './clipboard.ts';
-import { ControlPanel } from './control-panel.ts';
 import { copyOrShow } from './dialogs.ts';
 import { hasModifier, travel } from './keys.ts';
 import { layoutStyles, panelStyles } from './panel-styles.ts';
 import { isDialogOpen } from './parts.ts';
-import { randomParams } from './randomise.ts';
-import { Store } from './store.ts';
 import type { OpenPanel, PanelOwner } from '../controls-button.ts';
-import type { Params } from '../params.ts';
-import type { RockFieldElement, RockFieldEventMap } from '../rock-field-element.ts';
-import type { Actions } from './control-panel.ts';
-import type { Change } from './store.ts';
+import type { ErrorInfo } from '../errors.ts';
+import type { GeneratorElement, SceneEventMap } from '../generator-element.ts';
+import type { History } from '../history.ts';
+import type { Kind } from '../table.ts';
+import type { Actions, ScenePanel } from './scene-panel.ts';
+import type { Change, Edition, OpenedLink, Preferences, SceneStore } from './scene-store.ts';
 
 /** From here on the panel stands beside the picture, px. */
 const BESIDE_FROM = 600;
 /** From here on it stands below; in less it covers the picture. */
 const BELOW_FROM = 480;
 
-export class EmbeddedPanel implements OpenPanel {
-  readonly #owner: PanelOwner;
-  readonly #element: RockFieldElement;
-  readonly #store: Store;
+/** What an embedded panel is made of. */
+export interface PanelParts<K extends Kind> {
+  newStore: (link: OpenedLink<K>, preferences: Preferences, history: History<Edition<K>>) => SceneStore<K>;
+  panel: ScenePanel<K>;
+  /** An address that the classic scripts lie beside, where one is known. */
+  script: string | null;
+}
+
+export class EmbeddedPanel<K extends Kind> implements OpenPanel {
+  readonly #owner: PanelOwner<K>;
+  readonly #element: GeneratorElement<K>;
+  readonly #store: SceneStore<K>;
   readonly #host = document.createElement('div');
-  readonly #panel = new ControlPanel();
+  readonly #panel: ScenePanel<K>;
   readonly #close: () => void;
   /** The parameters that element and store agreed on last. */
-  #seen: Params;
+  #seen: K['params'];
   /** Ends every listener. */
   readonly #listening = new AbortController();
   readonly #size = new ResizeObserver(([entry]) => entry && this.#layOut(entry.contentRect));
 
-  /** `script`: the address of cdn.js, where it is known. */
-  constructor(owner: PanelOwner, close: () => void, script: string | null) {
+  constructor(owner: PanelOwner<K>, close: () => void, { newStore, panel, script }: PanelParts<K>) {
     const { element, root } = owner;
     this.#owner = owner;
     this.#element = element;
     this.#close = close;
+    this.#panel = panel;
     const history = owner.history();
-    const { view, theme, field, backend } = element;
-    this.#store = new Store({ ...history.present, view, color: owner.chosenColor(), camera: null, notices: [] }, { language: owner.language(), theme }, history);
+    const { view, theme, result, backend } = element;
+    this.#store = newStore({ ...history.present, view, color: owner.chosenColor(), camera: null, notices: [] }, { language: owner.language(), theme }, history);
     this.#seen = this.#store.params;
-    if (field) this.#store.showField(field, owner.isSettled() ? this.#seen : null);
+    if (result) this.#store.showResult(result, owner.isSettled() ? this.#seen : null);
     this.#store.setBackend(backend);
     this.#store.subscribe((change) => this.#follow(change));
     this.#listen();
@@ -96,14 +103,16 @@ export class EmbeddedPanel implements OpenPanel {
 
   #listen(): void {
     const store = this.#store;
-    const on = <K extends keyof RockFieldEventMap>(type: K, listener: (event: RockFieldEventMap[K]) => void) =>
-      this.#element.addEventListener(type, listener as EventListener, { signal: this.#listening.signal });
+    const on = <Event>(type: string, listener: (event: Event) => void) => this.#element.addEventListener(type, listener as EventListener, { signal: this.#listening.signal });
     const showBackend = () => store.setBackend(this.#element.backend);
     on('load', showBackend);
     on('restored', showBackend);
-    on('generate', ({ detail }) => store.showField(detail.field, detail.superseded ? null : store.params));
-    on('progress', ({ detail }) => store.setProgress(detail));
-    on('error', ({ detail }) => void store.fail(detail.error));
+    on('generate', ({ detail }: CustomEvent<{ superseded: boolean }>) => {
+      const { result } = this.#element;
+      if (result) store.showResult(result, detail.superseded ? null : store.params);
+    });
+    on('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
+    on('error', ({ detail }: CustomEvent<{ error: ErrorInfo }>) => void store.fail(detail.error));
   }
 
   // … and the element the store, through its properties.
@@ -121,23 +130,24 @@ export class EmbeddedPanel implements OpenPanel {
     }
   }
 
-  #actions(script: string | null): Actions {
+  #actions(script: string | null): Actions<K> {
     const element = this.#element;
     const store = this.#store;
+    const owner = this.#owner;
     const root = () => this.#panel.getRootNode() as ShadowRoot;
     const withFreshSeed = (use: (seed: number) => void) => {
       element.freshSeed().then(use, (thrown: unknown) => void store.fail(errorInfo(thrown)));
     };
     return {
       freshSeed: () => withFreshSeed((seed) => store.setSeed(seed)),
-      randomise: () => withFreshSeed((seed) => store.edit(randomParams(store.params, seed))),
-      newField: () => {
-        const field = new (element.constructor as new () => RockFieldElement)();
-        field.backend = element.backend;
-        return field;
+      randomise: () => withFreshSeed((seed) => owner.random(store.params, seed).then((params) => store.edit(params))),
+      newElement: () => {
+        const other = new (element.constructor as new () => GeneratorElement<K>)();
+        other.backend = element.backend;
+        return other;
       },
       share: () => void copyOrShow(store, root(), element.shareURL(), 'copied', 'share'),
-      embed: script === null ? undefined : () => void copyOrShow(store, root(), embedCode(new URL(element.shareURL()).hash.slice(1), script), 'embedCopied', 'embed'),
+      embed: script === null ? undefined : () => void copyOrShow(store, root(), embedCode(element.localName, new URL(element.shareURL()).hash.slice(1), script), 'embedCopied', 'embed'),
       close: this.#close,
       cancel: () => {
         element.cancel();
@@ -147,7 +157,7 @@ export class EmbeddedPanel implements OpenPanel {
     };
   }
 
-  #build(actions: Actions): ShadowRoot {
+  #build(actions: Actions<K>): ShadowRoot {
     this.#host.className = 'controls-panel';
     this.#host.setAttribute('part', 'panel');
     const inner = this.#host.attachShadow({ mode: 'open' });

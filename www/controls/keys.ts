@@ -1,15 +1,15 @@
 /** The page's own keys. The picture has keys too, while it has the focus. */
 
-import { VIEWS } from '../url-codec.ts';
 import { isDialogOpen } from './parts.ts';
-import type { Store } from './store.ts';
+import type { Kind } from '../table.ts';
+import type { SceneStore } from './scene-store.ts';
 
 export interface PageActions {
   frameAll: () => void;
   help: () => void;
 }
 
-export function listenToKeys(store: Store, actions: PageActions): void {
+export function listenToKeys<K extends Kind>(store: SceneStore<K>, actions: PageActions): void {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.isComposing || isDialogOpen(document.body)) return;
     const handled = travel(store, event) || (!hasModifier(event) && !isTyping(event) && press(store, event.key, actions));
@@ -18,7 +18,7 @@ export function listenToKeys(store: Store, actions: PageActions): void {
 }
 
 /** Undo and redo are the page's, or the panel's, even inside a number field: what was typed there has long been applied. */
-export function travel(store: Store, event: KeyboardEvent): boolean {
+export function travel<K extends Kind>(store: SceneStore<K>, event: KeyboardEvent): boolean {
   const key = event.key.toLowerCase();
   if (event.altKey || !(event.ctrlKey || event.metaKey) || (key !== 'z' && key !== 'y')) return false;
   if (event.target instanceof HTMLElement) delete event.target.dataset.typing;
@@ -32,8 +32,8 @@ export function hasModifier({ altKey, ctrlKey, metaKey }: KeyboardEvent): boolea
   return altKey || ctrlKey || metaKey;
 }
 
-function press(store: Store, key: string, { frameAll, help }: PageActions): boolean {
-  const view = VIEWS[Number(key) - 1];
+function press<K extends Kind>(store: SceneStore<K>, key: string, { frameAll, help }: PageActions): boolean {
+  const view = store.table.views[Number(key) - 1];
   if (view) store.setView(view);
   else if (key === '?') help();
   else if (key === 'f' || key === 'F') frameAll();

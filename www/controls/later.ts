@@ -2,7 +2,7 @@
 
 export { embedCode } from './clipboard.ts';
 export { copyOrShow, showKeys } from './dialogs.ts';
-export { choosePreset } from './preset-picker.ts';
+export { choosePreset, presetGroups } from './preset-picker.ts';
 export { nextLayer } from './next-layer.ts';
 export { inNotation } from './notation.ts';
 export { randomParams } from './randomise.ts';

@@ -48,7 +48,7 @@ export function layerCard({ store, layer, index, isOpen, toggle }: LayerCard): T
           action: () => store.duplicateLayer(index),
           disabled: store.params.layers.length >= MAX_LAYERS,
         })}
-        ${iconButton({ icon: 'remove', label: store.text('removeLayer', { n }), action: () => store.removeLayer(index) })}
+        ${iconButton({ icon: 'remove', label: store.text('removeLayer', { n }), action: () => store.removeItem(index) })}
       </div>
       <div class="layer-body" id=${bodyId} ?hidden=${!isOpen}>${isOpen ? controls(store, layer, index) : nothing}</div>
     </li>

@@ -2,13 +2,12 @@
 
 import { html } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { boundsOf, readValue } from '../params-flat.ts';
 import { translate } from '../strings.ts';
 import { describedBy, description, mathText, menu, segments } from './parts.ts';
 import { sliderScale } from './slider-scale.ts';
 import type { TemplateResult } from 'lit';
-import type { ParamSpec } from '../params.ts';
-import type { Store } from './store.ts';
+import type { Kind, Row } from '../table.ts';
+import type { SceneStore } from './scene-store.ts';
 
 /** Digits shown of a number; its value keeps all of them. */
 const SHOWN_DIGITS = 7;
@@ -16,53 +15,51 @@ const SHOWN_DIGITS = 7;
 /** More words than these do not fit into a line. */
 const MOST_SEGMENTS = 4;
 
-/** The control of a row, for layer `layer` (an index) or, with `null`, for the field. */
-export function paramControl(store: Store, spec: ParamSpec, layer: number | null): TemplateResult {
-  return spec.kind === 'choice' ? choiceControl(store, spec, layer) : numberControl(store, spec, layer);
+/** The control of a row, for the item `item` (an index) or, with `null`, for the whole. */
+export function paramControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): TemplateResult {
+  return spec.kind === 'choice' ? choiceControl(store, spec, item) : numberControl(store, spec, item);
 }
 
-export function problemOf(store: Store, spec: ParamSpec, layer: number | null): string | null {
+export function problemOf<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): string | null {
   const { problem } = store;
-  const isHere = problem?.key === spec.key && problem.layer === layer && (problem.component ?? 0) === (spec.component ?? 0);
+  const isHere = problem?.key === spec.key && problem.item === item && (problem.component ?? 0) === (spec.component ?? 0);
   return problem && isHere ? problem.text(store.language) : null;
 }
 
 /** The page's id of a control; also how tests find it. */
-function idOf(spec: ParamSpec, layer: number | null): string {
-  return layer === null ? spec.url : `${spec.url}-${layer}`;
+function idOf(spec: Row, item: number | null): string {
+  return item === null ? spec.url : `${spec.url}-${item}`;
 }
 
-function choiceControl(store: Store, spec: ParamSpec, layer: number | null): TemplateResult {
-  const { language, params } = store;
-  const owner = layer === null ? params : params.layers[layer];
+function choiceControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): TemplateResult {
+  const { language } = store;
   const choose = spec.choices.length > MOST_SEGMENTS ? menu : segments;
   return choose({
-    name: idOf(spec, layer),
+    name: idOf(spec, item),
     label: spec.label[language],
     help: spec.doc[language],
     options: spec.choices.map(({ value, label }) => ({ value, label: label[language] })),
-    value: String(owner && readValue(owner, spec)),
-    action: (value) => store.setParam(spec, layer, value),
-    problem: problemOf(store, spec, layer),
+    value: String(store.valueOf(spec, item)),
+    action: (value) => store.setParam(spec, item, value),
+    problem: problemOf(store, spec, item),
   });
 }
 
-function numberControl(store: Store, spec: ParamSpec, layer: number | null): TemplateResult {
-  const { language, params } = store;
-  const owner = layer === null ? params : params.layers[layer];
-  const value = Number(owner && readValue(owner, spec));
-  const scale = sliderScale(spec, params.notation);
-  const unit = spec.unit[params.notation];
+function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): TemplateResult {
+  const { language, params, table } = store;
+  const value = Number(store.valueOf(spec, item));
+  const scale = sliderScale(table.boundsOf(spec, params));
+  const unit = table.unitOf(spec, params);
   const shown = shownNumber(value);
-  const id = idOf(spec, layer);
+  const id = idOf(spec, item);
   const help = spec.doc[language];
-  const problem = problemOf(store, spec, layer);
-  const slide = (event: Event) => store.setParam(spec, layer, scale.valueAt((event.target as HTMLInputElement).valueAsNumber, value));
+  const problem = problemOf(store, spec, item);
+  const slide = (event: Event) => store.setParam(spec, item, scale.valueAt((event.target as HTMLInputElement).valueAsNumber, value));
   return html`
     <div class="control" data-param=${id} data-help=${help}>
       <div class="control-head">
         <label class="control-label" for=${id}>${mathText(spec.label[language])}</label>
-        ${numberField({ store, spec, layer, id, shown, unit, problem })}
+        ${numberField({ store, spec, item, id, shown, unit, problem })}
       </div>
       <input
         class="slider"
@@ -83,29 +80,30 @@ function numberControl(store: Store, spec: ParamSpec, layer: number | null): Tem
   `;
 }
 
-interface NumberField {
-  store: Store;
-  spec: ParamSpec;
-  layer: number | null;
+interface NumberField<K extends Kind> {
+  store: SceneStore<K>;
+  spec: Row;
+  item: number | null;
   id: string;
   shown: string;
   unit: string;
   problem: string | null;
 }
 
-export function numberField({ store, spec, layer, id, shown, unit, problem }: NumberField): TemplateResult {
-  const { language, params } = store;
-  const { min, max, step } = boundsOf(spec, params.notation);
-  const isLegal = (typed: number) => typed >= min && typed <= max && (spec.kind === 'real' || Number.isInteger(typed));
+export function numberField<K extends Kind>({ store, spec, item, id, shown, unit, problem }: NumberField<K>): TemplateResult {
+  const { language, params, table } = store;
+  const { min, max, step } = table.boundsOf(spec, params);
+  const isReal = spec.kind.endsWith('real');
+  const isLegal = (typed: number) => typed >= min && typed <= max && (isReal || Number.isInteger(typed));
   const complain = (typed: number) => {
     const key = Number.isFinite(typed) ? 'clampedInField' : 'notANumber';
-    store.setProblem({ key: spec.key, layer, component: spec.component, text: (at) => translate(at, key, { min, max }) });
+    store.setProblem({ key: spec.key, item, component: spec.component, text: (at) => translate(at, key, { min, max }) });
   };
   const type = ({ target }: Event) => {
     const field = target as HTMLInputElement;
     field.dataset.typing = '';
     const typed = field.valueAsNumber;
-    if (isLegal(typed)) store.setParam(spec, layer, typed + 0);
+    if (isLegal(typed)) store.setParam(spec, item, typed + 0);
     else complain(typed);
   };
   const settle = ({ target }: Event) => {
@@ -114,7 +112,7 @@ export function numberField({ store, spec, layer, id, shown, unit, problem }: Nu
     const typed = field.valueAsNumber;
     if (Number.isFinite(typed) && !isLegal(typed)) {
       const inside = Math.min(max, Math.max(min, typed));
-      store.setParam(spec, layer, (spec.kind === 'real' ? inside : Math.round(inside)) + 0);
+      store.setParam(spec, item, (isReal ? inside : Math.round(inside)) + 0);
       complain(typed);
     } else {
       if (!Number.isFinite(typed)) store.setProblem(null);
@@ -127,7 +125,7 @@ export function numberField({ store, spec, layer, id, shown, unit, problem }: Nu
         class="number-field"
         type="number"
         id="${id}-number"
-        inputmode=${spec.kind === 'real' || min < 0 ? 'decimal' : 'numeric'}
+        inputmode=${isReal || min < 0 ? 'decimal' : 'numeric'}
         autocomplete="off"
         min=${min}
         max=${max}
@@ -167,7 +165,7 @@ function fill({ min, max }: { min: number; max: number }, position: number): str
   return `--fill-from: ${from}; --fill-to: ${to}`;
 }
 
-function holdUntilPointerUp(store: Store): void {
+function holdUntilPointerUp<K extends Kind>(store: SceneStore<K>): void {
   store.hold();
   const release = () => {
     window.removeEventListener('pointerup', release, true);

@@ -1,16 +1,10 @@
 /** Language and theme: this browser's, in no link. */
 
 import { LANGUAGES, pickLanguage } from '../strings.ts';
-import { THEMES } from './store.ts';
-import type { Language } from '../params.ts';
-import type { Theme } from './store.ts';
+import { THEMES } from './scene-store.ts';
+import type { Preferences } from './scene-store.ts';
 
 const KEY = 'rock-field';
-
-export interface Preferences {
-  language: Language;
-  theme: Theme;
-}
 
 export function loadPreferences(): Preferences {
   let saved: Partial<Record<keyof Preferences, unknown>> = {};

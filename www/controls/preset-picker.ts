@@ -4,15 +4,16 @@ import { html, nothing } from 'lit';
 import { PRESETS } from '../params.ts';
 import { LAYER_ROWS } from '../params-flat.ts';
 import { later, presetLabel } from '../strings-later.ts';
-import { PAPERS, paperOf, presetName } from '../strings.ts';
+import { PAPERS, paperOf, presetName, translate } from '../strings.ts';
 import { showDialog } from './dialogs.ts';
 import { mathText } from './parts.ts';
-import { drawPictures, PICTURED, PICTURE_SIZE } from './preset-pictures.ts';
+import { drawPictures, PICTURE_SIZE } from './preset-pictures.ts';
 import type { TemplateResult } from 'lit';
-import type { Preset, PresetName } from '../params.ts';
-import type { RockFieldElement } from '../rock-field-element.ts';
+import type { GeneratorElement } from '../generator-element.ts';
+import type { Language, Preset } from '../params.ts';
+import type { Kind } from '../table.ts';
 import type { Place } from './parts.ts';
-import type { Store } from './store.ts';
+import type { SceneStore } from './scene-store.ts';
 
 /** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
 const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1) ?? '');
@@ -22,46 +23,63 @@ const TYPING_MS = 700;
 type Direction = readonly [across: number, down: number];
 const DIRECTIONS: Readonly<Record<string, Direction>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
 
-/** Opens the list; what is chosen becomes the store's. `newField` makes an element for the pictures; null: there are none. */
-export function choosePreset(store: Store, place: Place, newField: (() => RockFieldElement) | null): void {
-  const { language } = store;
-  const papers = PAPERS.map((paper) => group(store.text(paper), 'preset-lines', PRESETS.filter(({ name }) => !PICTURED.includes(name) && paperOf(name) === paper), (preset) => presetLabel(language, preset, COLUMNS)));
-  const natural = group(later(language, 'natural'), 'preset-grid', PRESETS.filter(({ name }) => PICTURED.includes(name)), (preset) => presetName(language, preset));
+/** Presets that stand together, with their words. */
+export interface PresetGroup {
+  label: string;
+  /** Each with a small picture. */
+  isPictured: boolean;
+  presets: readonly { name: string; words: string }[];
+}
 
-  function group(label: string, className: string, presets: readonly Preset[], words: (preset: Preset) => string): TemplateResult {
-    return html`
-      <h3 aria-hidden="true">${label}</h3>
-      <div class=${className} role="group" aria-label=${label}>${presets.map((preset) => option(preset, words(preset)))}</div>
-    `;
-  }
+/** The natural grounds, then the figures of the papers. */
+export function presetGroups(language: Language): PresetGroup[] {
+  const presets: readonly Preset[] = PRESETS;
+  const group = (label: string, isPictured: boolean, belongs: (preset: Preset) => boolean, words: (preset: Preset) => string): PresetGroup => ({
+    label,
+    isPictured,
+    presets: presets.filter((preset) => Boolean(preset.natural) === isPictured && belongs(preset)).map((preset) => ({ name: preset.name, words: words(preset) })),
+  });
+  return [
+    group(later(language, 'natural'), true, () => true, (preset) => presetName(language, preset)),
+    ...PAPERS.map((paper) => group(translate(language, paper), false, ({ name }) => paperOf(name) === paper, (preset) => presetLabel(language, preset, COLUMNS))),
+  ];
+}
 
-  function option({ name, natural: isPictured }: Preset, words: string): TemplateResult {
+/** Opens the list; what is chosen becomes the store's. `newElement` makes an element for the pictures; null: there are none. */
+export function choosePreset<K extends Kind>(store: SceneStore<K>, place: Place, groups: readonly PresetGroup[], newElement: (() => GeneratorElement<K>) | null): void {
+  const option = (name: string, words: string, isPictured: boolean): TemplateResult => {
     const isChosen = name === store.preset;
     return html`
       <div class="preset" role="option" data-preset=${name} aria-selected=${isChosen} tabindex=${isChosen ? 0 : -1}>
         ${isPictured ? html`<canvas width=${PICTURE_SIZE.width} height=${PICTURE_SIZE.height} aria-hidden="true"></canvas>` : nothing}<span>${mathText(words)}</span>
       </div>
     `;
-  }
+  };
+  const lists = groups.map(
+    ({ label, isPictured, presets }) => html`
+      <h3 aria-hidden="true">${label}</h3>
+      <div class=${isPictured ? 'preset-grid' : 'preset-lines'} role="group" aria-label=${label}>${presets.map(({ name, words }) => option(name, words, isPictured))}</div>
+    `,
+  );
 
   const choose = (chosen: Element | null): void => {
     const name = chosen?.closest<HTMLElement>('.preset')?.dataset.preset;
     if (name === undefined) return;
     dialog.close();
-    store.choosePreset(name as PresetName);
+    store.choosePreset(name);
   };
   const press = keysOf(choose);
   const list = html`
-    <div class="presets" role="listbox" aria-labelledby="dialog-heading" @click=${({ target }: Event) => choose(target as Element)} @keydown=${press}>${natural}${papers}</div>
+    <div class="presets" role="listbox" aria-labelledby="dialog-heading" @click=${({ target }: Event) => choose(target as Element)} @keydown=${press}>${lists}</div>
   `;
   const dialog = showDialog(store, place, store.text('preset'), list);
   dialog.querySelector<HTMLElement>('.preset[aria-selected="true"]')?.focus();
 
   const closed = new AbortController();
   dialog.addEventListener('close', () => closed.abort(), { once: true });
-  if (newField) {
-    const show = (name: PresetName, picture: ImageBitmap) => dialog.querySelector<HTMLCanvasElement>(`[data-preset="${name}"] canvas`)?.getContext('2d')?.drawImage(picture, 0, 0);
-    void drawPictures(newField, dialog, show, closed.signal);
+  if (newElement) {
+    const show = (name: string, picture: ImageBitmap) => dialog.querySelector<HTMLCanvasElement>(`[data-preset="${name}"] canvas`)?.getContext('2d')?.drawImage(picture, 0, 0);
+    void drawPictures(store.table, newElement, dialog, show, closed.signal);
   }
 }
 

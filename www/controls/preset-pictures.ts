@@ -1,34 +1,28 @@
-/** Small pictures of natural grounds: drawn one after the other by an element that nobody sees, and kept for as long as the page is open. */
+/** Small pictures of natural presets: drawn one after the other by an element that nobody sees, and kept for as long as the page is open. */
 
-import { PRESETS } from '../params.ts';
-import { presetParams } from '../params-flat.ts';
-import type { Params, PresetName } from '../params.ts';
-import type { RockFieldElement, RockFieldEventMap } from '../rock-field-element.ts';
+import type { GeneratorElement, SceneEventMap } from '../generator-element.ts';
+import type { Kind, Table } from '../table.ts';
 
 /** Device pixels: twice as many as on most screens. */
 export const PICTURE_SIZE = { width: 192, height: 128 };
-/** Triangles smaller than a pixel are wasted. */
-const MOST_DETAIL = 2;
 /** Composed events of an element in a shadow root are the host's too. */
-const EVENTS: Record<keyof RockFieldEventMap, true> = { load: true, progress: true, generate: true, error: true, 'camera-change': true, restored: true, notice: true };
+const EVENTS: Record<keyof SceneEventMap<string> | 'generate', true> = { load: true, progress: true, generate: true, error: true, 'camera-change': true, restored: true, notice: true };
 
-const kept = new Map<PresetName, ImageBitmap>();
-
-export const PICTURED: readonly PresetName[] = PRESETS.filter((preset) => 'natural' in preset).map(({ name }) => name);
+const kept = new Map<string, ImageBitmap>();
 
 /** Shows the pictures that there are at once, and draws the others, in `place`, until `signal` is aborted. */
-export async function drawPictures(newField: () => RockFieldElement, place: HTMLElement, show: (name: PresetName, picture: ImageBitmap) => void, signal: AbortSignal): Promise<void> {
+export async function drawPictures<K extends Kind>(table: Table<K>, newElement: () => GeneratorElement<K>, place: HTMLElement, show: (name: string, picture: ImageBitmap) => void, signal: AbortSignal): Promise<void> {
   for (const [name, picture] of kept) show(name, picture);
-  const missing = PICTURED.filter((name) => !kept.has(name));
+  const missing = table.presets.filter(({ name, natural }) => natural && !kept.has(name));
   if (missing.length === 0) return;
-  const field = unseen(newField());
-  signal.addEventListener('abort', () => field.remove());
-  place.append(field);
-  for (const preset of missing) {
+  const element = unseen(newElement());
+  signal.addEventListener('abort', () => element.remove());
+  place.append(element);
+  for (const { name: preset } of missing) {
     try {
-      field.params = { ...coarse(presetParams(preset)), preset };
-      await field.getField();
-      const picture = await createImageBitmap(await field.toBlob(PICTURE_SIZE));
+      element.params = { ...table.pictured(table.presetParams(preset)), preset };
+      await element.generate();
+      const picture = await createImageBitmap(await element.toBlob(PICTURE_SIZE));
       kept.set(preset, picture);
       if (!signal.aborted) show(preset, picture);
     } catch (thrown) {
@@ -37,19 +31,15 @@ export async function drawPictures(newField: () => RockFieldElement, place: HTML
     }
     if (signal.aborted) return;
   }
-  field.remove();
-}
-
-function coarse(params: Params): Params {
-  return { ...params, layers: params.layers.map((layer) => ({ ...layer, detail: Math.min(layer.detail, MOST_DETAIL) })) };
+  element.remove();
 }
 
 /** On the screen, since nothing is drawn that is not, but not to be seen, found or touched. */
-function unseen(field: RockFieldElement): RockFieldElement {
-  Object.assign(field.style, { position: 'fixed', inset: '0 auto auto 0', width: '96px', height: '64px', opacity: '0', pointerEvents: 'none' });
-  field.inert = true;
-  field.ariaHidden = 'true';
-  field.interaction = 'none';
-  for (const type of Object.keys(EVENTS)) field.addEventListener(type, (event) => event.stopImmediatePropagation());
-  return field;
+function unseen<K extends Kind>(element: GeneratorElement<K>): GeneratorElement<K> {
+  Object.assign(element.style, { position: 'fixed', inset: '0 auto auto 0', width: '96px', height: '64px', opacity: '0', pointerEvents: 'none' });
+  element.inert = true;
+  element.ariaHidden = 'true';
+  element.interaction = 'none';
+  for (const type of Object.keys(EVENTS)) element.addEventListener(type, (event) => event.stopImmediatePropagation());
+  return element;
 }

@@ -1,7 +1,6 @@
 /** Between a value and its place on a slider. */
 
-import { boundsOf } from '../params-flat.ts';
-import type { Notation, ParamSpec } from '../params.ts';
+import type { Bounds } from '../params.ts';
 
 /** Stops of a logarithmic slider in an octave, so that powers of two are stops; about 1.5 % from one to the next. */
 const STOPS_PER_OCTAVE = 48;
@@ -16,8 +15,7 @@ export interface SliderScale {
   valueAt: (position: number, current: number) => number;
 }
 
-export function sliderScale(spec: ParamSpec, notation: Notation): SliderScale {
-  const { step, slider } = boundsOf(spec, notation);
+export function sliderScale({ step, slider }: Bounds): SliderScale {
   if (!slider.logarithmic) {
     return { min: slider.min, max: slider.max, step, positionOf: (value) => value, valueAt: (position) => position + 0 };
   }

@@ -3,10 +3,10 @@
 import { LitElement, html, nothing } from 'lit';
 import { colorChoice, viewChoice } from './look.ts';
 import { iconButton } from './parts.ts';
-import { summary } from './summary.ts';
 import { messageLine, progressLine } from './status.ts';
 import type { TemplateResult } from 'lit';
-import type { Store } from './store.ts';
+import type { Kind } from '../table.ts';
+import type { SceneStore } from './scene-store.ts';
 
 export interface StageActions {
   cancel: () => void;
@@ -17,7 +17,7 @@ export interface StageActions {
 export class StageOverlay extends LitElement {
   static override properties = { store: { attribute: false }, actions: { attribute: false } };
 
-  declare store: Store;
+  declare store: SceneStore<Kind>;
   declare actions: StageActions;
 
   #stopListening: (() => void) | undefined;
@@ -61,7 +61,7 @@ export class StageOverlay extends LitElement {
             })
           : nothing}
       </div>
-      ${store.field ? html`<p class="summary" aria-hidden="true">${summary(store)}</p>` : nothing} ${progressLine(store, actions.cancel)}
+      ${store.result ? html`<p class="summary" aria-hidden="true">${store.summary()}</p>` : nothing} ${progressLine(store, actions.cancel)}
     `;
   }
 }

@@ -5,10 +5,12 @@ import { icon } from './icons.ts';
 import { iconButton } from './parts.ts';
 import { percent } from './summary.ts';
 import type { TemplateResult } from 'lit';
-import type { Store } from './store.ts';
+import type { StringKey } from '../strings.ts';
+import type { Kind } from '../table.ts';
+import type { SceneStore } from './scene-store.ts';
 
 /** Only text goes in here: much of it comes from links. */
-export function messageLine(store: Store): TemplateResult | typeof nothing {
+export function messageLine<K extends Kind>(store: SceneStore<K>): TemplateResult | typeof nothing {
   const { messages, language } = store;
   const [first] = messages;
   if (!first) return nothing;
@@ -21,11 +23,11 @@ export function messageLine(store: Store): TemplateResult | typeof nothing {
   `;
 }
 
-export function progressLine(store: Store, cancel: () => void): TemplateResult | typeof nothing {
+export function progressLine<K extends Kind>(store: SceneStore<K>, cancel: () => void): TemplateResult | typeof nothing {
   const { progress } = store;
   if (!progress) return nothing;
   const share = percent(store, progress.fraction).replace(/[.,]\d/, '');
-  const label = store.text('working', { stage: store.text(`stage-${progress.stage}`), percent: share });
+  const label = store.text('working', { stage: store.text(`stage-${progress.stage}` as StringKey), percent: share });
   return html`
     <div class="progress">
       <progress max="1" .value=${progress.fraction} aria-label=${label}></progress>

@@ -1,8 +1,10 @@
 /** What is known of the field that is shown, in a line. */
 
+import type { Kind } from '../table.ts';
+import type { SceneStore } from './scene-store.ts';
 import type { Store } from './store.ts';
 
-export function percent(store: Store, share: number): string {
+export function percent<K extends Kind>(store: SceneStore<K>, share: number): string {
   // Plus zero: an empty sum may be −0.
   return (share + 0).toLocaleString(store.language, { style: 'percent', minimumFractionDigits: 1, maximumFractionDigits: 1 });
 }

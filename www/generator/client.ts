@@ -5,6 +5,7 @@ import type { ErrorInfo } from '../errors.ts';
 import type { Field } from '../field.ts';
 import { flatRequest } from '../params-flat.ts';
 import type { Params } from '../params.ts';
+import type { OnResult } from '../runs.ts';
 import { defaultMaxBytes } from './budget.ts';
 import { poolOf } from './pool.ts';
 import type { Seat } from './pool.ts';
@@ -22,7 +23,7 @@ export interface ClientOptions {
    * result. `superseded` tells that a newer request is on its way; `params` is what `generate` was given. Called before the promise
    * of the request settles.
    */
-  onField?: (field: Field, superseded: boolean, params: Params) => void;
+  onResult?: OnResult<Params, Field>;
 }
 
 export interface GenerateOptions {
@@ -189,7 +190,7 @@ export class GeneratorClient {
     const superseded = call === undefined && this.#call !== undefined;
     if ((call || superseded) && params && id > this.#shown) {
       this.#shown = id;
-      this.#options.onField?.(field, superseded, params);
+      this.#options.onResult?.(field, { superseded, isPreview: false }, params);
     }
     call?.resolve(field);
   }

@@ -1,34 +1,48 @@
-/** The runs of one element: the latest wins, and whoever waits for a field gets that of the newest parameters. */
+/** The runs of one element: the latest wins, and whoever waits for a result gets that of the newest parameters. */
 
 import { errorInfo, isAbort, RockFieldError } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
-import type { Field } from './field.ts';
-import { GeneratorClient } from './generator/client.ts';
-import type { ClientOptions } from './generator/client.ts';
 import type { Progress } from './generator/protocol.ts';
-import type { Params } from './params.ts';
 
-export interface RunsHost {
-  /** Every finished field; see `ClientOptions`. */
-  onField: NonNullable<ClientOptions['onField']>;
+/** How a result came about: `superseded`, a newer one is on its way; a preview is followed by the same with all its stages. */
+export interface Arrival {
+  superseded: boolean;
+  isPreview: boolean;
+}
+
+export type OnResult<Request, Result> = (result: Result, arrival: Arrival, request: Request) => void;
+
+/** Whoever generates, wherever. */
+export interface RunClient<Request, Result, Stage extends string> {
+  readonly busy: boolean;
+  generate(request: Request, options: { onProgress: (progress: Progress<Stage>) => void }): Promise<Result>;
+  freshSeed(): Promise<number>;
+  cancel(): void;
+  dispose(): void;
+}
+
+export interface RunsHost<Request, Result, Stage extends string> {
+  onResult: OnResult<Request, Result>;
   /** Of a run that takes longer; null when there is none. */
-  onProgress(progress: Progress | null): void;
+  onProgress(progress: Progress<Stage> | null): void;
   /** A run failed, and not because a newer one took its place. */
   onError(error: ErrorInfo): void;
 }
 
-export class FieldRuns {
+export class Runs<Request, Result, Stage extends string> {
   /** What is shown, or on its way, is not what the parameters say. */
   stale = true;
 
-  #host: RunsHost;
+  #host: RunsHost<Request, Result, Stage>;
+  #newClient: (options: { onResult: OnResult<Request, Result> }) => RunClient<Request, Result, Stage>;
   #isOpen = false;
-  #client: GeneratorClient | undefined;
-  /** The newest run; settles with its field. */
-  #run: Promise<Field> | undefined;
+  #client: RunClient<Request, Result, Stage> | undefined;
+  /** The newest run; settles with its result. */
+  #run: Promise<Result> | undefined;
 
-  constructor(host: RunsHost) {
+  constructor(host: RunsHost<Request, Result, Stage>, newClient: (options: { onResult: OnResult<Request, Result> }) => RunClient<Request, Result, Stage>) {
     this.#host = host;
+    this.#newClient = newClient;
   }
 
   get isOpen(): boolean {
@@ -53,11 +67,11 @@ export class FieldRuns {
     this.#run = undefined;
   }
 
-  /** Resolves with the field; rejects with an AbortError when a newer run supersedes it, else with a RockFieldError. */
-  start(params: Params): Promise<Field> {
+  /** Resolves with the result; rejects with an AbortError when a newer run supersedes it, else with a RockFieldError. */
+  start(request: Request): Promise<Result> {
     if (!this.#isOpen) return Promise.reject(notConnected());
     this.stale = false;
-    const run = this.#generator().generate(params, { onProgress: (progress) => this.#host.onProgress(progress) });
+    const run = this.#generator().generate(request, { onProgress: (progress) => this.#host.onProgress(progress) });
     this.#run = run;
     run.then(
       () => this.#ended(run),
@@ -69,7 +83,7 @@ export class FieldRuns {
     return run;
   }
 
-  #ended(run: Promise<Field>): void {
+  #ended(run: Promise<Result>): void {
     if (this.#run === run) this.#host.onProgress(null);
   }
 
@@ -85,10 +99,10 @@ export class FieldRuns {
   }
 
   /**
-   * The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. `look` marks what has
+   * The result of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. `look` marks what has
    * changed as stale, `begin` starts a run.
    */
-  async newest(look: () => void, begin: () => Promise<Field>): Promise<Field> {
+  async newest(look: () => void, begin: () => Promise<Result>): Promise<Result> {
     for (;;) {
       look();
       const run = this.stale || !this.#run ? begin() : this.#run;
@@ -101,8 +115,8 @@ export class FieldRuns {
     }
   }
 
-  #generator(): GeneratorClient {
-    this.#client ??= new GeneratorClient({ onField: this.#host.onField });
+  #generator(): RunClient<Request, Result, Stage> {
+    this.#client ??= this.#newClient({ onResult: this.#host.onResult });
     return this.#client;
   }
 }

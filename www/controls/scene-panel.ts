@@ -1,0 +1,290 @@
+/** What every scene's panel has: everything that can be set, in one column, beside the page's picture or in an element with `controls`. */
+
+import { LitElement, html, nothing } from 'lit';
+import { LANGUAGES, LANGUAGE_NAMES } from '../strings.ts';
+import { icon } from './icons.ts';
+import { loadLater } from './load-later.ts';
+import { colorChoice, viewChoice } from './look.ts';
+import { fillNumberFields, numberField, paramControl, problemOf } from './param-control.ts';
+import { description, iconButton, segments } from './parts.ts';
+import { messageLine, progressLine } from './status.ts';
+import { THEMES } from './scene-store.ts';
+import type { TemplateResult } from 'lit';
+import type { GeneratorElement } from '../generator-element.ts';
+import type { StringKey } from '../strings.ts';
+import type { Kind, Row } from '../table.ts';
+import type { Later } from './load-later.ts';
+import type { Place } from './parts.ts';
+import type { Problem, SceneStore } from './scene-store.ts';
+
+/** What the panel's place does that the store cannot. */
+export interface Actions<K extends Kind> {
+  freshSeed: () => void;
+  randomise: () => void;
+  /** An element like the one whose panel this is. */
+  newElement: () => GeneratorElement<K>;
+  share: () => void;
+  /** Absent where nobody knows the address of a script to embed. */
+  embed?: (() => void) | undefined;
+  /** Lists the page's keys. */
+  help?: () => void;
+  /** An element's panel alone is closed, and cancels in itself: on the page, `<stage-overlay>` has that. */
+  close?: () => void;
+  cancel?: () => void;
+}
+
+export abstract class ScenePanel<K extends Kind> extends LitElement {
+  static override properties = { store: { attribute: false }, actions: { attribute: false }, isEmbedded: { attribute: false }, isOpen: { state: true } };
+
+  declare store: SceneStore<K>;
+  declare actions: Actions<K>;
+  /** In an element, not on the page: without what is the page's alone. */
+  declare isEmbedded: boolean;
+  /** On narrow screens the panel is a sheet that can be folded away. */
+  declare isOpen: boolean;
+
+  #unsubscribe: (() => void) | undefined;
+  #seenProblem: Problem | null = null;
+  protected later: Later | undefined;
+  #loading: Promise<Later> | undefined;
+
+  constructor() {
+    super();
+    this.isEmbedded = false;
+    this.isOpen = false;
+    // What is being pointed at, or has the focus, is explained in the line below.
+    this.addEventListener('pointerover', (event) => event.pointerType !== 'touch' && this.#explain(event));
+    this.addEventListener('pointerleave', () => this.#explain(null));
+    this.addEventListener('focusin', (event) => this.#explain(event));
+  }
+
+  /** In the tree it stands in, whose styles it has; labels and descriptions are found by id there. */
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#unsubscribe = this.store.subscribe(() => this.requestUpdate());
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#unsubscribe?.();
+  }
+
+  protected override updated(): void {
+    fillNumberFields(this);
+    this.classList.toggle('is-open', this.isOpen);
+    const { problem } = this.store;
+    if (problem && problem !== this.#seenProblem) this.#reveal();
+    this.#seenProblem = problem;
+    if (this.store.result && !this.later) this.loadLater().catch((thrown: unknown) => console.warn(thrown));
+  }
+
+  protected loadLater(): Promise<Later> {
+    this.#loading ??= loadLater();
+    const loading = this.#loading;
+    loading.then(
+      (later) => {
+        this.later = later;
+        this.requestUpdate();
+      },
+      () => (this.#loading = undefined),
+    );
+    return loading;
+  }
+
+  /** A message under a control that nobody sees is no message. */
+  #reveal(): void {
+    const line = this.querySelector('.control-problem');
+    if (!line) return;
+    line.closest('details')?.setAttribute('open', '');
+    this.isOpen = true;
+    void this.updateComplete.then(() => line.scrollIntoView({ block: 'nearest' }));
+  }
+
+  /** The text of the scene's own that a key stands for. */
+  protected abstract words(key: 'presetHelp' | 'shareHelp' | 'embedHelp'): string;
+  protected abstract presetName(): string;
+  /** Opens the list of presets. `place`: where dialogs appear. */
+  protected abstract choosePreset(later: Later, place: Place): void;
+  /** Between the preset and the statistics. */
+  protected abstract sections(): TemplateResult;
+  /** The figures of the result. */
+  protected abstract figures(): TemplateResult | undefined;
+
+  protected override render(): TemplateResult {
+    const { store, actions, isEmbedded } = this;
+    return html`
+      ${this.#toolbar()} ${isEmbedded ? messageLine(store) : nothing}
+      <div class="panel-body">
+        ${this.#start()} ${isEmbedded ? this.#view() : nothing} ${this.sections()} ${this.#statistics()}
+        ${isEmbedded ? this.#embed() : this.#page()}
+      </div>
+      <p class="help-line is-idle" aria-hidden="true" .textContent=${this.#hint()}></p>
+      ${actions.cancel ? progressLine(store, actions.cancel) : nothing}
+    `;
+  }
+
+  #hint(): string {
+    return this.store.text(this.isEmbedded ? 'helpHintShort' : 'helpHint');
+  }
+
+  #toolbar(): TemplateResult {
+    const { store, actions } = this;
+    const t = (key: StringKey) => store.text(key);
+    return html`
+      <div class="toolbar">
+        ${this.isEmbedded ? html`<h2 class="panel-title">${t('controls')}</h2>` : this.#pageTitle()}
+        ${iconButton({ icon: 'undo', label: t('undo'), action: () => store.undo(), disabled: !store.canUndo })}
+        ${iconButton({ icon: 'redo', label: t('redo'), action: () => store.redo(), disabled: !store.canRedo })}
+        ${iconButton({ icon: 'reset', label: t('reset'), action: () => store.reset(), disabled: !store.isEdited && store.params.seed === 0 })}
+        ${iconButton({ icon: 'randomise', label: t('randomise'), action: actions.randomise })}
+        <button class="button button-primary share" type="button" title=${this.isEmbedded ? t('shareSettingsHelp') : this.words('shareHelp')} aria-label=${t('share')} @click=${actions.share}>
+          ${icon('share')}<span>${t('share')}</span>
+        </button>
+        ${actions.close ? iconButton({ icon: 'close', label: t('close'), action: actions.close, kind: 'close' }) : nothing}
+      </div>
+    `;
+  }
+
+  #pageTitle(): TemplateResult {
+    const { store } = this;
+    return html`
+      <button class="button sheet-toggle" type="button" aria-expanded=${this.isOpen} @click=${() => (this.isOpen = !this.isOpen)}>
+        ${icon('down')}${store.text('controls')}
+      </button>
+      <h1 class="wordmark"><img src="icon.svg" alt="" width="20" height="20" />${store.text('title')}</h1>
+    `;
+  }
+
+  /** Preset and seed: where everybody begins. */
+  #start(): TemplateResult {
+    const { store } = this;
+    const { params, language } = store;
+    const seed = store.table.rows[0] as Row;
+    const problem = problemOf(store, seed, null);
+    return html`
+      <section class="start" aria-label=${store.text('preset')}>
+        <div class="control" data-param="preset" data-help=${this.words('presetHelp')}>
+          <div class="control-head">
+            <span class="control-label" id="preset-label">${store.text('preset')}</span>
+            ${store.isEdited ? html`<span class="quiet">${store.text('edited')}</span>` : nothing}
+          </div>
+          <button class="select preset-button" type="button" id="preset" aria-haspopup="dialog" aria-labelledby="preset-label preset-name" aria-describedby="preset-help" @click=${this.#openPresets}>
+            <span id="preset-name">${this.presetName()}</span>${icon('down')}
+          </button>
+          ${description('preset', this.words('presetHelp'), null)}
+        </div>
+        <div class="control" data-param="seed" data-help=${seed.doc[language]}>
+          <label class="control-label" for="seed-number">${seed.label[language]}</label>
+          <div class="field-row">
+            ${numberField({ store, spec: seed, item: null, id: 'seed', shown: String(params.seed), unit: '', problem })}
+            ${iconButton({ icon: 'previous', label: store.text('previousSeed'), action: () => store.setSeed(params.seed - 1) })}
+            ${iconButton({ icon: 'next', label: store.text('nextSeed'), action: () => store.setSeed(params.seed + 1) })}
+            ${iconButton({ icon: 'dice', label: store.text('freshSeed'), action: this.actions.freshSeed })}
+          </div>
+          ${description('seed', seed.doc[language], problem)}
+        </div>
+      </section>
+    `;
+  }
+
+  /** On the page this lies on the picture. */
+  #view(): TemplateResult {
+    return html`<section class="section" aria-label=${this.store.text('view')}>${viewChoice(this.store, false)} ${colorChoice(this.store, false)}</section>`;
+  }
+
+  /** A natural scene has all of its look to set, another the light alone. */
+  protected look(): TemplateResult {
+    const { store } = this;
+    const isNatural = store.color === 'natural';
+    const rows = store.table.rows.filter(({ stage, key }) => stage === 'look' && (isNatural || key.startsWith('sun')));
+    return this.section('look', rows, isNatural);
+  }
+
+  protected section(heading: StringKey, rows: readonly Row[], isOpen = true): TemplateResult {
+    return html`
+      <details class="section" ?open=${isOpen}>
+        <summary><h2>${this.store.text(heading)}</h2>${icon('down')}</summary>
+        ${rows.map((row) => paramControl(this.store, row, null))}
+      </details>
+    `;
+  }
+
+  #openPresets = async (): Promise<void> => {
+    const root = this.getRootNode();
+    this.choosePreset(await this.loadLater(), root instanceof ShadowRoot ? root : document.body);
+  };
+
+  #statistics(): TemplateResult {
+    return html`
+      <details class="section" ?open=${true}>
+        <summary><h2>${this.store.text('statistics')}</h2>${icon('down')}</summary>
+        ${this.figures() ?? html`<p class="quiet">${this.store.text('notYet')}</p>`}
+      </details>
+      <p class="visually-hidden" role="status">${this.store.progress ? '' : this.store.summary()}</p>
+    `;
+  }
+
+  /** What is the page's and not the field's. */
+  #page(): TemplateResult {
+    const { store, actions } = this;
+    return html`
+      <section class="section" aria-labelledby="page-heading">
+        <h2 id="page-heading">${store.text('page')}</h2>
+        ${segments({
+          name: 'language',
+          label: store.text('language'),
+          options: LANGUAGES.map((value) => ({ value, label: LANGUAGE_NAMES[value] })),
+          value: store.language,
+          action: (language) => store.setLanguage(language),
+        })}
+        ${segments({
+          name: 'theme',
+          label: store.text('theme'),
+          options: THEMES.map((value) => ({ value, label: store.text(`theme-${value}`) })),
+          value: store.theme,
+          action: (theme) => store.setTheme(theme),
+        })}
+        <div class="button-row">
+          ${this.#embedButton()}
+          <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
+          <a class="button" href="docs/" hreflang="en" data-help=${store.text('docsHelp')}>${store.text('docs')}</a>
+        </div>
+      </section>
+    `;
+  }
+
+  #embed(): TemplateResult | typeof nothing {
+    return this.actions.embed ? html`<div class="section"><div class="button-row">${this.#embedButton()}</div></div>` : nothing;
+  }
+
+  #embedButton(): TemplateResult {
+    const { store, actions } = this;
+    return html`
+      <button class="button" type="button" title=${this.words('embedHelp')} data-help=${this.words('embedHelp')} @click=${actions.embed}>
+        ${icon('code')}${store.text('embed')}
+      </button>
+    `;
+  }
+
+  #explain(event: Event | null): void {
+    const line = this.querySelector('.help-line');
+    const { activeElement } = this.getRootNode() as Document | ShadowRoot;
+    const target = event?.target instanceof Element ? event.target : activeElement;
+    const help = (target as HTMLElement | null)?.closest<HTMLElement>('[data-help]')?.dataset.help;
+    if (!line) return;
+    // Not by a render: a pointer crosses many controls, and only this line changes.
+    line.textContent = help || this.#hint();
+    line.classList.toggle('is-idle', !help);
+  }
+}
+
+/** Under the first name that is free: a page may have another copy of this script. Made by `new` alone, so any name will do. */
+export function register(name: string, element: CustomElementConstructor, count = 1): void {
+  const free = count === 1 ? name : `${name}-${count}`;
+  if (customElements.get(free)) register(name, element, count + 1);
+  else customElements.define(free, element);
+}

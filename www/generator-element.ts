@@ -1,0 +1,546 @@
+/** What every element of a generator shares: parameters by attribute, property and link, runs, undo, the panel. */
+
+import { checkChoice, INTERACTIONS, SCENE_ATTRIBUTES } from './attribute-reader.ts';
+import type { Interaction, SceneAttributes } from './attribute-reader.ts';
+import { METRES_PER_PIXEL } from './camera-orbit.ts';
+import type { Edition } from './controls/scene-store.ts';
+import type { ControlsButton, PanelModule } from './controls-button.ts';
+import { errorInfo, RockFieldError } from './errors.ts';
+import type { ErrorInfo } from './errors.ts';
+import type { Progress } from './generator/protocol.ts';
+import { History } from './history.ts';
+import type { SceneLink } from './link.ts';
+import type { Language } from './params.ts';
+import type { RowProperties } from './parameter-properties.ts';
+import { REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
+import { QUALITY_CHOICES } from './renderer/quality.ts';
+import type { WantedQuality } from './renderer/quality.ts';
+import type { Backend, CameraState, ColorMode, Look, View } from './renderer/renderer.ts';
+import type { Runs, RunsHost } from './runs.ts';
+import { SceneElement } from './scene-element.ts';
+import type { Theme } from './scene-element.ts';
+import { isLook, isMade, presetColor, same } from './table.ts';
+import type { Kind, Row, Table } from './table.ts';
+
+/** The events, by name, with their details. None bubbles; all are composed. */
+export interface SceneEventMap<Stage extends string> {
+  /** The first picture of a cycle has been painted. */
+  load: CustomEvent<null>;
+  /** A run of more than 200 ms is under way. */
+  progress: CustomEvent<Progress<Stage>>;
+  error: CustomEvent<{ error: ErrorInfo }>;
+  /** The user moved the camera, or asked for everything. */
+  'camera-change': CustomEvent<{ camera: CameraState; framed: boolean }>;
+  /** The picture is back after a loss of the device. */
+  restored: CustomEvent<null>;
+  /** An attribute could not be taken as it stood. */
+  notice: CustomEvent<{ message: string }>;
+}
+
+/** What one generator's scene is to its element. */
+export interface Scene<K extends Kind> {
+  table: Table<K>;
+  properties: RowProperties<K>;
+  /** By attribute: the rows of the whole. */
+  rowAttributes: ReadonlyMap<string, Row>;
+  /** Attributes that tell the items. */
+  itemAttributes: readonly string[];
+  /** Attributes of parameters that are no rows, with the key of each. */
+  ownAttributes: Readonly<Record<string, keyof K['params']>>;
+  /** What the items are called, as a property. */
+  list: string;
+  readAttributes(get: (name: string) => string | null): SceneAttributes<K>;
+  newRuns(host: RunsHost<K['params'], K['result'], K['stage']>): Runs<K['params'], K['result'], K['stage']>;
+  lookOf(params: K['params']): Look;
+  /** Width and height of the ground, px. */
+  groundSize(params: K['params']): [number, number];
+  encode(state: SceneLink<K>): string;
+  /** What is shown, in a sentence. */
+  describe(result: K['result'], metresPerPixel: number, language: Language): Promise<string>;
+  random(params: K['params'], seed: number): Promise<K['params']>;
+  loadPanel(): Promise<PanelModule<K>>;
+}
+
+/** Attributes that are no parameters and change nothing but manners. */
+const MANNERS = ['poster', 'disabled', 'auto-rotate', 'controls'];
+
+export function observedAttributes<K extends Kind>(scene: Scene<K>): readonly string[] {
+  return [...parameterAttributes(scene), ...MANNERS];
+}
+
+function parameterAttributes<K extends Kind>({ rowAttributes, itemAttributes, ownAttributes }: Scene<K>): string[] {
+  return [...SCENE_ATTRIBUTES, ...rowAttributes.keys(), ...itemAttributes, ...Object.keys(ownAttributes)];
+}
+
+/** Assigned before the element was defined, these would hide the accessors. */
+const PROPERTIES = ['params', 'view', 'color', 'quality', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel', 'backend', 'controls'];
+
+/**
+ * @attribute src - A share link or its fragment, or parameters as JSON; fills everything.
+ * @attribute quality - `low`, `medium` or `high`, of natural colours; `auto`: as well as motion flows, and `high` at rest.
+ * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
+ * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
+ * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
+ * @attribute metres-per-pixel - Size of a pixel of the image; default 0.01.
+ * @attribute controls - A button in the picture's corner opens a panel with everything that can be set; `open`: it begins open.
+ * @attribute backend - `auto`, `webgpu`, `webgl`, `canvas2d` or `null` (draws nothing); read when the element is connected.
+ * @csspart hint - Why a gesture did nothing, for a moment.
+ * @csspart controls-button - The button that opens the panel.
+ * @csspart panel - The panel, while it is open.
+ * @fires load - The first picture has been painted.
+ * @fires progress - A run of more than 200 ms is under way.
+ * @fires error - What went wrong, as data.
+ * @fires camera-change - The user moved the camera, or asked for everything.
+ * @fires restored - The picture is back after a loss of the device.
+ * @fires notice - An attribute could not be taken as it stood.
+ */
+export abstract class GeneratorElement<K extends Kind> extends SceneElement {
+  readonly #scene: Scene<K>;
+  readonly #runs: Runs<K['params'], K['result'], K['stage']>;
+  /** Null before the attributes have been read. */
+  #params: K['params'] | null = null;
+  /** Attributes that have not been read since they changed. */
+  #unread: Set<string>;
+  #scheduled = false;
+  /** Steps of `undo`, of the panel and of code alike; edits that follow each other closely are one. */
+  #history: History<Edition<K>> | undefined;
+  #controls: ControlsButton<K> | undefined;
+  /** Null: nobody chose one, it is the preset's own. */
+  #color: ColorMode | null = null;
+  /** What is on screen, and what it was made from. */
+  #result: K['result'] | null = null;
+  #shown: K['params'] | null = null;
+  /** What runs under way were written against. */
+  #presets = new WeakMap<K['params'], K['preset']>();
+  #interaction: Interaction = INTERACTIONS[0];
+  #metresPerPixel = METRES_PER_PIXEL;
+
+  constructor(scene: Scene<K>) {
+    super();
+    this.#scene = scene;
+    this.#unread = new Set(parameterAttributes(scene));
+    this.#runs = scene.newRuns({
+      onResult: (result, { superseded, isPreview }, params) => this.#show(result, superseded, isPreview, params),
+      onProgress: (progress) => this.#tellProgress(progress),
+      onError: (error) => this.report(error),
+    });
+  }
+
+  /** Shows what a run gave. False when the renderer refused it. */
+  protected abstract present(result: K['result']): boolean;
+  /** The detail of the event `generate`. */
+  protected abstract detailOf(result: K['result'], superseded: boolean, isPreview: boolean): unknown;
+
+  /**
+   * All parameters; a copy, both ways. Assigning starts a run, the latest wins; several assignments in one task are one run. What
+   * is only seen, like `sunAzimuth`, starts none.
+   *
+   * @throws {RockFieldError} naming key, value and bounds; nothing has changed.
+   */
+  get params(): K['params'] {
+    this.#readAttributes();
+    return this.#scene.table.resolve(this.#params ?? this.#default);
+  }
+
+  set params(params: K['params'] & { preset?: K['preset'] | undefined }) {
+    const resolved = this.#scene.table.resolve(params);
+    this.#readAttributes();
+    this.#takeParams(resolved);
+    this.#record(params.preset);
+    this.#dress();
+    this.#schedule();
+  }
+
+  /** What is shown, the newest finished result. Not to be changed. */
+  get result(): K['result'] | null {
+    return this.#result;
+  }
+
+  get #default(): K['params'] {
+    const { table } = this.#scene;
+    return table.presetParams(table.presets[0]?.name ?? '');
+  }
+
+  #sameMade(one: K['params'] | null, other: K['params'] | null): boolean {
+    return one !== null && other !== null && same(this.#scene.table, one, other, isMade);
+  }
+
+  #setParams(params: K['params']): void {
+    const isDressed = this.#params !== null && this.#sameMade(this.#params, params) && !same(this.#scene.table, this.#params, params, isLook);
+    if (!isDressed) this.#runs.stale = true;
+    this.#params = params;
+  }
+
+  get #preset(): K['preset'] {
+    return this.#history?.present.preset ?? this.#scene.table.presets[0]?.name ?? '';
+  }
+
+  /** Shows the parameters' look, unless what they make is still to come: this then brings it. */
+  #dress(): void {
+    const params = this.#params;
+    const isPending = this.#result !== null && !this.#runs.isSettled && !this.#sameMade(params, this.#shown);
+    if (params && !isPending) this.#putOn(params, this.#preset);
+  }
+
+  #putOn(params: K['params'], preset: K['preset']): void {
+    this.setSceneLook(this.#scene.lookOf(params));
+    this.sceneColor = this.#color ?? presetColor(this.#scene.table, preset);
+  }
+
+  #takeParams(params: K['params']): void {
+    this.#scene.properties.forget(this);
+    this.#setParams(params);
+  }
+
+  /** What says the same as the present is no step: the panel's edits come here when they are in the history already. */
+  #record(preset: K['preset'] = this.#preset): void {
+    if (!this.#params) return;
+    const edition: Edition<K> = { params: this.#params, preset };
+    const present = this.#history?.present;
+    if (!present) this.#history = new History(edition);
+    else if (preset !== present.preset || !same(this.#scene.table, edition.params, present.params)) this.#history?.record(edition, 'edit', performance.now());
+    this.#controls?.sync();
+  }
+
+  get view(): View {
+    this.#readAttributes();
+    return this.sceneView;
+  }
+
+  set view(view: View) {
+    const { views } = this.#scene.table;
+    const checked = checkChoice('view', view ?? views[0], views);
+    this.#readAttributes();
+    this.sceneView = checked;
+    this.#controls?.sync();
+  }
+
+  /** As the attribute; assigning `null` lets it follow the preset again. */
+  get color(): ColorMode {
+    this.#readAttributes();
+    return this.#color ?? presetColor(this.#scene.table, this.#preset);
+  }
+
+  set color(color: ColorMode | null) {
+    const checked = color === null || color === undefined ? null : checkChoice('color', color, this.#scene.table.colors);
+    this.#readAttributes();
+    this.#chooseColor(checked);
+    this.#controls?.sync();
+  }
+
+  #chooseColor(color: ColorMode | null): void {
+    this.#color = color;
+    if (color) this.sceneColor = color;
+    else this.#dress();
+  }
+
+  /** How much work natural colours are worth: see the attribute. */
+  get quality(): WantedQuality {
+    this.#readAttributes();
+    return this.sceneQuality;
+  }
+
+  set quality(quality: WantedQuality) {
+    this.setAttribute('quality', checkChoice('quality', quality ?? QUALITY_CHOICES[0], QUALITY_CHOICES));
+  }
+
+  override get theme(): Theme {
+    return super.theme;
+  }
+
+  override set theme(theme: Theme) {
+    super.theme = theme;
+    this.#controls?.sync();
+  }
+
+  /** Whether there is a button for the panel; assigning `open` opens it. */
+  get controls(): boolean {
+    return this.hasAttribute('controls');
+  }
+
+  set controls(controls: boolean | 'open') {
+    if (controls === 'open') this.setAttribute('controls', controls);
+    else this.toggleAttribute('controls', Boolean(controls));
+  }
+
+  override get camera(): CameraState {
+    this.#readAttributes();
+    return super.camera;
+  }
+
+  override set camera(camera: CameraState | null) {
+    this.#readAttributes();
+    super.camera = camera;
+  }
+
+  /** What moves the camera: see the attribute. */
+  get interaction(): Interaction {
+    this.#readAttributes();
+    return this.#interaction;
+  }
+
+  set interaction(interaction: Interaction) {
+    this.setAttribute('interaction', checkChoice('interaction', interaction ?? INTERACTIONS[0], INTERACTIONS));
+  }
+
+  /** As the attribute: `45deg 55deg 120%`; empty for the framing of its own. */
+  get cameraOrbit(): string {
+    return this.getAttribute('camera-orbit') ?? '';
+  }
+
+  set cameraOrbit(orbit: string) {
+    writeAttribute(this, 'camera-orbit', orbit);
+  }
+
+  get metresPerPixel(): number {
+    this.#readAttributes();
+    return this.#metresPerPixel;
+  }
+
+  set metresPerPixel(metres: number) {
+    writeAttribute(this, 'metres-per-pixel', metres);
+  }
+
+  /** What draws the picture; null before it is known. Assigning sets the attribute, which is read when the element is connected. */
+  override get backend(): Backend | null {
+    return super.backend;
+  }
+
+  override set backend(wanted: 'auto' | Backend | null) {
+    writeAttribute(this, 'backend', wanted);
+  }
+
+  protected override get interactionMode(): Interaction {
+    return this.#interaction;
+  }
+
+  /** A link that shows this: `base`, the page's own address by default, with the parameters as its fragment. */
+  shareURL(base: string = document.baseURI): string {
+    const url = new URL(base, document.baseURI);
+    const { params, view, color, framed, camera } = this;
+    url.hash = this.#scene.encode({ params, preset: this.#preset, view, color, camera: framed ? null : camera });
+    return url.href;
+  }
+
+  /**
+   * Another of the kind by lot, of parameters by lot. Properties named in `lock` keep their values.
+   *
+   * @throws {RockFieldError} `UnknownKey` for a name in `lock` that is no parameter.
+   */
+  async randomize({ lock = [] }: { lock?: readonly string[] } = {}): Promise<void> {
+    const { list, properties, random } = this.#scene;
+    const stranger = lock.find((name) => name !== list && !properties.names.includes(name));
+    if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${JSON.stringify(stranger)}` });
+    const seed = await this.freshSeed();
+    const params = properties.keepLocked(await random(this.params, seed), this.params, lock, list);
+    this.#history?.hold();
+    this.params = params;
+    this.#history?.release();
+  }
+
+  /** Goes back one step of the parameters. False where there is none. */
+  undo(): boolean {
+    return this.#travel(this.#history?.undo());
+  }
+
+  /** Goes forward again to what `undo` left. False where there is nothing. */
+  redo(): boolean {
+    return this.#travel(this.#history?.redo());
+  }
+
+  #travel(moved = false): boolean {
+    if (moved && this.#history) {
+      this.#takeParams(this.#history.present.params);
+      this.#dress();
+      this.#schedule();
+      this.#controls?.sync();
+    }
+    return moved;
+  }
+
+  /** Runs now. Resolves with the result; rejects with an AbortError when a newer run supersedes it, else with a RockFieldError. */
+  generate(): Promise<K['result']> {
+    this.start();
+    const { params } = this;
+    this.#presets.set(params, this.#preset);
+    return this.#runs.start(params);
+  }
+
+  #tellProgress(progress: Progress<K['stage']> | null): void {
+    this.showProgress(progress?.fraction ?? null);
+    if (progress) this.emit('progress', progress);
+  }
+
+  /** Gives the running run up; what is shown stays. */
+  cancel(): void {
+    this.#runs.cancel();
+  }
+
+  /** A fresh random seed, which the caller may put into `params`. */
+  freshSeed(): Promise<number> {
+    return this.#runs.freshSeed();
+  }
+
+  /** What the present parameters make, as soon as it is finished; of newer ones where they change meanwhile. */
+  protected newest(): Promise<K['result']> {
+    return this.#runs.newest(
+      () => this.#readAttributes(),
+      () => this.generate(),
+    );
+  }
+
+  attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (before === after) return;
+    if (MANNERS.includes(name)) {
+      this.readManners();
+      return;
+    }
+    this.#unread.add(name);
+    this.#schedule();
+  }
+
+  override connectedCallback(): void {
+    const { properties, list } = this.#scene;
+    for (const name of [...REFLECTED_PROPERTIES, list, ...properties.names, ...PROPERTIES]) this.#upgrade(name);
+    super.connectedCallback();
+  }
+
+  protected override opened(): void {
+    this.#runs.open();
+    // After a pause what was shown is still there.
+    if (!this.#result) this.#runs.stale = true;
+    this.#schedule();
+    this.#controls?.begin();
+  }
+
+  protected override closed(): void {
+    this.#controls?.close();
+    this.#runs.close();
+  }
+
+  protected override readManners(): void {
+    super.readManners();
+    if (this.controls && !this.#controls) void this.#loadControls();
+    this.#controls?.update();
+  }
+
+  /** Few elements have a panel: for the others nothing of it is fetched. */
+  async #loadControls(): Promise<void> {
+    try {
+      const { ControlsButton } = await import('./controls-button.ts');
+      this.#controls ??= this.#newControls(ControlsButton);
+      this.#controls.update();
+    } catch (thrown) {
+      this.report(errorInfo(thrown));
+    }
+  }
+
+  #newControls(Button: typeof ControlsButton): ControlsButton<K> {
+    return new Button<K>({
+      element: this,
+      root: this.shadowRoot as ShadowRoot,
+      language: () => this.language,
+      isOpen: () => this.#runs.isOpen,
+      isSettled: () => this.#runs.isSettled,
+      chosenColor: () => this.#color,
+      history: () => {
+        this.#readAttributes();
+        return (this.#history ??= new History<Edition<K>>({ params: this.params, preset: this.#preset }));
+      },
+      random: this.#scene.random,
+      loadPanel: this.#scene.loadPanel,
+      say: (text) => this.notify(text),
+    });
+  }
+
+  protected override groundSize(): [number, number] {
+    return this.#scene.groundSize(this.#params ?? this.#default);
+  }
+
+  #show(result: K['result'], superseded: boolean, isPreview: boolean, params: K['params']): void {
+    if (!this.present(result)) return;
+    this.#result = result;
+    this.#shown = params;
+    // Its look may have been edited since it was asked for.
+    if (this.#params && this.#sameMade(this.#params, params)) this.#putOn(this.#params, this.#preset);
+    else this.#putOn(params, this.#presets.get(params) ?? this.#preset);
+    // Without these words the picture is still a picture.
+    this.#describe(result).catch((thrown: unknown) => console.warn(thrown));
+    this.emit('generate', this.detailOf(result, superseded, isPreview));
+  }
+
+  async #describe(result: K['result']): Promise<void> {
+    const words = await this.#scene.describe(result, this.#metresPerPixel, this.language);
+    if (this.#result === result) this.describe(words);
+  }
+
+  /** Reads and runs at the end of this task, once, however many attributes and properties are set in it. */
+  #schedule(): void {
+    if (this.#scheduled || !this.#runs.isOpen) return;
+    this.#scheduled = true;
+    queueMicrotask(() => {
+      this.#scheduled = false;
+      if (!this.#runs.isOpen) return;
+      this.#readAttributes();
+      if (this.#runs.stale) this.generate().catch(() => undefined); // reported there
+    });
+  }
+
+  /** Takes over what changed in the attributes, and nothing that was assigned and whose attribute did not change. */
+  #readAttributes(): void {
+    const unread = this.#unread;
+    if (unread.size === 0) return;
+    this.#unread = new Set();
+    const { table, properties, rowAttributes, itemAttributes, ownAttributes, readAttributes } = this.#scene;
+    const read = readAttributes((name) => this.getAttribute(name));
+    const { params } = read;
+    const has = (...names: string[]) => names.some((name) => unread.has(name));
+    const isAboutParams = has('src', 'preset', ...rowAttributes.keys(), ...itemAttributes, ...Object.keys(ownAttributes));
+    properties.forget(this, unread);
+    if (!this.#params || has('src', 'preset')) {
+      this.#setParams(this.#withAssigned(params));
+    } else if (isAboutParams) {
+      let own = { ...this.#params };
+      for (const [name, row] of rowAttributes) if (has(name)) own = table.written(own, row, table.read(params, row));
+      if (has(...itemAttributes)) own = table.withItems(own, table.items(params));
+      for (const [name, key] of Object.entries(ownAttributes)) if (has(name)) own[key] = params[key];
+      this.#setParams(this.#withAssigned(own));
+    }
+    if (isAboutParams) this.#record(has('src', 'preset') ? read.preset : undefined);
+    if (has('src', 'view')) this.sceneView = read.view;
+    if (has('src', 'color')) this.#chooseColor(read.color);
+    this.#dress();
+    if (has('src')) super.camera = read.camera;
+    if (has('camera-orbit', 'metres-per-pixel')) this.setFraming(read.orbit, read.metresPerPixel);
+    if (has('camera-orbit')) super.camera = read.camera;
+    this.sceneQuality = read.quality;
+    this.#interaction = read.interaction;
+    this.#metresPerPixel = read.metresPerPixel;
+    if (has('interaction')) this.readManners();
+    this.#controls?.sync();
+    for (const { attribute, message } of read.notices) if (unread.has(attribute)) this.notify(message);
+  }
+
+  #withAssigned(params: K['params']): K['params'] {
+    try {
+      return this.#scene.properties.withAssigned(this, params);
+    } catch (thrown) {
+      // Of a layer that is no more, or in a notation with other bounds. Nothing may be thrown out of a lifecycle callback.
+      this.#scene.properties.forget(this);
+      this.report(errorInfo(thrown));
+      return params;
+    }
+  }
+
+  #upgrade(name: string): void {
+    if (!Object.hasOwn(this, name)) return;
+    const value: unknown = Reflect.get(this, name);
+    Reflect.deleteProperty(this, name);
+    try {
+      Reflect.set(this, name, value);
+    } catch (thrown) {
+      // Nothing may be thrown out of a lifecycle callback.
+      this.report(errorInfo(thrown));
+    }
+  }
+}
