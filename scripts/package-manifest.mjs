@@ -7,7 +7,7 @@ import { Failure } from './run.mjs';
 import { tables } from './tables.mjs';
 
 const REGISTERS = 'www/rock-field.ts';
-const CLASSES = ['www/rock-field-element.ts', 'www/scene-element.ts'];
+const CLASSES = ['www/rock-field-element.ts', 'www/generator-element.ts', 'www/scene-element.ts'];
 /** Where the types of members are written out. */
 const TYPES = [...CLASSES, 'www/renderer/renderer.ts'];
 

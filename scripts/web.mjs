@@ -13,10 +13,12 @@ import { artefacts } from './wasm.mjs';
 export const metafile = path.join(pkg, 'web.meta.json');
 
 // dist/ is flat: `new URL('./worker.js', import.meta.url)` then means the same file from whichever chunk the code landed in.
-const BROWSER_ENTRIES = ['www/main.ts', 'www/generator/worker.ts', 'www/rock-field.ts', 'www/element.ts', 'www/core.ts', 'www/styles/page.css'];
+const BROWSER_ENTRIES = ['www/main.ts', 'www/rock-field.ts', 'www/element.ts', 'www/core.ts', 'www/styles/page.css'];
 const NODE_ENTRIES = ['www/core.node.ts'];
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
 const CDN = { entryPoints: { cdn: 'www/rock-field.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser', plugins: [panelByAddress] };
+// In one file: it shares little with the pages that start it, and what it shares would be cut out of their files.
+const WORKERS = ['www/generator/worker.ts'];
 // What an element with `controls` loads when its panel is opened. In one file: what it shares with the element is little, and would
 // be cut out of the element's file, which everybody loads.
 const PANEL = 'www/panel.ts';
@@ -49,6 +51,7 @@ export async function buildWeb() {
       platform: 'browser',
       plugins: [panelApart],
     });
+    const workers = await bundle({ entryPoints: WORKERS, outdir: staging, entryNames: '[name]', metafile: true, platform: 'browser' });
     const panel = await bundle({ entryPoints: [PANEL], outdir: staging, entryNames: '[name]', metafile: true, platform: 'browser', plugins: [sheetsAsText] });
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node' });
     await bundle({ ...CDN, outdir: staging });
@@ -56,7 +59,7 @@ export async function buildWeb() {
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
     await bundle({ ...DOCS, outdir: path.join(staging, 'docs') });
     await writeDocs(path.join(staging, 'docs'));
-    const meta = relativeTo(staging, merged(browser.metafile, panel.metafile));
+    const meta = relativeTo(staging, merged(browser.metafile, workers.metafile, panel.metafile));
     writeFileSync(metafile, JSON.stringify(meta));
     await finish(staging, meta);
     writeFileSync(path.join(staging, '.npmignore'), pageAlone(meta).map((name) => `/${name}*\n`).join(''));
@@ -73,7 +76,7 @@ export async function bundle(options) {
 }
 
 function requireFiles() {
-  const files = [...BROWSER_ENTRIES, ...NODE_ENTRIES, ...CDN.inject, PANEL, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
+  const files = [...BROWSER_ENTRIES, ...WORKERS, ...NODE_ENTRIES, ...CDN.inject, PANEL, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
   const missing = files.filter((file) => !existsSync(path.join(root, file)));
   if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
 }
@@ -137,9 +140,9 @@ function swapIn(staging) {
   rmSync(old, { recursive: true, force: true });
 }
 
-/** Two builds into one folder, as one. */
-function merged(one, other) {
-  return { inputs: { ...one.inputs, ...other.inputs }, outputs: { ...one.outputs, ...other.outputs } };
+/** Several builds into one folder, as one. */
+function merged(...metas) {
+  return { inputs: Object.assign({}, ...metas.map(({ inputs }) => inputs)), outputs: Object.assign({}, ...metas.map(({ outputs }) => outputs)) };
 }
 
 /** Output names in the metafile as they are in dist/. */

@@ -21,6 +21,7 @@ export interface PanelOwner<K extends Kind> {
   isSettled: () => boolean;
   /** Null while the colour is the preset's. */
   chosenColor: () => ColorMode | null;
+  result: () => K['result'] | null;
   random: (params: K['params'], seed: number) => Promise<K['params']>;
   history: () => History<Edition<K>>;
   /** The panel, on demand: nothing of it is fetched before. */

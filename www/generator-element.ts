@@ -151,11 +151,6 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.#schedule();
   }
 
-  /** What is shown, the newest finished result. Not to be changed. */
-  get result(): K['result'] | null {
-    return this.#result;
-  }
-
   get #default(): K['params'] {
     const { table } = this.#scene;
     return table.presetParams(table.presets[0]?.name ?? '');
@@ -328,11 +323,13 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
    * @throws {RockFieldError} `UnknownKey` for a name in `lock` that is no parameter.
    */
   async randomize({ lock = [] }: { lock?: readonly string[] } = {}): Promise<void> {
-    const { list, properties, random } = this.#scene;
+    const { table, properties, list, random } = this.#scene;
     const stranger = lock.find((name) => name !== list && !properties.names.includes(name));
     if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${JSON.stringify(stranger)}` });
-    const seed = await this.freshSeed();
-    const params = properties.keepLocked(await random(this.params, seed), this.params, lock, list);
+    const old = this.params;
+    let params = await random(old, await this.freshSeed());
+    if (lock.includes(list)) params = table.withItems(params, table.items(old));
+    for (const name of lock) params = properties.kept(name, params, old);
     this.#history?.hold();
     this.params = params;
     this.#history?.release();
@@ -447,6 +444,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
         this.#readAttributes();
         return (this.#history ??= new History<Edition<K>>({ params: this.params, preset: this.#preset }));
       },
+      result: () => this.#result,
       random: this.#scene.random,
       loadPanel: this.#scene.loadPanel,
       say: (text) => this.notify(text),

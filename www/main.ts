@@ -17,11 +17,14 @@ function readLink(text: string): DecodedLink {
   return decodeLink(text || `#preset=${OPENING}`);
 }
 
+const element = document.createElement('rock-field');
+
 openPage({
   store: new Store(readLink(location.search + location.hash), loadPreferences()),
-  element: document.createElement('rock-field'),
+  element,
   panel: new ControlPanel(),
   readLink,
   encode: encodeLink,
+  shown: () => element.field,
   random: async (params, seed) => (await loadLater()).randomParams(params, seed),
 });

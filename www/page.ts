@@ -23,11 +23,13 @@ export interface Page<K extends Kind> {
   panel: ScenePanel<K>;
   readLink: (text: string) => OpenedLink<K>;
   encode: (state: SceneLink<K>) => string;
+  /** What the element shows. */
+  shown: () => K['result'] | null;
   /** Other parameters by lot. */
   random: (params: K['params'], seed: number) => Promise<K['params']>;
 }
 
-export function openPage<K extends Kind>({ store, element, panel, readLink, encode, random }: Page<K>): void {
+export function openPage<K extends Kind>({ store, element, panel, readLink, encode, shown, random }: Page<K>): void {
   const stage = found('.stage');
 
   // The element follows the store …
@@ -72,7 +74,8 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   });
   listen('generate', ({ detail }: CustomEvent<{ superseded: boolean }>) => {
     store.setBackend(element.backend);
-    if (element.result) store.showResult(element.result, detail.superseded ? null : store.params);
+    const result = shown();
+    if (result) store.showResult(result, detail.superseded ? null : store.params);
   });
   listen('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
   listen('error', ({ detail }: SceneEventMap<string>['error']) => void store.fail(detail.error));

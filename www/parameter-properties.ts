@@ -102,15 +102,12 @@ export class RowProperties<K extends Kind> {
     return table.withItems(params, values.map((value: unknown, index) => table.written(old[index] ?? table.newItem(index, params), row, value)));
   }
 
-  /** `random` with the values of `old` for the properties named in `lock`; `list` is what the items are called. */
-  keepLocked(random: K['params'], old: K['params'], lock: readonly string[], list: string): K['params'] {
+  /** `params` with the value that the property `name`, if it is one, has in `old`. Values of items can only be kept with as many items. */
+  kept(name: string, params: K['params'], old: K['params']): K['params'] {
     const table = this.#table;
-    let kept = lock.includes(list) ? table.withItems(random, table.items(old)) : random;
-    for (const row of this.#rows.filter((candidate) => lock.includes(propertyOf(candidate)))) {
-      if (!this.#isItems(row)) kept = table.written(kept, row, table.read(old, row));
-      // Values of items can only be kept with as many items.
-      else kept = table.withItems(kept, table.items(old).map((item, index) => table.written(table.items(kept)[index] ?? item, row, table.read(item, row))));
-    }
-    return kept;
+    const row = this.#rows[this.names.indexOf(name)];
+    if (!row) return params;
+    if (!this.#isItems(row)) return table.written(params, row, table.read(old, row));
+    return table.withItems(params, table.items(old).map((item, index) => table.written(table.items(params)[index] ?? item, row, table.read(item, row))));
   }
 }

@@ -48,7 +48,8 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     this.#close = close;
     this.#panel = panel;
     const history = owner.history();
-    const { view, theme, result, backend } = element;
+    const { view, theme, backend } = element;
+    const result = owner.result();
     this.#store = newStore({ ...history.present, view, color: owner.chosenColor(), camera: null, notices: [] }, { language: owner.language(), theme }, history);
     this.#seen = this.#store.params;
     if (result) this.#store.showResult(result, owner.isSettled() ? this.#seen : null);
@@ -108,7 +109,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     on('load', showBackend);
     on('restored', showBackend);
     on('generate', ({ detail }: CustomEvent<{ superseded: boolean }>) => {
-      const { result } = this.#element;
+      const result = this.#owner.result();
       if (result) store.showResult(result, detail.superseded ? null : store.params);
     });
     on('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
