@@ -43,7 +43,7 @@ export function problems(found, ids = [...readExamples().keys()]) {
 
 /** The members of the manifest, without examples. */
 export async function publicMembers() {
-  const { PARAMS, attributeOf } = await tables();
+  const { PARAM_DOCS, PARAMS, attributeOf } = await tables();
   const declaration = (await manifest()).modules[0].declarations.find(({ tagName }) => tagName === TAG);
   const properties = new Map(declaration.members.filter(({ kind }) => kind === 'field').map((member) => [member.name, member]));
   const paired = new Set(declaration.attributes.map(({ fieldName }) => fieldName));
@@ -53,7 +53,7 @@ export async function publicMembers() {
       const kind = listed === 'member' ? { field: 'property', method: 'method' }[entry.kind] : listed;
       if (kind === 'property' && paired.has(entry.name)) return [];
       const isAttribute = kind === 'attribute';
-      return [{ ...entry, kind, id: idOf(kind, entry.name), property: isAttribute ? properties.get(entry.fieldName) : undefined, spec: isAttribute ? specs.get(entry.name) : undefined }];
+      return [{ ...entry, kind, id: idOf(kind, entry.name), property: isAttribute ? properties.get(entry.fieldName) : undefined, spec: isAttribute ? specs.get(entry.name) : undefined, doc: isAttribute ? PARAM_DOCS[specs.get(entry.name)?.url]?.en : undefined }];
     }),
   );
 }

@@ -54,8 +54,8 @@ ${example && liveExample(example, `${word(kind)} ${name}`)}
 }
 
 /** The manifest puts the range into the sentence, which here has a line of its own. */
-function ownWords({ spec, description }) {
-  return spec ? spec.doc.en : description;
+function ownWords({ doc, description }) {
+  return doc ?? description;
 }
 
 function closed(sentence) {

@@ -8,6 +8,8 @@ import { tables } from './tables.mjs';
 
 const REGISTERS = 'www/rock-field.ts';
 const CLASSES = ['www/rock-field-element.ts', 'www/generator-element.ts', 'www/scene-element.ts'];
+/** The types of each generator, for what its element inherits. */
+const KINDS = 'www/rocks.ts';
 /** Where the types of members are written out. */
 const TYPES = [...CLASSES, 'www/renderer/renderer.ts'];
 
@@ -122,13 +124,13 @@ async function knowledge() {
 
 /** A row of the parameter table, as an attribute and as a property. */
 async function parameter(spec) {
-  const { attributeOf, defaultOf, propertyOf } = await tables();
+  const { attributeOf, defaultOf, PARAM_DOCS, propertyOf } = await tables();
   const isList = spec.scope === 'layer';
   const type = spec.kind === 'choice' ? union(spec.choices.map(({ value }) => value)) : spec.kind === 'optional-integer' ? 'number | null' : 'number';
   const fallback = defaultOf(spec, 'px');
   const unit = spec.unit.px ? ` ${spec.unit.px}` : '';
   const range = spec.kind === 'choice' ? '' : ` From ${spec.min} to ${spec.max}${unit}.`;
-  const description = `${spec.doc.en}${range}`;
+  const description = `${PARAM_DOCS[spec.url].en}${range}`;
   return {
     attribute: {
       name: attributeOf(spec),

@@ -57,7 +57,6 @@ macro_rules! rows {
             }
             writeln!($out, "    unit: {{ px: {}, relative: {} }},", json(text.unit[0]), json(text.unit[1])).unwrap();
             writeln!($out, "    label: {},", pair(text.label)).unwrap();
-            writeln!($out, "    doc: {},", pair(text.doc)).unwrap();
             let words: Vec<String> = choices
                 .unwrap_or_default()
                 .iter()
@@ -67,6 +66,17 @@ macro_rules! rows {
             writeln!($out, "    choices: [{}],", words.join(", ")).unwrap();
             writeln!($out, "  }},").unwrap();
         }
+    };
+}
+
+/// What every parameter does, by its URL key: not needed before somebody asks.
+macro_rules! docs {
+    ($out:ident, $table:ident, $name:literal) => {
+        writeln!($out, "export const {}: Readonly<Record<string, Words>> = {{", $name).unwrap();
+        for (spec, text) in $table::PARAMS.iter().zip($table::TEXTS) {
+            writeln!($out, "  {}: {},", spec.url, pair(text.doc)).unwrap();
+        }
+        $out.push_str("};\n");
     };
 }
 
@@ -138,7 +148,17 @@ fn assert_generated(path: &str, content: &str) {
 fn typescript_is_generated_from_the_table() {
     assert_generated("www/params.gen.ts", &typescript_table());
     assert_generated("www/wood-ear.gen.ts", &wood_ear_table());
+    let mut rocks = String::from(DOCS_HEAD);
+    docs!(rocks, params, "PARAM_DOCS");
+    assert_generated("www/param-docs.gen.ts", &rocks);
+    let mut ears = String::from(DOCS_HEAD);
+    docs!(ears, wood_ear, "WOOD_EAR_DOCS");
+    assert_generated("www/wood-ear-docs.gen.ts", &ears);
 }
+
+const DOCS_HEAD: &str = "// Generated from src/params/ by `UPDATE=1 cargo test --test params`; never edited.\n\n\
+     import type { Words } from './params.ts';\n\n\
+     /** What every parameter does, by its key in links; apart from the table, so that no first picture waits for it. */\n";
 
 fn wood_ear_table() -> String {
     let mut out = String::from(

@@ -11,7 +11,6 @@ export function openPanel(owner: PanelOwner<Rocks>, close: () => void): OpenPane
   return new EmbeddedPanel(owner, close, {
     newStore: (link, preferences, history) => new Store(link, preferences, history),
     panel: new ControlPanel(),
-    // The address of this very file: what the panel is made of may lie in others.
     script: panelAddress(import.meta.url),
   });
 }

@@ -12,7 +12,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Seed", ja: "シード" },
-    doc: { en: "The same seed and parameters give the same rocks, byte for byte, everywhere.", ja: "同じシードと設定なら、どの環境でも同じ岩が1バイトも違わず生成されます。" },
     choices: [],
   },
   {
@@ -21,7 +20,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "px", relative: "px" },
     label: { en: "Width", ja: "幅" },
-    doc: { en: "Width of the ground seen from above.", ja: "真上から見た地面の幅。" },
     choices: [],
   },
   {
@@ -30,7 +28,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "px", relative: "px" },
     label: { en: "Depth", ja: "奥行き" },
-    doc: { en: "Depth of the ground seen from above.", ja: "真上から見た地面の奥行き。" },
     choices: [],
   },
   {
@@ -39,7 +36,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Packing c_d", ja: "充填率 c_d" },
-    doc: { en: "How many sites are asked for (Eq. 1); from about 0.55 on, no pixel is left free.", ja: "要求する母点の数（式1）。約0.55以上では空き画素がなくなるまで配置します。" },
     choices: [],
   },
   {
@@ -48,7 +44,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Notation", ja: "単位系" },
-    doc: { en: "Lengths in pixels (journal), or in hundredths of the width with heights in radii (conference).", ja: "長さの単位：画素（論文誌）、または幅の1/100で高さは半径の倍数（会議版）。" },
     choices: [{ value: "px", label: { en: "Pixels", ja: "画素" } }, { value: "relative", label: { en: "Relative", ja: "相対" } }],
   },
   {
@@ -57,7 +52,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Darts", ja: "ダーツ" },
-    doc: { en: "Throw until nothing is free, or exactly N_p times as Fig. 4 is written.", ja: "空きがなくなるまで投げるか、図4の記述どおり N_p 回だけ投げるか。" },
     choices: [{ value: "saturate", label: { en: "Until saturated", ja: "飽和まで" } }, { value: "attempts", label: { en: "N_p attempts", ja: "N_p 回" } }],
   },
   {
@@ -66,7 +60,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Border cells", ja: "境界セル" },
-    doc: { en: "Cells at the border are clipped to the image and kept, or dropped.", ja: "画像の縁にかかるセルを切り取って残すか、除外するか。" },
     choices: [{ value: "clip", label: { en: "Clip", ja: "切り取る" } }, { value: "drop", label: { en: "Drop", ja: "除外する" } }],
   },
   {
@@ -75,7 +68,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Swing", ja: "乱数" },
-    doc: { en: "Taper and height share their random numbers (wide rocks are the tall ones), or draw their own.", ja: "幅と高さで同じ乱数を使う（幅広の岩ほど高い）か、別々の乱数を使うか。" },
     choices: [{ value: "shared", label: { en: "Shared", ja: "共有" } }, { value: "separate", label: { en: "Separate", ja: "別々" } }],
   },
   {
@@ -84,7 +76,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Variation", ja: "ばらつき" },
-    doc: { en: "How far the rocks differ from each other in colour and value, in natural colours.", ja: "自然な配色での、岩ごとの色と明るさの違いの大きさ。" },
     choices: [],
   },
   {
@@ -93,7 +84,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Wetness", ja: "濡れ" },
-    doc: { en: "Wet stone is darker and glossy.", ja: "濡れた石は暗く、つやが出ます。" },
     choices: [],
   },
   {
@@ -102,7 +92,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Moss", ja: "苔" },
-    doc: { en: "Moss grows in patches, where the rocks are low and face up.", ja: "低い所や上を向いた面に、まだらに苔が生えます。" },
     choices: [],
   },
   {
@@ -111,7 +100,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Dust", ja: "砂ぼこり" },
-    doc: { en: "Dust of the ground lies low on the rocks and on what faces up.", ja: "岩の低い所と上を向いた面に、地面の砂ぼこりが積もります。" },
     choices: [],
   },
   {
@@ -120,7 +108,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Ground", ja: "地面" },
-    doc: { en: "What lies between and around the rocks, in natural colours.", ja: "自然な配色での、岩の間とまわりの地面。" },
     choices: [{ value: "soil", label: { en: "Soil", ja: "土" } }, { value: "sand", label: { en: "Sand", ja: "砂" } }, { value: "gravel", label: { en: "Gravel", ja: "砂利" } }],
   },
   {
@@ -129,7 +116,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "°", relative: "°" },
     label: { en: "Sun azimuth", ja: "太陽の方位" },
-    doc: { en: "Where the sun stands, counted like the camera's azimuth: at the same angle it is behind the viewer.", ja: "太陽の方位。カメラの方位角と同じ向きに数え、同じ角度なら見る人の背後にあります。" },
     choices: [],
   },
   {
@@ -138,7 +124,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "°", relative: "°" },
     label: { en: "Sun elevation", ja: "太陽の高さ" },
-    doc: { en: "How high the sun stands; a low sun throws long shadows.", ja: "太陽の高さ。低いほど影が長くなります。" },
     choices: [],
   },
   {
@@ -147,7 +132,6 @@ export const PARAMS = [
     relative: { min: 0.01, max: 8192, step: 0.01, default: 3, slider: { min: 0.2, max: 50, logarithmic: true } },
     unit: { px: "px", relative: "width/100" },
     label: { en: "Radius r", ja: "半径 r" },
-    doc: { en: "No two sites of the layer are closer than this, so it sets the size of the rocks.", ja: "この層の母点どうしの最小距離。岩の大きさを決めます。" },
     choices: [],
   },
   {
@@ -156,7 +140,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Area A_s", ja: "面積率 A_s" },
-    doc: { en: "Share of the whole ground that this layer's rocks may fill.", ja: "この層の岩が占めてよい、地面全体に対する面積の割合。" },
     choices: [],
   },
   {
@@ -165,7 +148,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Count", ja: "個数" },
-    doc: { en: "Number of rocks in this layer; when given, it replaces the area.", ja: "この層の岩の個数。指定すると面積率の代わりに使われます。" },
     choices: [],
   },
   {
@@ -174,7 +156,6 @@ export const PARAMS = [
     relative: { min: -500, max: 500, step: 0.01, default: 0, slider: { min: -4, max: 4, logarithmic: false } },
     unit: { px: "px", relative: "width/100" },
     label: { en: "Taper base c_w1", ja: "幅・基本 c_w1" },
-    doc: { en: "Moves the tops outward (overhangs) or, if negative, inward (pointed rocks).", ja: "上面の頂点を外へ（張り出し）、負なら内へ（尖った岩）動かします。" },
     choices: [],
   },
   {
@@ -183,7 +164,6 @@ export const PARAMS = [
     relative: { min: -500, max: 500, step: 0.01, default: 0.3, slider: { min: -4, max: 4, logarithmic: false } },
     unit: { px: "px", relative: "width/100" },
     label: { en: "Taper per rock c_w2", ja: "幅・岩ごと c_w2" },
-    doc: { en: "Adds a random part of the move, one number per rock.", ja: "岩ごとに1つの乱数で変化する移動量を加えます。" },
     choices: [],
   },
   {
@@ -192,7 +172,6 @@ export const PARAMS = [
     relative: { min: -500, max: 500, step: 0.01, default: 0.1, slider: { min: -4, max: 4, logarithmic: false } },
     unit: { px: "px", relative: "width/100" },
     label: { en: "Taper per vertex c_w3", ja: "幅・頂点ごと c_w3" },
-    doc: { en: "Adds a random part of the move, one number per vertex: the outline grows ragged.", ja: "頂点ごとの乱数で移動量を加え、輪郭を不規則にします。" },
     choices: [],
   },
   {
@@ -201,7 +180,6 @@ export const PARAMS = [
     relative: { min: 0, max: 500, step: 0.01, default: 0.3, slider: { min: 0, max: 2, logarithmic: false } },
     unit: { px: "px", relative: "r" },
     label: { en: "Height base c_h1", ja: "高さ・基本 c_h1" },
-    doc: { en: "Height that every top vertex has at least.", ja: "上面のすべての頂点が持つ最低の高さ。" },
     choices: [],
   },
   {
@@ -210,7 +188,6 @@ export const PARAMS = [
     relative: { min: 0, max: 500, step: 0.01, default: 0.3, slider: { min: 0, max: 2, logarithmic: false } },
     unit: { px: "px", relative: "r" },
     label: { en: "Height per rock c_h2", ja: "高さ・岩ごと c_h2" },
-    doc: { en: "Adds up to this much height, one random number per rock.", ja: "岩ごとの乱数で、最大この値まで高さを加えます。" },
     choices: [],
   },
   {
@@ -219,7 +196,6 @@ export const PARAMS = [
     relative: { min: 0, max: 500, step: 0.01, default: 0.1, slider: { min: 0, max: 2, logarithmic: false } },
     unit: { px: "px", relative: "r" },
     label: { en: "Height per vertex c_h3", ja: "高さ・頂点ごと c_h3" },
-    doc: { en: "Adds up to this much height, one random number per vertex: the top grows rugged.", ja: "頂点ごとの乱数で、最大この値まで高さを加え、上面を起伏させます。" },
     choices: [],
   },
   {
@@ -228,7 +204,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Weathering", ja: "風化" },
-    doc: { en: "Off, the papers' facets; from 0.2, freshly broken stone, worn at its edges and corners first; at 1, rounded by a river.", ja: "0 は論文どおりの面。0.2 から割れたばかりの石となり、角や稜から先に摩耗して、1 で川の丸石になります。" },
     choices: [],
   },
   {
@@ -237,7 +212,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Roughness", ja: "粗さ" },
-    doc: { en: "Bumps of several sizes on the surface.", ja: "表面に大小の凹凸を加えます。" },
     choices: [],
   },
   {
@@ -246,7 +220,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Detail", ja: "細かさ" },
-    doc: { en: "How often every triangle is cut into four; weathering and roughness need some.", ja: "三角形を4分割する回数。風化と粗さの表現には分割が必要です。" },
     choices: [],
   },
   {
@@ -255,7 +228,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Embedding", ja: "埋まり" },
-    doc: { en: "Share of a rock's height that lies below the ground.", ja: "岩の高さのうち、地面の下に埋まる割合。" },
     choices: [],
   },
   {
@@ -264,7 +236,6 @@ export const PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Material", ja: "石質" },
-    doc: { en: "What the rocks are made of, in natural colours.", ja: "自然な配色での岩の種類。" },
     choices: [{ value: "mixed", label: { en: "Mixed", ja: "混合" } }, { value: "granite", label: { en: "Granite", ja: "花崗岩" } }, { value: "basalt", label: { en: "Basalt", ja: "玄武岩" } }, { value: "sandstone", label: { en: "Sandstone", ja: "砂岩" } }, { value: "limestone", label: { en: "Limestone", ja: "石灰岩" } }, { value: "slate", label: { en: "Slate", ja: "粘板岩" } }],
   },
 ] as const satisfies readonly ParamSpec[];

@@ -36,6 +36,7 @@ export const ROCKS: Table<Rocks> = {
     return copy;
   },
   resolve: resolveParams,
+  docs: async () => (await import('./param-docs.gen.ts')).PARAM_DOCS,
   // Triangles smaller than a pixel are wasted.
   pictured: (params) => ({ ...params, layers: params.layers.map((layer) => ({ ...layer, detail: Math.min(layer.detail, 2) })) }),
   sameBesides: (one, other) => one.layers.every(({ id }, index) => id === other.layers[index]?.id),

@@ -18,7 +18,6 @@ export interface Row extends Bounds {
   relative: Bounds | null;
   unit: Record<Notation, string>;
   label: Words;
-  doc: Words;
   choices: readonly { value: string; label: Words }[];
 }
 
@@ -58,6 +57,8 @@ export interface Table<K extends Kind> {
    * @throws {RockFieldError} naming key, value and bounds.
    */
   resolve(request: object): K['params'];
+  /** What every parameter does, by `url`; on demand. */
+  docs(): Promise<Readonly<Record<string, Words>>>;
   /** The same for a picture as large as a thumb, where it can be had for less. */
   pictured(params: K['params']): K['params'];
   /** Whether both are the same in everything that no row tells. */

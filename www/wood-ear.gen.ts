@@ -12,7 +12,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Seed", ja: "シード" },
-    doc: { en: "The same seed and parameters give the same colony, byte for byte, everywhere.", ja: "同じシードと設定なら、どの環境でも同じ群生が1バイトも違わず生成されます。" },
     choices: [],
   },
   {
@@ -21,7 +20,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "%", relative: "%" },
     label: { en: "Colony density", ja: "群生密度" },
-    doc: { en: "Share of the log's vertices within range that carry a wood ear.", ja: "範囲内にある丸太の頂点のうち、キクラゲが生える割合。" },
     choices: [],
   },
   {
@@ -30,7 +28,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Colony range", ja: "群生範囲" },
-    doc: { en: "How far from its base point the colony spreads, in a straight line.", ja: "群生が基点から広がる直線距離。" },
     choices: [],
   },
   {
@@ -39,7 +36,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "%", relative: "%" },
     label: { en: "Moisture", ja: "水分量" },
-    doc: { en: "Dry wood ears shrink and curl; at 100 none does.", ja: "乾くほど縮んで丸まります。100では変形しません。" },
     choices: [],
   },
   {
@@ -48,7 +44,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "%", relative: "%" },
     label: { en: "Wrinkles", ja: "シワ" },
-    doc: { en: "How far folds pull the surface towards the axis.", ja: "シワが表面を軸の方へ引き込む強さ。" },
     choices: [],
   },
   {
@@ -57,7 +52,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Size", ja: "大きさ" },
-    doc: { en: "Median rim radius before drying: wet wood ears are 3 to 6 cm wide.", ja: "乾燥前の縁の半径の中央値。湿ったキクラゲの幅は3〜6cmです。" },
     choices: [],
   },
   {
@@ -66,7 +60,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Size spread", ja: "大きさのばらつき" },
-    doc: { en: "Sizes lie between the size divided and multiplied by this; at 1 all are equal.", ja: "大きさはこの値で割った値から掛けた値までの間になります。1ではすべて同じです。" },
     choices: [],
   },
   {
@@ -75,7 +68,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Wrinkles per individual", ja: "個体ごとのシワ" },
-    doc: { en: "How far wrinkling differs between individuals; at 1 some have no wrinkles at all.", ja: "シワの強さの個体差。1ではシワのない個体も現れます。" },
     choices: [],
   },
   {
@@ -84,7 +76,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Collisions", ja: "衝突" },
-    doc: { en: "Wood ears pass through each other, step inward as the thesis has it (a few stay crossed), or press flat against each other (none cross).", ja: "重なりを許すか、論文どおり内側へ縮めるか（一部は交差が残ります）、平らに押し合わせるか（交差は残りません）。" },
     choices: [{ value: "off", label: { en: "Off", ja: "なし" } }, { value: "thesis", label: { en: "Thesis", ja: "論文" } }, { value: "pressed", label: { en: "Pressed", ja: "押し合い" } }],
   },
   {
@@ -93,7 +84,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Droop", ja: "垂れ下がり" },
-    doc: { en: "Bends wood ears downward, the wetter the more: on the log's flank they hang like ears.", ja: "湿っているほど下へ垂れ、丸太の側面では耳のように下がります。" },
     choices: [],
   },
   {
@@ -102,7 +92,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Thickness", ja: "厚み" },
-    doc: { en: "Of the wet flesh at the foot; thinner at the rim and when dry. At 0 they are the thesis's sheets.", ja: "湿った状態の根元の厚み。縁や乾燥時は薄くなります。0では論文どおりの面です。" },
     choices: [],
   },
   {
@@ -111,7 +100,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Foot", ja: "柄" },
-    doc: { en: "A short stalk into the log that closes the hole of the first ring; 0 leaves the hole.", ja: "最初の輪の穴をふさいで丸太に入る短い柄。0では穴のままです。" },
     choices: [],
   },
   {
@@ -120,7 +108,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Clear of the log", ja: "丸太との衝突" },
-    doc: { en: "Keeps wood ears from passing through the log.", ja: "キクラゲが丸太を突き抜けないようにします。" },
     choices: [{ value: "off", label: { en: "Off", ja: "なし" } }, { value: "on", label: { en: "On", ja: "あり" } }],
   },
   {
@@ -129,7 +116,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Rings d", ja: "輪の数 d" },
-    doc: { en: "Rings of vertices from the foot to the rim (Eq. 3.1).", ja: "根元から縁までの頂点の輪の数（式3.1）。" },
     choices: [],
   },
   {
@@ -138,7 +124,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Vertices per ring c", ja: "輪の頂点数 c" },
-    doc: { en: "Vertices on a ring (Eq. 3.1); below 19, wrinkles are coarser than the ring can show.", ja: "1つの輪の頂点数（式3.1）。19未満ではシワを表しきれません。" },
     choices: [],
   },
   {
@@ -147,7 +132,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Log length", ja: "丸太の長さ" },
-    doc: { en: "Length of the log, which lies on the ground along x.", ja: "x 方向に横たわる丸太の長さ。" },
     choices: [],
   },
   {
@@ -156,7 +140,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Log radius", ja: "丸太の半径" },
-    doc: { en: "Mean radius of the log.", ja: "丸太の平均半径。" },
     choices: [],
   },
   {
@@ -165,7 +148,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Log bend", ja: "丸太の曲がり" },
-    doc: { en: "How far the log is bowed.", ja: "丸太の曲がりの強さ。" },
     choices: [],
   },
   {
@@ -174,7 +156,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Bark", ja: "樹皮" },
-    doc: { en: "Depth of the furrows of the bark, and of knots and splinters; at 0 the log is smooth.", ja: "樹皮の溝・節・折れ口のささくれの深さ。0では滑らかです。" },
     choices: [],
   },
   {
@@ -183,7 +164,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Vertex spacing", ja: "頂点の間隔" },
-    doc: { en: "Mean distance of the log's vertices: wood ears stand on vertices, at most one on each.", ja: "丸太の頂点の平均間隔。キクラゲは頂点に1つずつ生えます。" },
     choices: [],
   },
   {
@@ -192,7 +172,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Log seed", ja: "丸太のシード" },
-    doc: { en: "Another log for the same colony's settings.", ja: "同じ設定で別の丸太を作ります。" },
     choices: [],
   },
   {
@@ -201,7 +180,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Variation", ja: "ばらつき" },
-    doc: { en: "How far wood ears differ from each other in colour.", ja: "個体ごとの色の違いの大きさ。" },
     choices: [],
   },
   {
@@ -210,7 +188,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Translucency", ja: "透け" },
-    doc: { en: "How much light shines through thin and wet flesh.", ja: "薄く湿った部分を光が透ける度合い。" },
     choices: [],
   },
   {
@@ -219,7 +196,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "", relative: "" },
     label: { en: "Velvet", ja: "産毛" },
-    doc: { en: "Fine down on the outer side.", ja: "外側の細かい産毛。" },
     choices: [],
   },
   {
@@ -228,7 +204,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "°", relative: "°" },
     label: { en: "Sun azimuth", ja: "太陽の方位" },
-    doc: { en: "Where the sun stands, counted like the camera's azimuth: at the same angle it is behind the viewer.", ja: "太陽の方位。カメラの方位角と同じ向きに数え、同じ角度なら見る人の背後にあります。" },
     choices: [],
   },
   {
@@ -237,7 +212,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "°", relative: "°" },
     label: { en: "Sun elevation", ja: "太陽の高さ" },
-    doc: { en: "How high the sun stands; a low sun throws long shadows.", ja: "太陽の高さ。低いほど影が長くなります。" },
     choices: [],
   },
   {
@@ -246,7 +220,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Base x", ja: "基点 x" },
-    doc: { en: "Where the colony spreads from, along the log; the nearest vertex of the log is taken.", ja: "群生の基点（丸太に沿う向き）。最も近い丸太の頂点に合わせます。" },
     choices: [],
   },
   {
@@ -255,7 +228,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Base y", ja: "基点 y" },
-    doc: { en: "Where the colony spreads from, across the log.", ja: "群生の基点（丸太を横切る向き）。" },
     choices: [],
   },
   {
@@ -264,7 +236,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Base z", ja: "基点 z" },
-    doc: { en: "Where the colony spreads from, above the ground.", ja: "群生の基点（地面からの高さ）。" },
     choices: [],
   },
   {
@@ -273,7 +244,6 @@ export const WOOD_EAR_PARAMS = [
     relative: null,
     unit: { px: "cm", relative: "cm" },
     label: { en: "Base range", ja: "基点の範囲" },
-    doc: { en: "How far the colony spreads from this base; without it, the colony's range.", ja: "この基点からの広がり。省くと群生範囲と同じです。" },
     choices: [],
   },
 ] as const satisfies readonly WoodEarSpec[];

@@ -45,7 +45,7 @@ function setUp(options: ClientOptions = {}) {
       workers.push(new FakeWorker());
       return workers.at(-1)!;
     },
-    onField: (field, superseded) => shown.push([field.stats.rocks, superseded]),
+    onResult: (field, { superseded }) => shown.push([field.stats.rocks, superseded]),
     ...options,
   });
   const worker = () => workers.at(-1) ?? assert.fail('no worker');
@@ -90,7 +90,7 @@ test('a request is answered with its field, and no worker is made before the fir
 
 test('a field comes with the parameters it was asked with, also when a newer request is on its way', async () => {
   const given: unknown[] = [];
-  const { client, worker } = setUp({ onField: (field, superseded, of) => given.push([field.stats.rocks, of]) });
+  const { client, worker } = setUp({ onResult: (field, superseded, of) => given.push([field.stats.rocks, of]) });
   const [first, second] = [params(1), params(2)];
   client.generate(first).catch(() => {});
   worker().says({ type: 'ready' });

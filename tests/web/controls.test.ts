@@ -1,12 +1,13 @@
 // What the panel computes: slider places, notations, random fields, the store.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { cdnBeside, embedCode } from '../../www/controls/clipboard.ts';
+import { embedCode, panelAddress } from '../../www/controls/clipboard.ts';
 import { inNotation } from '../../www/controls/notation.ts';
 import { randomParams } from '../../www/controls/randomise.ts';
 import { sliderScale } from '../../www/controls/slider-scale.ts';
 import { Store } from '../../www/controls/store.ts';
-import type { Edition } from '../../www/controls/store.ts';
+import type { Edition } from '../../www/controls/scene-store.ts';
+import type { Rocks } from '../../www/rocks.ts';
 import type { Field } from '../../www/field.ts';
 import { History } from '../../www/history.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/params.ts';
@@ -33,7 +34,7 @@ function inPx({ layers, notation, imageWidth }: Params): Layer[] {
 for (const spec of SLIDERS) {
   for (const notation of ['px', 'relative'] as const satisfies readonly Notation[]) {
     test(`${spec.url} in ${notation}: an arrow key gets from end to end of the slider, every step to another value`, () => {
-      const { min, max, step, positionOf, valueAt } = sliderScale(spec, notation);
+      const { min, max, step, positionOf, valueAt } = sliderScale(boundsOf(spec, notation));
       const { slider } = boundsOf(spec, notation);
       assert.ok(Math.abs(valueAt(min, slider.max) - slider.min) < 1e-9 && Math.abs(valueAt(max, slider.min) - slider.max) < 1e-9);
       let value = slider.min;
@@ -51,7 +52,7 @@ for (const spec of SLIDERS) {
 
 test('logarithmic sliders stop at powers of two', () => {
   for (const spec of SLIDERS.filter(({ key }) => key === 'imageWidth' || key === 'radius')) {
-    const { positionOf, valueAt } = sliderScale(spec, 'px');
+    const { positionOf, valueAt } = sliderScale(spec);
     for (const value of [16, 32, 64, 128, 256, 512]) assert.equal(valueAt(Math.round(positionOf(value)), 0), value);
   }
 });
@@ -111,7 +112,7 @@ test('a random field keeps the wear and the look of what it was drawn from', () 
 
 test('layers come and go, with ids that are never taken over', async () => {
   const page = store();
-  page.removeLayer(1);
+  page.removeItem(1);
   page.duplicateLayer(0);
   assert.deepEqual(page.params.layers.map(({ id }) => id), [0, 3, 2]);
   while (page.params.layers.length < MAX_LAYERS) await page.addLayer();
@@ -120,7 +121,7 @@ test('layers come and go, with ids that are never taken over', async () => {
   assert.equal(page.params.layers.length, MAX_LAYERS);
   assert.equal(new Set(page.params.layers.map(({ id }) => id)).size, MAX_LAYERS);
   resolveParams(page.params);
-  for (let index = 0; index < MAX_LAYERS; index += 1) page.removeLayer(0);
+  for (let index = 0; index < MAX_LAYERS; index += 1) page.removeItem(0);
   assert.deepEqual(page.params.layers, []);
   await page.addLayer();
   resolveParams(page.params);
@@ -167,7 +168,7 @@ test('the colour follows the preset until one is chosen that is not its own', ()
 
 test('a cancelled run gives the look back that it was begun with', () => {
   const page = store('#preset=riverbed');
-  page.showField({} as Field, page.params);
+  page.showResult({} as Field, page.params);
   const dust = SLIDERS.find(({ key }) => key === 'dust')!;
   page.setParam(dust, null, 0.9);
   assert.equal(page.shownParams, page.params, 'it is shown without a run');
@@ -177,19 +178,19 @@ test('a cancelled run gives the look back that it was begun with', () => {
 });
 
 test('the embed code is safe HTML', () => {
-  const code = embedCode('v=1&preset=journal-fig1&seed=3', 'https://example.org/rocks/?x="><script>#seed=1');
+  const code = embedCode('rock-field', 'v=1&preset=journal-fig1&seed=3', 'https://example.org/rocks/?x="><script>#seed=1');
   assert.match(code, /<script async src="https:\/\/example\.org\/rocks\/cdn\.js"><\/script>/);
   assert.match(code, /src="#v=1&amp;preset=journal-fig1&amp;seed=3"/);
 });
 
 test('a script to embed is known beside panel.js on a server, and nowhere that a bundler put it', () => {
-  assert.equal(cdnBeside('https://example.org/a/panel.js'), 'https://example.org/a/cdn.js');
-  for (const address of ['https://example.org/assets/panel-a1b2.js', 'file:///home/me/node_modules/rock-field/dist/panel.js']) assert.equal(cdnBeside(address), null);
+  assert.match(embedCode('rock-field', '', panelAddress('https://example.org/a/panel.js')!), /"https:\/\/example\.org\/a\/cdn\.js"/);
+  for (const address of ['https://example.org/assets/panel-a1b2.js', 'file:///home/me/node_modules/rock-field/dist/panel.js']) assert.equal(panelAddress(address), null);
 });
 
 test('a store on the history of an element makes its steps there, and sees those of others', () => {
   const link = decodeLink('seed=1');
-  const history = new History<Edition>({ params: link.params, preset: link.preset });
+  const history = new History<Edition<Rocks>>({ params: link.params, preset: link.preset });
   const shared = new Store(link, { language: 'en', theme: 'auto' }, history);
   shared.setSeed(2);
   history.record({ params: { ...history.present.params, seed: 3 }, preset: link.preset });

@@ -3,7 +3,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { members, problems } from '../../scripts/docs-members.mjs';
 import { manifest } from '../../scripts/package-manifest.mjs';
-import { ATTRIBUTES, FIELD_ATTRIBUTES, LAYER_ATTRIBUTES, propertyOf } from '../../www/element-attributes.ts';
+import { propertyOf } from '../../www/attribute-reader.ts';
+import { ATTRIBUTES, FIELD_ATTRIBUTES, LAYER_ATTRIBUTES } from '../../www/element-attributes.ts';
+import { PARAM_DOCS } from '../../www/param-docs.gen.ts';
 
 const found = await members();
 
@@ -29,6 +31,6 @@ test('the manifest lists every attribute, and the parameters as attributes and a
     const attribute = declaration.attributes.find((candidate) => candidate.name === name);
     assert.equal(attribute.fieldName, propertyOf(spec));
     assert.equal(properties.get(attribute.fieldName)?.attribute, name);
-    assert.ok(attribute.description.startsWith(spec.doc.en), name);
+    assert.ok(attribute.description.startsWith(PARAM_DOCS[spec.url].en), name);
   }
 });

@@ -6,7 +6,9 @@ import type { AttributeState } from '../../www/element-attributes.ts';
 import { orbitCamera, parseOrbit } from '../../www/camera-orbit.ts';
 import { describeField } from '../../www/field-description.ts';
 import type { Field } from '../../www/field.ts';
-import { lookOf, presetColor, sameLook, sameRocks } from '../../www/look.ts';
+import { lookOf } from '../../www/look.ts';
+import { ROCKS } from '../../www/rocks.ts';
+import { isLook, isMade, presetColor, same } from '../../www/table.ts';
 import { PARAMS, PRESETS } from '../../www/params.ts';
 import type { Layer, ParamSpec } from '../../www/params.ts';
 import { defaultLayer, defaultParams, encodeParams, presetParams, readValue, resolveParams, writeValue } from '../../www/params-flat.ts';
@@ -32,7 +34,7 @@ test('every preset, view and colour can be named', () => {
 test('an explicit colour is kept, the preset\'s own too; without one, or with a malformed one, it is the preset\'s', () => {
   assert.deepEqual([read({ preset: 'riverbed' }).color, read({ preset: 'riverbed', color: 'natural' }).color, read({ color: 'layer' }).color], [null, 'natural', 'layer']);
   assert.match(read({ preset: 'riverbed', color: 'Natural' }).notices[0]!.message, /natural is used/);
-  assert.deepEqual(PRESETS.map(({ name }) => presetColor(name)), PRESETS.map((preset) => ('natural' in preset ? 'natural' : 'layer')));
+  assert.deepEqual(PRESETS.map(({ name }) => presetColor(ROCKS, name)), PRESETS.map((preset) => ('natural' in preset ? 'natural' : 'layer')));
 });
 
 test('a seed is any whole number of 32 bits', () => {
@@ -149,9 +151,9 @@ test('every row is either of the rocks or of the look, and an edit of it is of t
     const [owner, old] = spec.scope === 'field' ? [after, before] : [after.layers[1]!, before.layers[1]!];
     const others = spec.kind === 'choice' ? spec.choices.map(({ value }) => value) : [spec.min, spec.max];
     writeValue(owner, spec, others.find((value) => value !== readValue(old, spec)));
-    const isLook = spec.stage === 'look';
-    assert.deepEqual([sameRocks(before, after), sameLook(before, after)], [isLook, !isLook], spec.url);
-    assert.equal(JSON.stringify(lookOf(before)) === JSON.stringify(lookOf(after)), !isLook, spec.url);
+    const isSeen = spec.stage === 'look';
+    assert.deepEqual([same(ROCKS, before, after, isMade), same(ROCKS, before, after, isLook)], [isSeen, !isSeen], spec.url);
+    assert.equal(JSON.stringify(lookOf(before)) === JSON.stringify(lookOf(after)), !isSeen, spec.url);
     assert.notDeepEqual(encodeParams(before), encodeParams(after));
   }
 });
@@ -159,8 +161,8 @@ test('every row is either of the rocks or of the look, and an edit of it is of t
 test('layers of other ids, or another number, are other rocks', () => {
   const [one, other] = [defaultParams(), defaultParams()];
   other.layers[1]!.id = 9;
-  assert.equal(sameRocks(one, other), false);
-  assert.equal(sameRocks(one, { ...one, layers: one.layers.slice(1) }), false);
+  assert.equal(same(ROCKS, one, other, isMade), false);
+  assert.equal(same(ROCKS, one, { ...one, layers: one.layers.slice(1) }, isMade), false);
 });
 
 test('the look is every row of it, with the material of each layer by id', () => {

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { LAYER_ROWS } from '../../www/params-flat.ts';
+import { PARAM_DOCS } from '../../www/param-docs.gen.ts';
 import { PARAMS, PRESETS } from '../../www/params.ts';
 import { japaneseNotice } from '../../www/notices.ja.ts';
 import { noticeText } from '../../www/notices.ts';
@@ -20,7 +21,7 @@ test('every string exists in both languages, with the same slots', () => {
 
 test('every parameter has a label and a sentence in both languages', () => {
   for (const spec of PARAMS) {
-    for (const language of LANGUAGES) assert.ok(spec.label[language] && spec.doc[language], spec.url);
+    for (const language of LANGUAGES) assert.ok(spec.label[language] && PARAM_DOCS[spec.url]?.[language], spec.url);
   }
 });
 

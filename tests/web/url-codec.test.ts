@@ -1,7 +1,8 @@
 // Links: every row of the table goes there and back, and nothing that stands in a link can hurt.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { presetColor } from '../../www/look.ts';
+import { ROCKS } from '../../www/rocks.ts';
+import { presetColor } from '../../www/table.ts';
 import { MAX_LAYERS, PRESETS } from '../../www/params.ts';
 import type { Params, ParamSpec, PresetName } from '../../www/params.ts';
 import { FIELD_ROWS, LAYER_ROWS, boundsOf, defaultLayer, defaultParams, presetParams, readValue, resolveParams, writeValue } from '../../www/params-flat.ts';
@@ -135,7 +136,7 @@ test('a colour is in the link only when it is not the preset\'s own', () => {
     const params = presetParams(name);
     for (const color of COLORS) {
       const link = encodeLink({ params, preset: name, color });
-      const isOwn = color === presetColor(name);
+      const isOwn = color === presetColor(ROCKS, name);
       assert.equal(link.includes('color='), !isOwn, link);
       assert.equal(decodeLink(link).color, isOwn ? null : color);
       assert.deepEqual(decodeLink(`#preset=${name}&color=${color}`).notices, []);

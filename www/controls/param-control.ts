@@ -37,7 +37,7 @@ function choiceControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
   return choose({
     name: idOf(spec, item),
     label: spec.label[language],
-    help: spec.doc[language],
+    help: store.help(spec),
     options: spec.choices.map(({ value, label }) => ({ value, label: label[language] })),
     value: String(store.valueOf(spec, item)),
     action: (value) => store.setParam(spec, item, value),
@@ -52,7 +52,7 @@ function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
   const unit = table.unitOf(spec, params);
   const shown = shownNumber(value);
   const id = idOf(spec, item);
-  const help = spec.doc[language];
+  const help = store.help(spec);
   const problem = problemOf(store, spec, item);
   const slide = (event: Event) => store.setParam(spec, item, scale.valueAt((event.target as HTMLInputElement).valueAsNumber, value));
   return html`
@@ -132,7 +132,7 @@ export function numberField<K extends Kind>({ store, spec, item, id, shown, unit
         step=${step}
         data-shown=${shown}
         aria-label=${unit ? `${spec.label[language]} (${unit})` : spec.label[language]}
-        aria-describedby=${describedBy(id, spec.doc[language], problem)}
+        aria-describedby=${describedBy(id, store.help(spec), problem)}
         aria-invalid=${problem ? 'true' : 'false'}
         @input=${type}
         @change=${settle}

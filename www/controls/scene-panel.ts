@@ -66,6 +66,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#unsubscribe = this.store.subscribe(() => this.requestUpdate());
+    void this.store.loadDocs();
   }
 
   override disconnectedCallback(): void {
@@ -177,7 +178,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
           </button>
           ${description('preset', this.words('presetHelp'), null)}
         </div>
-        <div class="control" data-param="seed" data-help=${seed.doc[language]}>
+        <div class="control" data-param="seed" data-help=${store.help(seed)}>
           <label class="control-label" for="seed-number">${seed.label[language]}</label>
           <div class="field-row">
             ${numberField({ store, spec: seed, item: null, id: 'seed', shown: String(params.seed), unit: '', problem })}
@@ -185,7 +186,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
             ${iconButton({ icon: 'next', label: store.text('nextSeed'), action: () => store.setSeed(params.seed + 1) })}
             ${iconButton({ icon: 'dice', label: store.text('freshSeed'), action: this.actions.freshSeed })}
           </div>
-          ${description('seed', seed.doc[language], problem)}
+          ${description('seed', store.help(seed), problem)}
         </div>
       </section>
     `;

@@ -8,7 +8,7 @@ import type { Later } from './load-later.ts';
 import type { ErrorInfo } from '../errors.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { Notice, SceneLink } from '../link.ts';
-import type { Language } from '../params.ts';
+import type { Language, Words } from '../params.ts';
 import type { Backend, CameraState, ColorMode, View } from '../renderer/renderer.ts';
 import type { StringKey } from '../strings.ts';
 import type { Kind, Row, Table } from '../table.ts';
@@ -64,6 +64,7 @@ export abstract class SceneStore<K extends Kind> {
   problem: Problem | null = null;
   messages: Message[] = [];
 
+  #docs: Readonly<Record<string, Words>> = {};
   readonly #history: History<Edition<K>>;
   readonly #listeners = new Set<(change: Change) => void>();
 
@@ -145,6 +146,21 @@ export abstract class SceneStore<K extends Kind> {
   valueOf(row: Row, item: number | null): unknown {
     const owner = item === null ? this.params : this.table.items(this.params)[item];
     return owner && this.table.read(owner, row);
+  }
+
+  /** What a parameter does; empty until the words are there. */
+  help({ url }: Row): string {
+    return this.#docs[url]?.[this.language] ?? '';
+  }
+
+  async loadDocs(): Promise<void> {
+    try {
+      this.#docs = await this.table.docs();
+      this.notify('preferences');
+    } catch (thrown) {
+      // Every control also says by its label what it is.
+      console.warn(thrown);
+    }
   }
 
   setSeed(seed: number): void {

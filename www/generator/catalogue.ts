@@ -1,5 +1,6 @@
 /** What can be asked for, as data: the presets and a JSON Schema, both built from the parameter table. */
 
+import { PARAM_DOCS } from '../param-docs.gen.ts';
 import { MAX_LAYERS, PRESETS } from '../params.ts';
 import type { Notation, Params, ParamSpec, PresetName } from '../params.ts';
 import { boundsOf, defaultOf, FIELD_ROWS, LAYER_ROWS, presetParams } from '../params-flat.ts';
@@ -63,7 +64,7 @@ function propertiesOf(rows: readonly ParamSpec[], notation: Notation): Record<st
 }
 
 function valueSchema(spec: ParamSpec, notation: Notation): JsonSchema {
-  const words = { title: spec.label.en, description: spec.doc.en, default: defaultOf(spec, notation) };
+  const words = { title: spec.label.en, description: PARAM_DOCS[spec.url]?.en, default: defaultOf(spec, notation) };
   if (spec.kind === 'choice') return { ...words, enum: spec.choices.map(({ value }) => value) };
   const { min, max } = boundsOf(spec, notation);
   const type = { real: 'number', integer: 'integer', 'optional-integer': ['integer', 'null'] }[spec.kind];

@@ -3,6 +3,7 @@
 import { BASE_ROWS, COLONY_ROWS, LOG_ROWS, logName, woodEarDefault, woodEarPreset } from '../wood-ear-flat.ts';
 import type { WoodEarParams, WoodEarPresetName } from '../wood-ear-flat.ts';
 import type { WoodEarSpec } from '../wood-ear-params.ts';
+import { WOOD_EAR_DOCS } from '../wood-ear-docs.gen.ts';
 import { MAX_BASES, WOOD_EAR_PRESETS } from '../wood-ear.gen.ts';
 import { frozen } from './catalogue.ts';
 import type { JsonSchema } from './catalogue.ts';
@@ -38,7 +39,7 @@ function requestSchema(): JsonSchema {
 }
 
 function valueSchema(spec: WoodEarSpec): JsonSchema {
-  const words = { title: spec.label.en, description: spec.doc.en, default: woodEarDefault(spec) };
+  const words = { title: spec.label.en, description: WOOD_EAR_DOCS[spec.url]?.en, default: woodEarDefault(spec) };
   if (spec.kind === 'choice') return { ...words, enum: spec.choices.map(({ value }) => value) };
   const type = { real: 'number', integer: 'integer', 'optional-real': ['number', 'null'] }[spec.kind];
   return { ...words, type, minimum: spec.min, maximum: spec.max };
