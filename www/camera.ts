@@ -11,7 +11,8 @@
 import { FOV_Y } from './renderer/limits.ts';
 import type { CameraState, View } from './renderer/renderer.ts';
 
-const TAN = Math.tan(FOV_Y / 2);
+/** Half the picture's height at a distance of one. */
+export const TAN = Math.tan(FOV_Y / 2);
 const MIN_ELEVATION = (5 * Math.PI) / 180;
 const MAX_ELEVATION = Math.PI / 2;
 /** Close enough to fill the picture with one small rock. */
@@ -130,6 +131,32 @@ function fillingCamera(from: CameraState, width: number, height: number, aspect:
     distance,
     target: [(width - distance * (left + right)) / 2, (height - distance * (low + high)) / 2, 0],
   };
+}
+
+/** What a picture is about, where it is not the whole field: a box, px. */
+export interface Subject {
+  low: Vector;
+  high: Vector;
+}
+
+/** Seen from the side, and in tall pictures more along it, so low that it stands before what lies behind it. */
+const SUBJECT = { elevation: [(34 * Math.PI) / 180, (19 * Math.PI) / 180], azimuth: [(64 * Math.PI) / 180, (22 * Math.PI) / 180], room: 0.86 } as const;
+
+/** The nearest camera that shows all of a subject. */
+export function subjectCamera({ low, high }: Subject, aspect: number): CameraState {
+  const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
+  const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
+  const between = ([tall, flat]: readonly [number, number]): number => tall + (flat - tall) * wide;
+  const target = low.map((value, k) => (value + high[k]!) / 2) as Vector;
+  const camera: CameraState = { azimuth: between(SUBJECT.azimuth), elevation: between(SUBJECT.elevation), distance: MIN_DISTANCE_PX, target };
+  const { right, up, forward } = cameraAxes(camera);
+  for (let corner = 0; corner < 8; corner += 1) {
+    const from = low.map((value, k) => (corner & (1 << k) ? high[k]! : value) - target[k]!);
+    const along = (axis: Vector): number => axis[0] * from[0]! + axis[1] * from[1]! + axis[2] * from[2]!;
+    const reach = Math.max(Math.abs(along(right)) / (TAN * ratio), Math.abs(along(up)) / TAN) / SUBJECT.room;
+    camera.distance = Math.max(camera.distance, reach - along(forward));
+  }
+  return camera;
 }
 
 /** The image's corners relative to the target, along the camera's right, up and forward. */

@@ -160,6 +160,12 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     return one !== null && other !== null && same(this.#scene.table, one, other, isMade);
   }
 
+  /** Until it is released, edits are one step of undo. */
+  protected hold(isHeld: boolean): void {
+    if (isHeld) this.#history?.hold();
+    else this.#history?.release();
+  }
+
   #setParams(params: K['params']): void {
     const isDressed = this.#params !== null && this.#sameMade(this.#params, params) && !same(this.#scene.table, this.#params, params, isLook);
     if (!isDressed) this.#runs.stale = true;

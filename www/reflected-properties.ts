@@ -3,9 +3,9 @@
 import type { Loading } from './attribute-reader.ts';
 import type { PresetName } from './params.ts';
 
-export interface ReflectedProperties {
+export interface ReflectedProperties<Preset extends string = PresetName> {
   src: string;
-  preset: PresetName | '';
+  preset: Preset | '';
   loading: Loading | '';
   poster: string;
   disabled: boolean;

@@ -4,7 +4,8 @@ import { AutoRotation } from './auto-rotation.ts';
 import { CameraFlight } from './camera-flight.ts';
 import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
-import { defaultCamera, isPlan } from './camera.ts';
+import { defaultCamera, isPlan, subjectCamera } from './camera.ts';
+import type { Subject } from './camera.ts';
 import type { CameraState, View } from './renderer/renderer.ts';
 
 /** What is framed, and through what. */
@@ -15,6 +16,8 @@ export interface Frame {
   view: View;
   /** Fill the picture with ground. */
   closeUp: boolean;
+  /** What is framed instead of all of the ground. */
+  subject: Subject | null;
 }
 
 export class SceneCamera {
@@ -43,9 +46,11 @@ export class SceneCamera {
 
   /** The camera that frames the whole field, for the present aspect or another. */
   framing(aspect = this.#frame().aspect): CameraState {
-    const { extent, view, closeUp } = this.#frame();
-    const camera = defaultCamera(...extent, aspect, view, closeUp);
-    return this.#orbit ? orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel) : camera;
+    const { extent, view, closeUp, subject } = this.#frame();
+    const camera = subject ? subjectCamera(subject, aspect) : defaultCamera(...extent, aspect, view, closeUp);
+    if (!this.#orbit) return camera;
+    const orbited = orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel);
+    return subject ? { ...orbited, target: camera.target } : orbited;
   }
 
   /** As `current`, for a picture of another aspect. */
@@ -96,7 +101,7 @@ export class SceneCamera {
   }
 
   #centre(): [number, number] {
-    const [width, height] = this.#frame().extent;
-    return [width / 2, height / 2];
+    const { extent: [width, height], subject } = this.#frame();
+    return subject ? [(subject.low[0] + subject.high[0]) / 2, (subject.low[1] + subject.high[1]) / 2] : [width / 2, height / 2];
   }
 }

@@ -10,6 +10,7 @@ import { prefersStillness } from './auto-rotation.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { isPlan } from './camera.ts';
+import type { Subject } from './camera.ts';
 import { RockFieldError } from './errors.ts';
 import type { Interaction } from './attribute-reader.ts';
 import type { Field } from './field.ts';
@@ -19,7 +20,7 @@ import type { PictureOptions } from './picture.ts';
 import { errorText, RendererKeeper } from './renderer-keeper.ts';
 import { wantedBackend } from './renderer/load.ts';
 import type { WantedQuality } from './renderer/quality.ts';
-import type { Backend, CameraState, ColorMode, Look, Quality, SceneRenderer, SceneStyle, View } from './renderer/renderer.ts';
+import type { Backend, CameraState, ColorMode, Look, Quality, SceneRenderer, SceneStyle, View, Wood } from './renderer/renderer.ts';
 import { SceneCamera } from './scene-camera.ts';
 import { SceneTree } from './scene-tree.ts';
 import type { HINTS } from './scene-hints.ts';
@@ -77,12 +78,13 @@ export abstract class SceneElement extends Base {
   });
 
   #field: Field | null = null;
+  #wood: Wood | null = null;
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
   #look: Look | null = null;
   #theme: Theme = 'auto';
   #camera = new SceneCamera(() => {
     const { view, color } = this.#style;
-    return { extent: this.#extent(), aspect: this.#size?.aspect ?? 2, view, closeUp: color === 'natural' };
+    return { extent: this.#extent(), aspect: this.aspect, view, closeUp: color === 'natural', subject: this.subject };
   });
 
   #size: StageSize | undefined;
@@ -107,6 +109,28 @@ export abstract class SceneElement extends Base {
   protected abstract groundSize(): [number, number];
   /** What moves the camera, as the attributes say. */
   protected abstract get interactionMode(): Interaction;
+
+  /** What is framed instead of all of the ground. */
+  protected get subject(): Subject | null {
+    return null;
+  }
+
+  /** What the picture is of, in a word or two. */
+  protected get label(): string {
+    return WORDS.label[this.language];
+  }
+
+  /** A frame has been drawn through `camera`. */
+  protected drawn(_camera: CameraState): void {}
+
+  protected get aspect(): number {
+    return this.#size?.aspect ?? 2;
+  }
+
+  /** Holds the canvas and the focus. */
+  protected get stage(): HTMLElement {
+    return this.#tree.stage;
+  }
 
   // State that the outside sees.
 
@@ -221,15 +245,17 @@ export abstract class SceneElement extends Base {
     this.#tell((renderer) => renderer.setLook(look));
   }
 
-  /** Shows a field. False when the renderer refused it: that is reported, and the old one stays on screen. */
-  protected showField(field: Field): boolean {
+  /** Shows a field, perhaps with a log on it. False when the renderer refused them: that is reported, and the old ones stay on screen. */
+  protected showField(field: Field, wood: Wood | null = null): boolean {
     try {
-      this.#kept.renderer?.setField(field);
+      if (field !== this.#field) this.#kept.renderer?.setField(field);
+      if (wood !== this.#wood) this.#kept.renderer?.setWood(wood);
     } catch (thrown) {
       this.report({ name: 'RendererFailed', message: `the field could not be shown: ${errorText(thrown)}` });
       return false;
     }
     this.#field = field;
+    this.#wood = wood;
     this.#clearError();
     this.invalidate();
     return true;
@@ -293,7 +319,7 @@ export abstract class SceneElement extends Base {
     }
     this.#isOpen = true;
     this.#listen();
-    this.#tree.setLanguage(WORDS.role[this.language], WORDS.label[this.language]);
+    this.#tree.setLanguage(WORDS.role[this.language], this.label);
     this.readManners();
     if (this.getAttribute('loading')?.trim() !== 'lazy') this.start();
   }
@@ -379,6 +405,7 @@ export abstract class SceneElement extends Base {
     renderer.setStyle(this.#style);
     if (this.#look) renderer.setLook(this.#look);
     if (this.#field) renderer.setField(this.#field);
+    if (this.#wood) renderer.setWood(this.#wood);
   }
 
   #onRenderer(renderer: SceneRenderer): void {
@@ -414,12 +441,14 @@ export abstract class SceneElement extends Base {
   }
 
   #draw(level: Quality | null): void {
+    const { camera } = this;
     const outcome = this.#kept.draw((renderer) => {
       if (level) renderer.setQuality(level);
-      renderer.setCamera(this.camera);
+      renderer.setCamera(camera);
       renderer.render();
     });
     if (outcome === 'nothing') return;
+    this.drawn(camera);
     if (outcome === 'restored') this.emit('restored');
     if (!this.#painted) {
       this.#painted = true;

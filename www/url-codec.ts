@@ -17,9 +17,11 @@ export type LinkState = SceneLink<Rocks>;
 export type DecodedLink = DecodedScene<Rocks>;
 
 export function encodeLink(state: Pick<LinkState, 'params'> & Partial<LinkState> & { defaultCamera?: CameraState | null }): string {
-  const { layers } = state.params;
+  // One by one: of a store these are accessors, which no spread sees.
+  const { params, preset = ROCKS.presets[0]!.name, view = VIEWS[0]!, color = null, camera = null, defaultCamera = null } = state;
+  const { layers } = params;
   const ids = layers.some(({ id }, index) => id !== index) ? [`id=${layers.map(({ id }) => id).join(',')}`] : [];
-  return encodeScene(ROCKS, { preset: ROCKS.presets[0]!.name, view: '3d', color: null, camera: null, ...state }, ids);
+  return encodeScene(ROCKS, { params, preset, view, color, camera, defaultCamera }, ids);
 }
 
 /** Reads `#…`, `?…`, a whole address or what `encodeLink` returns. */

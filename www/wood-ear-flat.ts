@@ -31,6 +31,9 @@ export interface WoodEarBase {
 
 export type WoodEarParams = { [R in FieldRow as R['key'] extends `log${string}` ? never : R['key']]: ValueOf<R> } & { log: WoodEarLogShape; bases: WoodEarBase[] };
 
+/** The rows as properties of an element: `logLength` too. */
+export type WoodEarProperties = { [R in FieldRow as R['key']]: ValueOf<R> };
+
 type Some<T> = { [K in keyof T]?: T[K] | undefined };
 
 /** A preset fills everything, each key given then replaces it; `base` is a single one of `bases`, which replace the whole list. */
@@ -82,42 +85,68 @@ export function woodEarPreset(name: string): WoodEarParams {
   } as WoodEarParams;
 }
 
+/** A request, checked and completed; `mesh` is a log of one's own, and `params.log` then the preset's. */
+export interface ResolvedColony {
+  params: WoodEarParams;
+  mesh: LogMesh | null;
+}
+
 /**
- * The request, checked and flat; it shares nothing with the request.
+ * The full parameters that a request stands for; they share nothing with it.
  *
  * @throws {RockFieldError} naming the key as the table has it, the value and the bounds; `layer` is the index of the base.
  */
-export function flatColony(request: WoodEarRequest = {}, maxBytes: number): FlatColony {
+export function resolveColony(request: WoodEarRequest = {}): ResolvedColony {
   const given = objectOf(request, 'params');
   const keys = new Set(['preset', 'log', 'base', 'bases', ...COLONY_ROWS.map(({ key }) => key)]);
   rejectUnknown(given, (key) => keys.has(key));
   const preset = given['preset'] ?? WOOD_EAR_PRESETS[0].name;
   if (typeof preset !== 'string') throw wrongType('preset', preset, 'the name of a preset');
-  const { log: presetLog, bases: presetBases, ...presetFields } = woodEarPreset(preset);
-  const flat: number[] = [];
-  const put = (spec: WoodEarSpec, value: unknown, fallback: unknown, at?: Place, name?: string) => {
-    flat.push(encode(spec, checkValue(spec, spec, value === undefined ? fallback : value, at, name)));
-  };
-  const isMesh = typeof given['log'] === 'object' && given['log'] !== null && ('positions' in given['log'] || 'indices' in given['log']);
+  const params = woodEarPreset(preset);
+  for (const spec of COLONY_ROWS) {
+    const value = given[spec.key];
+    if (value !== undefined) (params as unknown as Loose)[spec.key] = checkValue(spec, spec, value);
+  }
   const log = given['log'] === undefined ? {} : objectOf(given['log'], 'log');
+  const isMesh = 'positions' in log || 'indices' in log;
   const names = isMesh ? ['positions', 'indices'] : LOG_ROWS.map(({ key }) => logName(key));
   rejectUnknown(log, (key) => names.includes(key), LOG);
-  for (const spec of rows.filter(({ scope }) => scope === 'field')) {
-    if (!LOG_ROWS.includes(spec)) put(spec, given[spec.key], (presetFields as Loose)[spec.key]);
-    else put(spec, log[logName(spec.key)], (presetLog as Loose)[logName(spec.key)], LOG, logName(spec.key));
+  for (const spec of LOG_ROWS) {
+    const name = logName(spec.key);
+    const value = log[name];
+    if (value !== undefined && !isMesh) (params.log as unknown as Loose)[name] = checkValue(spec, spec, value, LOG, name);
   }
-  const bases = basesOf(given) ?? presetBases;
+  const bases = basesOf(given);
+  if (bases) params.bases = bases.map(baseOf);
+  return { params, mesh: isMesh ? meshOf(log) : null };
+}
+
+function baseOf(entry: unknown, index: number): WoodEarBase {
+  const at = { index, name: `base ${index}` };
+  const base = objectOf(entry, 'bases', at);
+  rejectUnknown(base, (key) => key === 'position' || key === 'range', at);
+  const [x, y, z, range] = BASE_ROWS as [WoodEarSpec, WoodEarSpec, WoodEarSpec, WoodEarSpec];
+  const position = base['position'] ?? [x, y, z].map((spec) => spec.default);
+  if (!Array.isArray(position) || position.length !== 3) throw wrongType('position', position, 'a list of three numbers', at);
+  // A hole in the list is a missing number.
+  const place = [x, y, z].map((spec, k) => checkValue(spec, spec, position[k] ?? NaN, at, `position[${k}]`));
+  return { position: place as WoodEarBase['position'], range: checkValue(range, range, base['range'] ?? null, at) as number | null };
+}
+
+/** Nothing is checked: Rust does that. */
+export function encodeColony({ bases, log, ...params }: WoodEarParams): Float64Array {
+  const value = ({ key }: WoodEarSpec): unknown => (key in params ? (params as unknown as Loose)[key] : (log as unknown as Loose)[logName(key)]);
+  const flat = rows.filter(({ scope }) => scope === 'field').map((spec) => encode(spec, value(spec)));
+  const [x, y, z, range] = BASE_ROWS as [WoodEarSpec, WoodEarSpec, WoodEarSpec, WoodEarSpec];
   flat.push(bases.length);
-  bases.forEach((entry, index) => {
-    const at = { index, name: `base ${index}` };
-    const base = objectOf(entry, 'bases', at);
-    rejectUnknown(base, (key) => key === 'position' || key === 'range', at);
-    const position = base['position'] ?? BASE_ROWS.slice(0, 3).map((spec) => spec.default);
-    if (!Array.isArray(position) || position.length !== 3) throw wrongType('position', position, 'a list of three numbers', at);
-    // A hole in the list is a missing number.
-    [...position, base['range'] ?? null].forEach((value: unknown, k) => put(BASE_ROWS[k]!, value, NaN, at, k < 3 ? `position[${k}]` : undefined));
-  });
-  return { params: Float64Array.from(flat), log: isMesh ? meshOf(log) : null, maxBytes };
+  for (const base of bases) flat.push(...[x, y, z].map((spec, k) => encode(spec, base.position[k])), encode(range, base.range));
+  return Float64Array.from(flat);
+}
+
+/** The request, checked and flat. Errors as of `resolveColony`. */
+export function flatColony(request: WoodEarRequest | undefined, maxBytes: number): FlatColony {
+  const { params, mesh } = resolveColony(request);
+  return { params: encodeColony(params), log: mesh, maxBytes };
 }
 
 function basesOf({ base, bases }: Loose): readonly unknown[] | undefined {
@@ -134,7 +163,7 @@ function basesOf({ base, bases }: Loose): readonly unknown[] | undefined {
   return bases;
 }
 
-function encode(spec: WoodEarSpec, value: number | string | null): number {
+function encode(spec: WoodEarSpec, value: unknown): number {
   return spec.kind === 'choice' ? spec.choices.findIndex((choice) => choice.value === value) : typeof value === 'number' ? value : NaN;
 }
 

@@ -5,7 +5,7 @@
 
 import type { Field, FieldLayer } from '../field.ts';
 import { FOV_Y } from './limits.ts';
-import type { CameraState, Look, SceneRenderer, SceneStyle } from './renderer.ts';
+import type { CameraState, Look, SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 
 /** As INK in `src/render/palette.rs`: by layer id modulo 8. */
 const INK = ['#cd5e3c', '#e8b24a', '#4a8fbc', '#7ca450', '#986c9e', '#d6c8ac', '#707880', '#409e8e'];
@@ -17,6 +17,9 @@ const THEMES = {
 /** Under and round the selected cells, as in Fig. 8 (d). */
 const GROUND = '#2e2925';
 const OUTLINE = '#1e1a18';
+const WOOD = { log: '#5b4636', ear: '#a5683f' };
+/** Slices along a log, of which the outline is made. */
+const SLICES = 160;
 /** Larger canvases fail silently in some browsers. */
 const MAX_SIDE = 8192;
 /** Below this many device pixels per cell, lines and sites would only darken the sheet. */
@@ -30,6 +33,7 @@ export class Canvas2dRenderer implements SceneRenderer {
   readonly #context: CanvasRenderingContext2D;
   /** The page's own, not a copy. */
   #field: Field | undefined;
+  #wood: Wood | null = null;
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
   #camera: CameraState = { azimuth: 0, elevation: 1, distance: 1000, target: [0, 0, 0] };
 
@@ -42,6 +46,10 @@ export class Canvas2dRenderer implements SceneRenderer {
 
   setField(field: Field): void {
     this.#field = field;
+  }
+
+  setWood(wood: Wood | null): void {
+    this.#wood = wood;
   }
 
   setStyle(style: SceneStyle): void {
@@ -65,6 +73,7 @@ export class Canvas2dRenderer implements SceneRenderer {
 
   dispose(): void {
     this.#field = undefined;
+    this.#wood = null;
   }
 
   render(): void {
@@ -89,9 +98,30 @@ export class Canvas2dRenderer implements SceneRenderer {
       if (diagrams) this.#drawDiagram(layer, pixel);
       else this.#fillSelected(layer, pixel);
     }
+    if (this.#wood) this.#drawWood(this.#wood, pixel);
     context.strokeStyle = theme.line;
     context.lineWidth = 1.5 * pixel;
     context.strokeRect(0, 0, field.imageWidth, field.imageHeight);
+  }
+
+  #drawWood({ colony: { log, positions, vertexStarts, size }, place: [px, py, , scale] }: Wood, pixel: number): void {
+    const context = this.#context;
+    context.fillStyle = this.#style.color === 'plain' ? GREY : WOOD.log;
+    context.strokeStyle = OUTLINE;
+    context.lineWidth = 1.2 * pixel;
+    context.beginPath();
+    for (const [x, y] of outlineOf(log.positions)) context.lineTo(px + scale * x, py + scale * y);
+    context.closePath();
+    context.fill();
+    context.stroke();
+    context.fillStyle = this.#style.color === 'plain' ? GREY : WOOD.ear;
+    for (let k = 0; k < size.length; k++) {
+      const [x, y] = middleOf(positions, vertexStarts[k] ?? 0, vertexStarts[k + 1] ?? 0);
+      context.beginPath();
+      context.arc(px + scale * x, py + scale * y, (scale * (size[k] ?? 0)) / 2, 0, 2 * Math.PI);
+      context.fill();
+      context.stroke();
+    }
   }
 
   #ink(layer: FieldLayer): string {
@@ -143,4 +173,31 @@ export class Canvas2dRenderer implements SceneRenderer {
     const [x, y] = [layer.sites[2 * site] ?? 0, layer.sites[2 * site + 1] ?? 0];
     this.#context.fillRect(x - side / 2, y - side / 2, side, side);
   }
+}
+
+/** A log from above: along one side and back along the other. Its axis is x. */
+function outlineOf(positions: Float32Array): [number, number][] {
+  let [from, to] = [Infinity, -Infinity];
+  for (let i = 0; i < positions.length; i += 3) {
+    from = Math.min(from, positions[i]!);
+    to = Math.max(to, positions[i]!);
+  }
+  const slices = Array.from({ length: SLICES }, (_, k) => ({ x: from + ((k + 0.5) * (to - from)) / SLICES, low: Infinity, high: -Infinity }));
+  for (let i = 0; i < positions.length; i += 3) {
+    const slice = slices[Math.min(SLICES - 1, Math.floor(((positions[i]! - from) / (to - from)) * SLICES))];
+    if (!slice) continue;
+    slice.low = Math.min(slice.low, positions[i + 1]!);
+    slice.high = Math.max(slice.high, positions[i + 1]!);
+  }
+  const filled = slices.filter(({ low, high }) => low <= high);
+  return [...filled.map(({ x, low }): [number, number] => [x, low]), ...filled.reverse().map(({ x, high }): [number, number] => [x, high])];
+}
+
+function middleOf(positions: Float32Array, from: number, to: number): [number, number] {
+  let [x, y] = [0, 0];
+  for (let i = from; i < to; i++) {
+    x += positions[3 * i]!;
+    y += positions[3 * i + 1]!;
+  }
+  return [x / (to - from), y / (to - from)];
 }

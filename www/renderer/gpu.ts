@@ -6,11 +6,15 @@ import type { RawRenderer } from './artefact.ts';
 import { joinDevice } from './device.ts';
 import type { GpuBackend, LossListener, SharedDevice } from './device.ts';
 import { QUALITIES } from './renderer.ts';
-import type { CameraState, ColorMode, Look, Quality, SceneRenderer, SceneStyle, View } from './renderer.ts';
+import type { CameraState, ColorMode, Flesh, Look, Quality, SceneRenderer, SceneStyle, View, Wood } from './renderer.ts';
 
 // The order of these two lists is the meaning of the numbers in `RawRenderer.setStyle`.
 const VIEWS: readonly View[] = ['3d', 'wireframe', 'diagrams', 'selection'];
 const COLORS: readonly ColorMode[] = ['layer', 'rock', 'plain', 'natural'];
+
+// The order of these two is that of the numbers in `RawRenderer.setLook`.
+const LOOK = ['variation', 'wetness', 'moss', 'dust', 'ground', 'sunAzimuth', 'sunElevation'] as const satisfies readonly (keyof Look)[];
+const FLESH = ['moisture', 'variation', 'translucency', 'velvet'] as const satisfies readonly (keyof Flesh)[];
 
 /** A choice as the number it is in the table. */
 function choice(key: 'ground' | 'material', word: string): number {
@@ -49,6 +53,8 @@ export class GpuRenderer implements SceneRenderer {
   #disposed = false;
   /** The page's own, not a copy: edges and plans are made from it when they are first shown. */
   #field: Field | undefined;
+  /** What is drawn; its log is not uploaded again. */
+  #wood: Wood | null = null;
 
   /** @throws an Error saying why the backend cannot be had, or not on a canvas from `makeCanvas`. */
   static async create(backend: GpuBackend, makeCanvas: () => HTMLCanvasElement): Promise<GpuRenderer> {
@@ -98,6 +104,26 @@ export class GpuRenderer implements SceneRenderer {
     });
   }
 
+  setWood(wood: Wood | null): void {
+    this.#guard(() => {
+      if (wood) this.#upload(wood);
+      else if (this.#wood) {
+        this.#raw.clearColony();
+        this.#raw.clearLog();
+      }
+      this.#wood = wood;
+    });
+  }
+
+  #upload({ colony, rings, meridians, place }: Wood): void {
+    const { log } = colony;
+    const at = Float32Array.from(place);
+    const old = this.#wood;
+    const isOld = old !== null && old.colony.log === log && old.place.every((value, k) => value === place[k]);
+    this.#raw.setColony(colony.positions, colony.normals, colony.indices, colony.foot, rings, meridians, at);
+    if (!isOld) this.#raw.setLog(log.positions, log.normals, log.indices, log.kinds, log.coords, at);
+  }
+
   setStyle({ view, color, dark }: SceneStyle): void {
     this.#guard(() => {
       this.#raw.setStyle(VIEWS.indexOf(view), COLORS.indexOf(color), dark);
@@ -106,8 +132,8 @@ export class GpuRenderer implements SceneRenderer {
   }
 
   setLook(look: Look): void {
-    const { variation, wetness, moss, dust, ground, sunAzimuth, sunElevation, layers } = look;
-    const values = [variation, wetness, moss, dust, choice('ground', ground), sunAzimuth, sunElevation];
+    const { layers, flesh } = look;
+    const values = [...LOOK.map((key) => (key === 'ground' ? choice(key, look[key]) : look[key])), ...FLESH.map((key) => flesh?.[key] ?? 0)];
     const ids = layers.map(({ id }) => id);
     const materials = layers.map(({ material }) => choice('material', material));
     this.#guard(() => this.#raw.setLook(Float32Array.from(values), Uint32Array.from(ids), Uint8Array.from(materials)));
@@ -153,6 +179,7 @@ export class GpuRenderer implements SceneRenderer {
       this.#raw.free();
     });
     this.#field = undefined;
+    this.#wood = null;
     this.#device.leave(this.#onLost);
   }
 

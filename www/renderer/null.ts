@@ -1,10 +1,11 @@
 /** Draws nothing and records every call, for tests that have no graphics. */
 
 import type { Field } from '../field.ts';
-import type { CameraState, Look, Quality, SceneRenderer, SceneStyle } from './renderer.ts';
+import type { CameraState, Look, Quality, SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 
 export type RecordedCall =
   | { name: 'setField'; rocks: number }
+  | { name: 'setWood'; individuals: number | null }
   | { name: 'setStyle'; style: SceneStyle }
   | { name: 'setLook'; look: Look }
   | { name: 'setQuality'; level: Quality }
@@ -33,6 +34,10 @@ export class NullRenderer implements SceneRenderer {
 
   setField(field: Field): void {
     this.calls.push({ name: 'setField', rocks: field.rockLayer.length });
+  }
+
+  setWood(wood: Wood | null): void {
+    this.calls.push({ name: 'setWood', individuals: wood && wood.colony.stats.individuals });
   }
 
   setStyle(style: SceneStyle): void {

@@ -4,6 +4,7 @@
  * World: plane x right, y up, in pixels of the image; z up. Nothing is drawn but by `render()`.
  */
 
+import type { WoodEarColony } from '../colony.ts';
 import type { Field } from '../field.ts';
 import type { Layer, PARAMS, Params, ParamSpec } from '../params.ts';
 
@@ -39,7 +40,25 @@ export interface SceneStyle {
 }
 
 /** What natural colours show beyond the mesh; the sun shines in all colours. As the parameters of the same names. */
-export type Look = Pick<Params, LookKey<'field'>> & { layers: readonly ({ id: number } & Pick<Layer, LookKey<'layer'>>)[] };
+export type Look = Pick<Params, LookKey<'field'>> & { layers: readonly ({ id: number } & Pick<Layer, LookKey<'layer'>>)[]; flesh?: Flesh };
+
+/** Of wood ears, as the parameters of the same names; moisture 0 … 1. */
+export interface Flesh {
+  moisture: number;
+  variation: number;
+  translucency: number;
+  velvet: number;
+}
+
+/** A log with its colony, and where they stand among the rocks. */
+export interface Wood {
+  colony: WoodEarColony;
+  /** Of the layout of an individual's vertices. */
+  rings: number;
+  meridians: number;
+  /** Where the log's origin is, px; px per cm. */
+  place: readonly [x: number, y: number, z: number, scale: number];
+}
 
 type LookKey<S extends ParamSpec['scope']> = Extract<(typeof PARAMS)[number], { stage: 'look'; scope: S }>['key'];
 
@@ -48,6 +67,8 @@ export interface SceneRenderer {
   readonly canvas: HTMLCanvasElement;
   /** Uploads `field` and replaces what is drawn as one step; on an error the old field stays. */
   setField(field: Field): void;
+  /** Uploads a log with its colony and replaces those that are drawn as one step, `null` with none; on an error the old ones stay. */
+  setWood(wood: Wood | null): void;
   setStyle(style: SceneStyle): void;
   setLook(look: Look): void;
   setQuality(level: Quality): void;

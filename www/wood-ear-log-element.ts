@@ -1,0 +1,263 @@
+/** `<wood-ear-log>`: parameters in, a live colony of wood ears on a fallen log out. The class alone; `wood-ear-log.ts` registers it. */
+
+import { BaseHandles } from './base-handles.ts';
+import type { HandlesOwner } from './base-handles.ts';
+import type { Subject } from './camera.ts';
+import type { WoodEarColony, WoodEarStats } from './colony.ts';
+import { errorInfo, isAbort } from './errors.ts';
+import type { Field } from './field.ts';
+import type { WoodEarStage } from './generator/wood-ear-session.ts';
+import { GeneratorElement, observedAttributes } from './generator-element.ts';
+import type { Scene, SceneEventMap } from './generator-element.ts';
+import { loadWoodEarPanel } from './load-wood-ear-panel.ts';
+import { RowProperties } from './parameter-properties.ts';
+import { firstHit } from './pick.ts';
+import { defineReflectedProperties, writeAttribute } from './reflected-properties.ts';
+import type { ReflectedProperties } from './reflected-properties.ts';
+import type { Wood } from './renderer/renderer.ts';
+import { Runs } from './runs.ts';
+import { readWoodEarAttributes, WOOD_EAR_ATTRIBUTES } from './wood-ear-attributes.ts';
+import type { WoodEarBase, WoodEarPresetName, WoodEarProperties } from './wood-ear-flat.ts';
+import { encodeWoodEarLink } from './wood-ear-link.ts';
+import { woodEarLook } from './wood-ear-look.ts';
+import { WoodEarSceneClient } from './wood-ear-runs.ts';
+import { sceneLabel } from './wood-ear-words.ts';
+import { groundSide, WOOD_EARS } from './wood-ears.ts';
+import type { WoodEars, WoodEarScene, WoodEarSceneParams } from './wood-ears.ts';
+
+type Vector = [number, number, number];
+
+export interface WoodEarLogEventMap extends SceneEventMap<WoodEarStage> {
+  /** A colony is on screen. `superseded`: a newer one is on its way; `isPreview`: the same follows when its wood ears have made room for each other. */
+  generate: CustomEvent<{ stats: WoodEarStats; colony: WoodEarColony; field: Field; superseded: boolean; isPreview: boolean }>;
+  /** The user placed, moved or removed a base, or brought another log. */
+  change: CustomEvent<{ params: WoodEarSceneParams }>;
+}
+
+const SCENE: Scene<WoodEars> = {
+  table: WOOD_EARS,
+  properties: new RowProperties(WOOD_EARS, WOOD_EARS.rows),
+  rowAttributes: WOOD_EAR_ATTRIBUTES,
+  itemAttributes: ['bases'],
+  ownAttributes: { ground: 'ground' },
+  list: 'bases',
+  readAttributes: readWoodEarAttributes,
+  newRuns: (host) => new Runs(host, (options) => new WoodEarSceneClient(options)),
+  lookOf: woodEarLook,
+  groundSize: (params) => [groundSide(params), groundSide(params)],
+  encode: encodeWoodEarLink,
+  describe: async ({ colony }, metresPerPixel, language) => (await import('./wood-ear-words.ts')).describeColony(colony, metresPerPixel, language),
+  random: async (params, seed) => (await import('./controls/randomise-wood-ears.ts')).randomWoodEars(params, seed),
+  loadPanel: loadWoodEarPanel,
+};
+
+type EventMap = Omit<HTMLElementEventMap, keyof WoodEarLogEventMap> & WoodEarLogEventMap;
+
+/** The accessors are made from lists: of the parameter table, and of attributes. */
+export interface WoodEarLogElement extends WoodEarProperties, ReflectedProperties<WoodEarPresetName> {
+  addEventListener<Type extends keyof EventMap>(type: Type, listener: (this: WoodEarLogElement, event: EventMap[Type]) => void, options?: boolean | AddEventListenerOptions): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  removeEventListener<Type extends keyof EventMap>(type: Type, listener: (this: WoodEarLogElement, event: EventMap[Type]) => void, options?: boolean | EventListenerOptions): void;
+  removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
+}
+
+/** How far a colony reaches beyond the range of its base, as a share of it, and how high wood ears stand off the log, cm. */
+const AROUND = { share: 0.15, cm: 6 };
+
+/**
+ * @attribute preset - Name of a preset; default `thesis-default`.
+ * @attribute seed - Whole number of 32 bits. Like every other parameter of the table in kebab case, `log-length` too, it replaces what `src` or the preset says.
+ * @attribute bases - Where the colonies spread from, cm: `x y z` or `x y z range` for each, with commas between them.
+ * @attribute ground - What the log lies on: a preset of rocks, a link to a field of them, or `none`; natural presets lie on `forest-floor`.
+ * @attribute view - `3d` or `wireframe`.
+ * @attribute color - `plain` or `natural`; when absent, `natural` for natural presets and `plain` for the thesis's.
+ * @attribute editable - Bases can be placed, moved and removed on the picture, and logs dropped on it as GLB or OBJ files.
+ * @csspart handles - What marks the bases, where they can be edited.
+ * @fires generate - A colony is on screen; `detail` has its statistics.
+ * @fires change - The user placed, moved or removed a base, or brought a log.
+ */
+export class WoodEarLogElement extends GeneratorElement<WoodEars> {
+  static readonly observedAttributes: readonly string[] = [...observedAttributes(SCENE), 'editable'];
+
+  #scene: WoodEarScene | null = null;
+  #wood: Wood | null = null;
+  #handles: BaseHandles | undefined;
+  #listening: AbortController | undefined;
+  /** A base is being dragged. */
+  #isHeld = false;
+
+  constructor() {
+    super(SCENE);
+  }
+
+  /** Where the colonies spread from, as objects. */
+  get bases(): WoodEarBase[] {
+    return this.params.bases;
+  }
+
+  set bases(bases: readonly Partial<WoodEarBase>[]) {
+    this.params = { ...this.params, bases: bases as WoodEarBase[] };
+  }
+
+  /** A link to the rocks that the log lies on; empty for bare soil. Assigning takes what the attribute takes. */
+  get ground(): string {
+    return this.params.ground;
+  }
+
+  set ground(ground: string | null) {
+    writeAttribute(this, 'ground', ground === '' ? 'none' : ground);
+  }
+
+  /** Whether bases can be edited, and logs dropped, on the picture. */
+  get editable(): boolean {
+    return this.hasAttribute('editable');
+  }
+
+  set editable(editable: boolean) {
+    this.toggleAttribute('editable', Boolean(editable));
+  }
+
+  /** What is shown, the newest finished result. Not to be changed. */
+  get colony(): WoodEarColony | null {
+    return this.#scene?.colony ?? null;
+  }
+
+  /** The colony of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */
+  async getColony(): Promise<WoodEarColony> {
+    return (await this.newest()).colony;
+  }
+
+  /**
+   * A log from a GLB or OBJ file, in place of the one that is made.
+   *
+   * @throws {RockFieldError} saying what is wrong with the file; the old log stays.
+   */
+  async loadLog(file: Blob & { name?: string }): Promise<void> {
+    const { readLogFile } = await import('./log-file.ts');
+    const { mesh, notices } = await readLogFile(file);
+    for (const notice of notices) this.notify(notice);
+    this.#change({ ...this.params, mesh });
+    await this.newest();
+  }
+
+  protected override present(scene: WoodEarScene): boolean {
+    const { colony, ground, place } = scene;
+    const wood: Wood = { colony, rings: scene.rings, meridians: scene.meridians, place };
+    if (!this.showField(ground, wood)) return false;
+    this.#scene = scene;
+    this.#wood = wood;
+    return true;
+  }
+
+  protected override detailOf({ colony, ground }: WoodEarScene, superseded: boolean, isPreview: boolean): WoodEarLogEventMap['generate']['detail'] {
+    return { stats: colony.stats, colony, field: ground, superseded, isPreview };
+  }
+
+  protected override get label(): string {
+    return sceneLabel(this.language);
+  }
+
+  protected override get subject(): Subject {
+    return subjectOf(this.params);
+  }
+
+  override attributeChangedCallback(name: string, before: string | null, after: string | null): void {
+    if (name !== 'editable') super.attributeChangedCallback(name, before, after);
+    else this.invalidate();
+  }
+
+  protected override opened(): void {
+    super.opened();
+    this.#listening = new AbortController();
+    const { signal } = this.#listening;
+    this.#handles = new BaseHandles(this.shadowRoot as ShadowRoot, this.#handlesOwner(), signal);
+    this.addEventListener('dragover', (event) => this.editable && event.preventDefault(), { signal });
+    this.addEventListener('drop', (event) => this.#drop(event), { signal });
+  }
+
+  protected override closed(): void {
+    this.#listening?.abort();
+    this.#handles = undefined;
+    super.closed();
+  }
+
+  protected override drawn(): void {
+    this.#handles?.update();
+  }
+
+  #drop(event: DragEvent): void {
+    const [file] = event.dataTransfer?.files ?? [];
+    if (!this.editable || !file) return;
+    event.preventDefault();
+    this.loadLog(file).catch((thrown: unknown) => {
+      if (!isAbort(thrown)) this.report(errorInfo(thrown));
+    });
+  }
+
+  /** The user's doing: whoever keeps the parameters is told. */
+  #change(params: WoodEarSceneParams): void {
+    this.params = params;
+    this.emit('change', { params: this.params });
+    this.invalidate();
+  }
+
+  #handlesOwner(): HandlesOwner {
+    const at = ([x, y, z]: Vector): Vector => {
+      const [px, py, pz, scale] = this.#wood?.place ?? [0, 0, 0, 1];
+      return [(x - px) / scale, (y - py) / scale, (z - pz) / scale];
+    };
+    const withBases = (change: (bases: WoodEarBase[]) => WoodEarBase[]): void => {
+      const { params } = this;
+      const bases = change(params.bases);
+      const { min, max } = WOOD_EARS.itemCount;
+      if (bases.length >= min && bases.length <= max) this.#change({ ...params, bases });
+    };
+    return {
+      stage: this.stage,
+      camera: () => this.camera,
+      aspect: () => this.aspect,
+      language: () => this.language,
+      isEditable: () => this.editable && !this.hasAttribute('disabled') && this.#wood !== null,
+      bases: () => {
+        const [px, py, pz, scale] = this.#wood?.place ?? [0, 0, 0, 1];
+        // Where they are on the log; those that have just been moved are not there yet.
+        const snapped = this.#scene?.colony.bases ?? [];
+        return this.params.bases.map(({ position }, k) => {
+          const [x, y, z] = this.#isHeld || snapped.length !== 3 * this.params.bases.length ? position : (Array.from(snapped.slice(3 * k, 3 * k + 3)) as Vector);
+          return [px + scale * x, py + scale * y, pz + scale * z];
+        });
+      },
+      surface: (ray) => {
+        const { colony } = this.#scene ?? {};
+        if (!colony) return null;
+        const scale = this.#wood?.place[3] ?? 1;
+        const hit = firstHit({ from: at(ray.from), along: ray.along.map((value) => value / scale) as Vector }, colony.log.positions, colony.log.indices);
+        return hit && hit.map((value) => Math.round(10 * value) / 10) as Vector;
+      },
+      place: (position) => withBases((bases) => [...bases, { position, range: null }]),
+      move: (index, position) => withBases((bases) => bases.map((base, k) => (k === index ? { ...base, position } : base))),
+      remove: (index) => withBases((bases) => bases.filter((_, k) => k !== index)),
+      hold: (isHeld) => {
+        this.#isHeld = isHeld;
+        this.hold(isHeld);
+        this.invalidate();
+      },
+    };
+  }
+}
+
+/** The colonies with what of the log lies between them, px. */
+function subjectOf(params: WoodEarSceneParams): Subject {
+  const middle = groundSide(params) / 2;
+  const half = params.log.length / 2;
+  const { radius } = params.log;
+  const [low, high] = [-1, 1].map((side) => {
+    const reach = params.bases.map(({ position: [x], range }) => side * x + (range ?? params.range) * (1 + AROUND.share));
+    return side * Math.min(half, Math.max(...reach));
+  }) as [number, number];
+  const height = 1.4 * radius;
+  return { low: [middle + low, middle - radius - AROUND.cm, 0], high: [middle + high, middle + radius + AROUND.cm, height + AROUND.cm] };
+}
+
+SCENE.properties.define(WoodEarLogElement.prototype);
+defineReflectedProperties(WoodEarLogElement.prototype);
