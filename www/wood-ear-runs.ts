@@ -120,7 +120,7 @@ export class WoodEarSceneClient implements RunClient<WoodEarSceneParams, WoodEar
   async #rocksOf(link: string, side: number, log: WoodEarLog, place: Place): Promise<Field> {
     this.#rocks ??= new GeneratorClient();
     const { params } = decodeLink(link);
-    return this.#rocks.generate({ ...params, imageWidth: side, imageHeight: side }, { footprint: footprintOf(log, place, CLEARANCE) });
+    return this.#rocks.generate({ ...params, imageWidth: side, imageHeight: side, footprint: footprintOf(log, place, CLEARANCE) });
   }
 }
 

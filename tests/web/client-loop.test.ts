@@ -2,10 +2,11 @@
 import assert from 'node:assert/strict';
 import { beforeEach, mock, test } from 'node:test';
 import { RockFieldError } from '../../www/errors.ts';
+import type { Field } from '../../www/field.ts';
 import { LoopHost } from '../../www/generator/host.ts';
-import { PATIENCE_MS, PROGRESS_AFTER_MS } from '../../www/generator/loop.ts';
+import { PATIENCE_MS, PROGRESS_AFTER_MS, RunLoop } from '../../www/generator/loop.ts';
 import type { FlatRequest, FromWorker } from '../../www/generator/protocol.ts';
-import { fieldSession } from '../../www/generator/field-session.ts';
+import { FIELD_LOOPS, fieldSession } from '../../www/generator/field-session.ts';
 import type { RawGenerator } from '../../www/generator/field-session.ts';
 import { SLICE_MS } from '../../www/generator/session.ts';
 import type { GeneratorModule } from '../../www/generator/wasm.ts';
@@ -85,7 +86,7 @@ function request(mode: number, steps: number, maxBytes = 1000): FlatRequest {
 function setUp(load: () => Promise<GeneratorModule> = async () => ({ Generator: FakeGenerator, fresh_seed: () => 7 }) as unknown as GeneratorModule) {
   const said: (FromWorker & { at: number })[] = [];
   const waiting: { wanted: (message: FromWorker) => boolean; resolve: (message: FromWorker) => void }[] = [];
-  const host = new LoopHost(load, (message) => {
+  const host = new LoopHost(load, (module, post) => new RunLoop(module, FIELD_LOOPS, post), (message) => {
     said.push({ ...message, at: now });
     for (const { wanted, resolve } of waiting) if (wanted(message)) resolve(message);
   });
@@ -104,8 +105,8 @@ test('a run is answered with all its buffers and the time of each stage', async 
   const { start, answer } = setUp();
   start(1, request(1, 20));
   const message = await answer(1);
-  assert(message.type === 'field');
-  const { field } = message;
+  assert(message.type === 'result');
+  const field = message.result as Field;
   assert.deepEqual([field.imageWidth, field.layers.length, field.layers[0]!.id, field.layers[0]!.sitesSaturated, field.layers[0]!.saturated], [20, 1, 4, true, false]);
   assert.deepEqual(field.stats.ms, { sites: 8, cells: 8, selection: 8, shape: 8, mesh: 8, total: 40 });
 });
@@ -142,7 +143,7 @@ test('a superseded run that ends soon is delivered, then the newest runs; those 
   after(20, () => start(2, request(2, 10)));
   after(30, () => start(3, request(3, 10)));
   await answer(3);
-  assert.deepEqual(said.filter(({ type }) => type !== 'ready').map((message) => [message.type, 'id' in message && message.id]), [['dropped', 2], ['field', 1], ['field', 3]]);
+  assert.deepEqual(said.filter(({ type }) => type !== 'ready').map((message) => [message.type, 'id' in message && message.id]), [['dropped', 2], ['result', 1], ['result', 3]]);
 });
 
 test('a superseded run that goes on is dropped when patience ends', async () => {
@@ -152,7 +153,7 @@ test('a superseded run that goes on is dropped when patience ends', async () => 
   await answer(2);
   const [dropped] = times('dropped');
   assert(dropped! >= PATIENCE_MS && dropped! <= PATIENCE_MS + SLICE_MS + STEP_MS, `dropped after ${dropped} ms`);
-  assert.equal(times('field').length, 1);
+  assert.equal(times('result').length, 1);
 });
 
 test('a run older than that is dropped at once', async () => {
@@ -175,15 +176,15 @@ test('a drag faster than its runs is never starved, whatever a run costs', async
     };
     const begin = now;
     edit();
-    await until((message) => message.type === 'field' && message.id === id && now - begin >= length);
-    const shown = times('field').map((at) => at + 1000 - begin);
+    await until((message) => message.type === 'result' && message.id === id && now - begin >= length);
+    const shown = times('result').map((at) => at + 1000 - begin);
     // Doubling wastes less than twice what the run that ends takes; then the newest request is the next to run.
     let last = 0;
     for (const at of shown) {
       assert(at - last <= 4 * cost, `nothing was shown for ${at - last} ms when a run takes ${cost} ms`);
       last = at;
     }
-    const ids = said.flatMap((message) => (message.type === 'field' ? [message.id] : []));
+    const ids = said.flatMap((message) => (message.type === 'result' ? [message.id] : []));
     assert.deepEqual(ids, [...ids].sort((a, b) => a - b));
   }
 });
@@ -196,7 +197,7 @@ test('a cancelled run is dropped at once, and its generator with the finished st
   assert.equal((await answer(1)).type, 'dropped');
   assert(times('dropped')[0]! <= 30 + SLICE_MS + STEP_MS);
   start(2, request(2, 2));
-  assert.equal((await answer(2)).type, 'field');
+  assert.equal((await answer(2)).type, 'result');
   assert.equal(FakeGenerator.all.length, made + 1, 'the cache was thrown away');
 });
 
@@ -206,7 +207,7 @@ test('a request that waits can be cancelled, and cancelling what is answered doe
   after(20, () => start(2, request(2, 20)));
   after(21, () => host.receive({ type: 'cancel', client: 1, id: 2 }));
   assert.equal((await answer(2)).type, 'dropped');
-  assert.equal((await answer(1)).type, 'field');
+  assert.equal((await answer(1)).type, 'result');
   const count = said.length;
   host.receive({ type: 'cancel', client: 1, id: 1 });
   await new Promise((resolve) => setImmediate(resolve));
@@ -220,7 +221,7 @@ test('a refused request is told with its key and bounds, and the next one runs',
   assert(message.type === 'rejected');
   assert.deepEqual({ ...message.error }, { name: 'OverBudget', message: 'too much', key: 'imageWidth', layer: undefined, value: 200, min: 0, max: 50 });
   start(2, request(2, 2));
-  assert.equal((await answer(2)).type, 'field');
+  assert.equal((await answer(2)).type, 'result');
 });
 
 test('a trap is told as a crash, and the instance is not used again', async () => {
@@ -288,7 +289,7 @@ test('runs of two clients take turns', async () => {
   start(1, request(1, length / STEP_MS), 1);
   start(1, request(2, length / STEP_MS), 2);
   await Promise.all([answer(1, 1), answer(1, 2)]);
-  const [first, second] = times('field');
+  const [first, second] = times('result');
   assert(first! >= 2 * length - 2 * SLICE_MS, `the first had ended after ${first} ms`);
   assert.equal(second, 2 * length);
 });
@@ -303,7 +304,7 @@ test('a newer request, a cancel and a refusal of one client leave the run of ano
   after(90, () => host.receive({ type: 'cancel', client: 2, id: 2 }));
   after(130, () => start(3, request(4, 10, 50), 2));
   const answers = await Promise.all([answer(1, 1), answer(1, 2), answer(2, 2), answer(3, 2)]);
-  assert.deepEqual(answers.map(({ type }) => type), ['field', 'dropped', 'dropped', 'rejected']);
+  assert.deepEqual(answers.map(({ type }) => type), ['result', 'dropped', 'dropped', 'rejected']);
   assert.equal(said.filter((message) => 'client' in message && message.client === 1 && message.type !== 'progress').length, 1);
   assert.equal(FakeGenerator.all.length, made + 2, 'each client has a cache of its own, and keeps it');
 });

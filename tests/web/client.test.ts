@@ -3,8 +3,10 @@ import { test } from 'node:test';
 import type { TestContext } from 'node:test';
 import { RockFieldError } from '../../www/errors.ts';
 import type { Field } from '../../www/field.ts';
-import { CANCEL_MS, GeneratorClient } from '../../www/generator/client.ts';
-import type { ClientOptions } from '../../www/generator/client.ts';
+import { GeneratorClient } from '../../www/generator/client.ts';
+import { CANCEL_MS } from '../../www/generator/worker-client.ts';
+import type { FieldJob } from '../../www/generator/client.ts';
+import type { ClientOptions } from '../../www/generator/worker-client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
 import { GRACE_MS, SILENCE_MS } from '../../www/generator/pool-worker.ts';
 import type { FailedMessage, FromLoop, FromWorker, PongMessage, ReadyMessage, StartMessage } from '../../www/generator/protocol.ts';
@@ -20,7 +22,7 @@ class FakeWorker extends SilentWorker {
   }
 
   finishes(id: number): void {
-    this.says({ type: 'field', id, field: fieldOf(id) });
+    this.says({ type: 'result', id, result: fieldOf(id) });
   }
 
   get starts(): StartMessage[] {
@@ -37,7 +39,7 @@ function fieldOf(id: number): Field {
 }
 
 /** A client, the workers it made, and what it gave out for display. */
-function setUp(options: ClientOptions = {}) {
+function setUp(options: ClientOptions<FieldJob, Field> = {}) {
   const workers: FakeWorker[] = [];
   const shown: [number, boolean][] = [];
   const client = new GeneratorClient({

@@ -4,7 +4,8 @@ import { test } from 'node:test';
 import type { TestContext } from 'node:test';
 import { RockFieldError } from '../../www/errors.ts';
 import type { Field } from '../../www/field.ts';
-import { CANCEL_MS, GeneratorClient } from '../../www/generator/client.ts';
+import { GeneratorClient } from '../../www/generator/client.ts';
+import { CANCEL_MS } from '../../www/generator/worker-client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
 import { GRACE_MS, SILENCE_MS } from '../../www/generator/pool-worker.ts';
 import type { Addressed, FromWorker, StartMessage } from '../../www/generator/protocol.ts';
@@ -18,7 +19,7 @@ class FakeWorker extends SilentWorker {
 
   /** The field tells whose it is: its client's number. */
   finishes({ client, id }: Addressed<StartMessage>): void {
-    this.says({ type: 'field', client, id, field: { stats: { rocks: client } } as Field });
+    this.says({ type: 'result', client, id, result: { stats: { rocks: client } } as Field });
   }
 
   get starts(): Addressed<StartMessage>[] {

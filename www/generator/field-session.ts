@@ -1,13 +1,17 @@
 /** Sessions of rocks: the buffers of the wasm as a `Field`. */
 
 import type { Field, FieldLayer, StageTimes } from '../field.ts';
+import type { LoopCraft } from './loop.ts';
 import { STAGES } from './protocol.ts';
 import type { FlatRequest, StageName } from './protocol.ts';
 import { Session } from './session.ts';
 import type { Craft, RawSteps } from './session.ts';
+import type { GeneratorModule } from './wasm.ts';
 
 /** The class of the same name in pkg/generator.d.ts, as far as it is used. */
 export interface RawGenerator extends RawSteps {
+  /** Six numbers for each triangle, px; acts from the next start. */
+  set_footprint(triangles: Float64Array): void;
   start(params: Float64Array, maxBytes: number): void;
   positions(): Float32Array;
   normals(): Float32Array;
@@ -25,16 +29,26 @@ export interface RawGenerator extends RawSteps {
   summary(): Float64Array;
 }
 
+const NOTHING: Float64Array = new Float64Array();
+
 export type FieldSession = Session<RawGenerator, FlatRequest, Field, StageName>;
 
-const FIELDS: Craft<RawGenerator, FlatRequest, Field, StageName> = {
-  stages: STAGES,
-  start: (generator, { params, maxBytes }) => generator.start(params, maxBytes),
-  collect,
-};
-
 export function fieldSession(generator: RawGenerator): FieldSession {
-  return new Session(generator, FIELDS);
+  return new Session(generator, new Fields());
+}
+
+class Fields implements Craft<RawGenerator, FlatRequest, Field, StageName> {
+  readonly stages = STAGES;
+  readonly collect = collect;
+  /** The footprint that the generator has. */
+  #footprint: Float64Array = NOTHING;
+
+  start(generator: RawGenerator, { params, maxBytes, footprint = NOTHING }: FlatRequest): void {
+    const isOther = footprint.length !== this.#footprint.length || footprint.some((value, k) => value !== this.#footprint[k]);
+    if (isOther) generator.set_footprint(footprint);
+    this.#footprint = footprint;
+    generator.start(params, maxBytes);
+  }
 }
 
 /** The buffers of a finished run; each is a copy that belongs to JavaScript. */
@@ -79,3 +93,9 @@ export function buffersOf(field: Field): ArrayBuffer[] {
   ];
   return [...new Set(arrays.map((array) => array.buffer as ArrayBuffer))];
 }
+
+/** For the worker's loops. */
+export const FIELD_LOOPS: LoopCraft<GeneratorModule, FlatRequest, Field, StageName> = {
+  open: ({ Generator }) => fieldSession(new Generator()),
+  pack: (field) => ({ result: field, transfer: buffersOf(field) }),
+};

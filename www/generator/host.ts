@@ -6,18 +6,21 @@
  */
 
 import { errorInfo } from '../errors.ts';
-import { RunLoop } from './loop.ts';
-import type { FromWorker, ToWorker } from './protocol.ts';
-import type { GeneratorModule } from './wasm.ts';
+import type { RunLoop } from './loop.ts';
+import type { FromLoop, FromWorker, ToWorker } from './protocol.ts';
 
 type Post = (message: FromWorker, transfer?: Transferable[]) => void;
 
-export class LoopHost {
-  #post: Post;
-  #module: Promise<GeneratorModule>;
-  #loops = new Map<number, RunLoop>();
+type AnyLoop<Flat> = Pick<RunLoop<never, Flat, never, never>, 'receive' | 'close'>;
 
-  constructor(load: () => Promise<GeneratorModule>, post: Post) {
+export class LoopHost<Module, Flat> {
+  #post: Post;
+  #module: Promise<Module>;
+  #newLoop: (module: Promise<Module>, post: (message: FromLoop, transfer?: Transferable[]) => void) => AnyLoop<Flat>;
+  #loops = new Map<number, AnyLoop<Flat>>();
+
+  constructor(load: () => Promise<Module>, newLoop: (module: Promise<Module>, post: (message: FromLoop, transfer?: Transferable[]) => void) => AnyLoop<Flat>, post: Post) {
+    this.#newLoop = newLoop;
     this.#post = post;
     this.#module = load();
     this.#module.then(
@@ -26,7 +29,7 @@ export class LoopHost {
     );
   }
 
-  receive(message: ToWorker): void {
+  receive(message: ToWorker<Flat>): void {
     switch (message.type) {
       case 'ping':
         this.#post({ type: 'pong' });
@@ -40,10 +43,10 @@ export class LoopHost {
     }
   }
 
-  #loopOf(client: number): RunLoop {
+  #loopOf(client: number): AnyLoop<Flat> {
     let loop = this.#loops.get(client);
     if (!loop) {
-      loop = new RunLoop(this.#module, (message, transfer) => this.#post({ ...message, client }, transfer));
+      loop = this.#newLoop(this.#module, (message, transfer) => this.#post({ ...message, client }, transfer));
       this.#loops.set(client, loop);
     }
     return loop;

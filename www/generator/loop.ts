@@ -3,15 +3,13 @@
  *
  * The newest request wins, but a run that has begun is left alone for a while. Otherwise a drag that sends a request every
  * 16 ms would drop every run before its end and show nothing until the hand rests. The patience doubles with each run that is
- * dropped, so that whatever a field costs, some run of a drag ends; it falls back to its first value when one has ended.
- * A cancelled run has no such protection.
+ * dropped, so that whatever a result costs, some run of a drag ends; it falls back to its first value when one has ended.
+ * A run whose preview has been shown is superseded at once: what follows is nobody's any more. A cancelled run has no protection either.
  */
 
 import { abortError, errorInfo, isCoded } from '../errors.ts';
-import { buffersOf, fieldSession } from './field-session.ts';
-import type { FieldSession } from './field-session.ts';
 import type { FromLoop, Progress, StartMessage, ToLoop } from './protocol.ts';
-import type { GeneratorModule } from './wasm.ts';
+import type { RunOptions } from './session.ts';
 
 /** A superseded run younger than this may end: at 150 ms a drag still feels answered. Chosen by eye. */
 export const PATIENCE_MS = 150;
@@ -22,28 +20,44 @@ export const PROGRESS_AFTER_MS = 200;
 /** Between two reports of one run. */
 const PROGRESS_EVERY_MS = 50;
 
+/** A session, as far as it is used here. */
+interface Runs<Flat, Result, Stage extends string> {
+  readonly broken: boolean;
+  run(request: Flat, options: RunOptions<Result, Stage>): Promise<Result>;
+  free(): void;
+}
+
+/** What is generated, and how it crosses to the page. One for each loop: it may keep something between messages. */
+export interface LoopCraft<Module, Flat, Result, Stage extends string> {
+  open(module: Module): Runs<Flat, Result, Stage>;
+  pack(result: Result): { result: unknown; transfer: Transferable[] };
+}
+
 interface Run {
   id: number;
   begin: number;
   reported: number;
+  isShown: boolean;
   controller: AbortController;
 }
 
-export class RunLoop {
+export class RunLoop<Module extends { fresh_seed(): number }, Flat, Result, Stage extends string> {
   #post: (message: FromLoop, transfer?: Transferable[]) => void;
-  #module: Promise<GeneratorModule>;
-  #session: FieldSession | undefined;
+  #module: Promise<Module>;
+  #craft: LoopCraft<Module, Flat, Result, Stage>;
+  #session: Runs<Flat, Result, Stage> | undefined;
   #running: Run | undefined;
-  #next: StartMessage | undefined;
+  #next: StartMessage<Flat> | undefined;
   #patience = PATIENCE_MS;
   #closed = false;
 
-  constructor(module: Promise<GeneratorModule>, post: (message: FromLoop, transfer?: Transferable[]) => void) {
+  constructor(module: Promise<Module>, craft: LoopCraft<Module, Flat, Result, Stage>, post: (message: FromLoop, transfer?: Transferable[]) => void) {
     this.#module = module;
+    this.#craft = craft;
     this.#post = post;
   }
 
-  receive(message: ToLoop): void {
+  receive(message: ToLoop<Flat>): void {
     switch (message.type) {
       case 'start':
         if (this.#next) this.#post({ type: 'dropped', id: this.#next.id });
@@ -82,22 +96,27 @@ export class RunLoop {
     while (this.#next) {
       const { id, request } = this.#next;
       this.#next = undefined;
-      const run: Run = { id, begin: performance.now(), reported: 0, controller: new AbortController() };
+      const run: Run = { id, begin: performance.now(), reported: 0, isShown: false, controller: new AbortController() };
       this.#running = run;
       try {
         const module = await this.#module;
-        this.#session ??= fieldSession(new module.Generator());
+        this.#session ??= this.#craft.open(module);
         // The time the wasm took to load is not the run's fault.
         run.begin = performance.now();
-        const field = await this.#session.run(request, {
+        const result = await this.#session.run(request, {
           signal: run.controller.signal,
+          onPreview: (preview) => {
+            run.isShown = true;
+            this.#give('preview', id, preview);
+            if (this.#next) this.#losePatience(run);
+          },
           onProgress: (progress) => {
             this.#report(run, progress);
             if (this.#next) this.#losePatience(run);
           },
         });
         this.#patience = PATIENCE_MS;
-        this.#post({ type: 'field', id, field }, buffersOf(field));
+        this.#give('result', id, result);
       } catch (thrown) {
         this.#answerFailure(run, thrown);
       } finally {
@@ -107,20 +126,28 @@ export class RunLoop {
     if (this.#closed) this.#session?.free();
   }
 
+  #give(type: 'preview' | 'result', id: number, made: Result): void {
+    const { result, transfer } = this.#craft.pack(made);
+    this.#post({ type, id, result }, transfer);
+  }
+
   #losePatience(run: Run): void {
-    if (performance.now() - run.begin < this.#patience || run.controller.signal.aborted) return;
-    this.#patience *= 2;
+    if (run.controller.signal.aborted) return;
+    if (!run.isShown) {
+      if (performance.now() - run.begin < this.#patience) return;
+      this.#patience *= 2;
+    }
     run.controller.abort(abortError('superseded'));
   }
 
-  #report(run: Run, progress: Progress): void {
+  #report(run: Run, progress: Progress<Stage>): void {
     const now = performance.now();
     if (now - run.begin < PROGRESS_AFTER_MS || now - run.reported < PROGRESS_EVERY_MS) return;
     run.reported = now;
     this.#post({ type: 'progress', id: run.id, progress });
   }
 
-  #drawSeed(module: GeneratorModule, id: number): void {
+  #drawSeed(module: Module, id: number): void {
     try {
       this.#post({ type: 'seed', id, seed: module.fresh_seed() });
     } catch (thrown) {

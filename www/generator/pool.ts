@@ -78,17 +78,12 @@ function maxWorkers(): number {
 
 const pools = new WeakMap<() => WorkerLike, WorkerPool>();
 
-/** The pool of the workers that `spawn` makes; by default that of the page. */
-export function poolOf(spawn: () => WorkerLike = spawnWorker): WorkerPool {
+/** The pool of the workers that `spawn` makes. */
+export function poolOf(spawn: () => WorkerLike): WorkerPool {
   let pool = pools.get(spawn);
   if (!pool) {
     pool = new WorkerPool(spawn);
     pools.set(spawn, pool);
   }
   return pool;
-}
-
-function spawnWorker(): WorkerLike {
-  // This literal form is the one that bundlers recognise.
-  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }) as WorkerLike;
 }

@@ -9,7 +9,6 @@
  */
 
 import type { ErrorInfo } from '../errors.ts';
-import type { Field } from '../field.ts';
 
 export type StageName = 'sites' | 'cells' | 'selection' | 'shape' | 'mesh';
 
@@ -22,7 +21,7 @@ export interface Progress<Stage extends string = StageName> {
   fraction: number;
 }
 
-/** A field to generate, in the form that crosses every boundary. */
+/** A field of rocks to generate, in the form that crosses every boundary. */
 export interface FlatRequest {
   /** `encodeParams` of the request. */
   params: Float64Array;
@@ -31,18 +30,20 @@ export interface FlatRequest {
   imageHeight: number;
   /** A request whose estimate is above this is refused. */
   maxBytes: number;
+  /** Where something else stands and no rock may grow: six numbers for each triangle, px. */
+  footprint?: Float64Array | undefined;
 }
 
 /**
- * Generate this field; a newer `start` supersedes it.
+ * Generate this; a newer `start` supersedes it.
  *
- * Replies: any number of `progress` (only once the run has taken 200 ms), then exactly one of `field`, `rejected`, `dropped`,
- * `crashed`, `failed`.
+ * Replies: any number of `progress` (only once the run has taken 200 ms), perhaps a `preview`, then exactly one of `result`, `rejected`,
+ * `dropped`, `crashed`, `failed`.
  */
-export interface StartMessage {
+export interface StartMessage<Flat = unknown> {
   type: 'start';
   id: number;
-  request: FlatRequest;
+  request: Flat;
 }
 
 /** Give up run `id`, keeping its finished stages. Replies: `dropped`, or nothing when the run had already been answered. */
@@ -68,11 +69,11 @@ export interface PingMessage {
 }
 
 /** What one client asks for. */
-export type ToLoop = StartMessage | CancelMessage | SeedMessage;
+export type ToLoop<Flat = unknown> = StartMessage<Flat> | CancelMessage | SeedMessage;
 
 export type Addressed<Message> = Message & { client: number };
 
-export type ToWorker = Addressed<ToLoop | CloseMessage> | PingMessage;
+export type ToWorker<Flat = unknown> = Addressed<ToLoop<Flat> | CloseMessage> | PingMessage;
 
 /** The wasm is compiled: from now on silence means something. */
 export interface ReadyMessage {
@@ -85,17 +86,24 @@ export interface FailedMessage {
   error: ErrorInfo;
 }
 
-export interface ProgressMessage {
+export interface ProgressMessage<Stage extends string = string> {
   type: 'progress';
   id: number;
-  progress: Progress;
+  progress: Progress<Stage>;
 }
 
-/** The run is finished. All buffers are transferred. */
-export interface FieldMessage {
-  type: 'field';
+/** The run is finished. Its buffers are transferred. */
+export interface ResultMessage<Result = unknown> {
+  type: 'result';
   id: number;
-  field: Field;
+  result: Result;
+}
+
+/** There is something to show, and the run goes on. */
+export interface PreviewMessage<Result = unknown> {
+  type: 'preview';
+  id: number;
+  result: Result;
 }
 
 /** The request was refused before anything changed. */
@@ -129,6 +137,6 @@ export interface PongMessage {
 }
 
 /** What one client is told. */
-export type FromLoop = ProgressMessage | FieldMessage | RejectedMessage | DroppedMessage | CrashedMessage | SeedReply;
+export type FromLoop<Result = unknown, Stage extends string = string> = ProgressMessage<Stage> | ResultMessage<Result> | PreviewMessage<Result> | RejectedMessage | DroppedMessage | CrashedMessage | SeedReply;
 
-export type FromWorker = Addressed<FromLoop> | ReadyMessage | FailedMessage | PongMessage;
+export type FromWorker<Result = unknown, Stage extends string = string> = Addressed<FromLoop<Result, Stage>> | ReadyMessage | FailedMessage | PongMessage;

@@ -3,6 +3,7 @@
 import type { WoodEarColony, WoodEarLog } from '../colony.ts';
 import { RockFieldError } from '../errors.ts';
 import type { FlatColony, LogMesh } from '../wood-ear-flat.ts';
+import type { LoopCraft } from './loop.ts';
 import { Session } from './session.ts';
 import type { Craft, RawSteps, Times } from './session.ts';
 
@@ -42,6 +43,23 @@ const STAGES: readonly WoodEarStage[] = ['log', 'spawn', 'deform', 'collide', 'm
 
 export function woodEarSession(generator: RawWoodEarGenerator): Session<RawWoodEarGenerator, FlatColony, WoodEarColony, WoodEarStage> {
   return new Session(generator, new WoodEars());
+}
+
+/** A colony as it crosses to the page: `log` is null where it is the one that crossed before. */
+export type PackedColony = Omit<WoodEarColony, 'log'> & { log: WoodEarLog | null };
+
+/** For the worker's loop of one client: what has crossed stays here too, so that the next colony can be told to be on the same log. */
+export function woodEarLoop(): LoopCraft<WoodEarModule, FlatColony, WoodEarColony, WoodEarStage> {
+  let crossed: WoodEarLog | undefined;
+  return {
+    open: ({ WoodEarGenerator }) => woodEarSession(new WoodEarGenerator()),
+    pack: ({ log, ...colony }) => {
+      const result: PackedColony = { ...colony, log: log === crossed ? null : log };
+      crossed = log;
+      const { positions, normals, indices, individualStarts, vertexStarts, foot, size, base, bases } = colony;
+      return { result, transfer: [positions, normals, indices, individualStarts, vertexStarts, foot, size, base, bases].map(({ buffer }) => buffer as ArrayBuffer) };
+    },
+  };
 }
 
 class WoodEars implements Craft<RawWoodEarGenerator, FlatColony, WoodEarColony, WoodEarStage> {
