@@ -7,7 +7,19 @@ import { root } from './env.mjs';
 export const panelApart = {
   name: 'panel-apart',
   setup(build) {
-    build.onResolve({ filter: /\/panel\.ts$/ }, ({ kind }) => (kind === 'dynamic-import' ? { path: './panel.js', external: true } : undefined));
+    build.onResolve({ filter: /\/(wood-ear-)?panel\.ts$/ }, ({ kind, path: file }) => (kind === 'dynamic-import' ? { path: file.replace(/^.*\/(.*)\.ts$/, './$1.js'), external: true } : undefined));
+  },
+};
+
+/** So small, and without a state, that a copy for whoever imports them weighs less than a chunk of their own. */
+const TINY = /\/(filled|limits|budget)\.ts$/;
+
+let copies = 0;
+
+export const tinyCopied = {
+  name: 'tiny-copied',
+  setup(build) {
+    build.onResolve({ filter: TINY }, ({ path: file, resolveDir }) => ({ path: path.join(resolveDir, file), suffix: `?${(copies += 1)}` }));
   },
 };
 
@@ -15,7 +27,7 @@ export const panelApart = {
 export const panelByAddress = {
   name: 'panel-by-address',
   setup(build) {
-    build.onResolve({ filter: /\/load-panel\.ts$/ }, ({ resolveDir }) => ({ path: path.join(resolveDir, 'load-panel.cdn.ts') }));
+    build.onResolve({ filter: /\/load-(wood-ear-)?panel\.ts$/ }, ({ path: file, resolveDir }) => ({ path: path.join(resolveDir, file.replace(/\.ts$/, '.cdn.ts')) }));
   },
 };
 

@@ -6,32 +6,42 @@ import * as esbuild from 'esbuild';
 import { writeDocs } from './docs.mjs';
 import { dist, hashOf, pkg, root } from './env.mjs';
 import { Failure, step } from './run.mjs';
-import { panelApart, panelByAddress, sheetsAsText } from './web-plugins.mjs';
+import { panelApart, panelByAddress, sheetsAsText, tinyCopied } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
 
 /** What the browser build put where, for the size check and the dependency check. */
 export const metafile = path.join(pkg, 'web.meta.json');
 
 // dist/ is flat: `new URL('./worker.js', import.meta.url)` then means the same file from whichever chunk the code landed in.
-const BROWSER_ENTRIES = ['www/main.ts', 'www/rock-field.ts', 'www/element.ts', 'www/core.ts', 'www/styles/page.css'];
+const BROWSER_ENTRIES = ['www/main.ts', 'www/wood-ear.ts', 'www/rock-field.ts', 'www/element.ts', 'www/wood-ear-log.ts', 'www/core.ts', 'www/styles/page.css'];
 const NODE_ENTRIES = ['www/core.node.ts'];
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
-const CDN = { entryPoints: { cdn: 'www/rock-field.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser', plugins: [panelByAddress] };
+const CDN = { entryPoints: { cdn: 'www/rock-field.ts', 'wood-ear-cdn': 'www/wood-ear-log.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser', plugins: [panelByAddress] };
 // In one file: it shares little with the pages that start it, and what it shares would be cut out of their files.
-const WORKERS = ['www/generator/worker.ts'];
+const WORKERS = ['www/generator/worker.ts', 'www/generator/wood-ear-worker.ts'];
 // What an element with `controls` loads when its panel is opened. In one file: what it shares with the element is little, and would
 // be cut out of the element's file, which everybody loads.
-const PANEL = 'www/panel.ts';
+const PANELS = ['www/panel.ts', 'www/wood-ear-panel.ts'];
 // The documentation is a guest of the package like any other: it loads rock-field.js and shares no chunk with the page.
 const DOCS = { entryPoints: ['www/docs/docs.ts', 'www/styles/docs.css'], entryNames: '[name]', platform: 'browser' };
 const SERVICE_WORKER = 'www/service-worker.ts';
 const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg'];
 const PAGE = 'index.html';
+/** The pages that are made of it, each with its script and what it says of itself where that is not the first's. */
+const PAGES = [
+  { name: PAGE, script: 'www/main.ts' },
+  {
+    name: 'wood-ear.html',
+    script: 'www/wood-ear.ts',
+    title: 'rock-field – wood ears on a fallen log',
+    description: 'A colony of wood-ear fungus on a fallen log, grown in the browser from one seed. Place it, let it dry, wrinkle and curl, share the link.',
+  },
+];
 
 // What a visit needs beside its scripts. Of the two renderers it needs one: that is kept when the page has used it.
 const ALWAYS_NEEDED = ['page.css', 'generator_bg.wasm', ...COPIED.map((file) => path.basename(file))];
 
-const common = { absWorkingDir: root, bundle: true, minify: true, format: 'esm', target: 'es2022', sourcemap: true, legalComments: 'none', logLevel: 'warning' };
+const common = { absWorkingDir: root, bundle: true, minify: true, format: 'esm', target: 'es2022', sourcemap: true, legalComments: 'none', logLevel: 'warning', external: ['node:*'] };
 
 export async function buildWeb() {
   requireFiles();
@@ -49,10 +59,10 @@ export async function buildWeb() {
       splitting: true,
       metafile: true,
       platform: 'browser',
-      plugins: [panelApart],
+      plugins: [panelApart, tinyCopied],
     });
     const workers = await bundle({ entryPoints: WORKERS, outdir: staging, entryNames: '[name]', metafile: true, platform: 'browser' });
-    const panel = await bundle({ entryPoints: [PANEL], outdir: staging, entryNames: '[name]', metafile: true, platform: 'browser', plugins: [sheetsAsText] });
+    const panel = await bundle({ entryPoints: PANELS, outdir: staging, entryNames: '[name]', metafile: true, platform: 'browser', plugins: [sheetsAsText] });
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node' });
     await bundle({ ...CDN, outdir: staging });
     for (const { feature } of artefacts) copyFileSync(path.join(pkg, `${feature}_bg.wasm`), path.join(staging, `${feature}_bg.wasm`));
@@ -76,7 +86,7 @@ export async function bundle(options) {
 }
 
 function requireFiles() {
-  const files = [...BROWSER_ENTRIES, ...WORKERS, ...NODE_ENTRIES, ...CDN.inject, PANEL, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
+  const files = [...BROWSER_ENTRIES, ...WORKERS, ...NODE_ENTRIES, ...CDN.inject, ...PANELS, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
   const missing = files.filter((file) => !existsSync(path.join(root, file)));
   if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
 }
@@ -91,10 +101,16 @@ async function finish(staging, meta) {
   const page = readFileSync(path.join(root, PAGE), 'utf8');
   if (!page.includes('</head>')) throw new Failure(`${PAGE} has no </head> to put the build's id before`);
   const build = hashOf(page, JSON.stringify(files)).slice(0, 16);
-  // The chunks are asked for with the page, not one import after the other.
-  const preloads = scriptsOf(meta, 'main.js').map((name) => `<link rel="modulepreload" href="./${name}">`);
-  const added = [`<meta name="rock-field-build" content="${build}">`, ...preloads].map((line) => `  ${line}\n  `).join('');
-  writeFileSync(path.join(staging, PAGE), page.replace('</head>', `${added}</head>`));
+  for (const { name, script, title, description } of PAGES) {
+    const entry = `${path.basename(script, '.ts')}.js`;
+    // The chunks are asked for with the page, not one import after the other.
+    const preloads = scriptsOf(meta, entry).map((chunk) => `<link rel="modulepreload" href="./${chunk}">`);
+    const added = [`<meta name="rock-field-build" content="${build}">`, ...preloads].map((line) => `  ${line}\n  `).join('');
+    let written = page.replace('src="main.js"', `src="${entry}"`).replace('</head>', `${added}</head>`);
+    if (title) written = written.replace(/(?<=<title>)[^<]*/, title);
+    if (description) written = written.replace(/(?<=<meta name="description" content=")[^"]*/, description);
+    writeFileSync(path.join(staging, name), written);
+  }
   const scripts = ['main.js', 'worker.js'].flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
   const precache = [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...ALWAYS_NEEDED])];
   await bundle({
@@ -118,7 +134,7 @@ export function scriptsOf(meta, entry, { dynamic = false } = {}) {
 
 /** Chunks that no entry of the package asks for: `files` in package.json cannot tell them from the others. */
 function pageAlone(meta) {
-  const entries = [...BROWSER_ENTRIES.filter((file) => file.endsWith('.ts') && file !== 'www/main.ts'), PANEL];
+  const entries = [...BROWSER_ENTRIES.filter((file) => file.endsWith('.ts') && !PAGES.some(({ script }) => script === file)), ...PANELS];
   const asked = entries.flatMap((file) => scriptsOf(meta, `${path.basename(file, '.ts')}.js`, { dynamic: true }));
   const chunks = Object.keys(meta.outputs).map((name) => path.basename(name)).filter((name) => name.startsWith('chunk-') && name.endsWith('.js'));
   return chunks.filter((name) => !asked.includes(name));

@@ -6,6 +6,7 @@ import { loadLater } from './controls/load-later.ts';
 import { loadPreferences } from './controls/preferences.ts';
 import { Store } from './controls/store.ts';
 import { openPage } from './page.ts';
+import { loadJapanese } from './strings.ts';
 import { decodeLink, encodeLink } from './url-codec.ts';
 import type { PresetName } from './params.ts';
 import type { DecodedLink } from './url-codec.ts';
@@ -17,10 +18,14 @@ function readLink(text: string): DecodedLink {
   return decodeLink(text || `#preset=${OPENING}`);
 }
 
+const preferences = loadPreferences();
+// In one language from the first picture on.
+if (preferences.language === 'ja') await loadJapanese();
+
 const element = document.createElement('rock-field');
 
 openPage({
-  store: new Store(readLink(location.search + location.hash), loadPreferences()),
+  store: new Store(readLink(location.search + location.hash), preferences),
   element,
   panel: new ControlPanel(),
   readLink,

@@ -25,11 +25,13 @@ export interface Page<K extends Kind> {
   encode: (state: SceneLink<K>) => string;
   /** What the element shows. */
   shown: () => K['result'] | null;
+  /** Of the scene's own panel. */
+  actions?: object;
   /** Other parameters by lot. */
   random: (params: K['params'], seed: number) => Promise<K['params']>;
 }
 
-export function openPage<K extends Kind>({ store, element, panel, readLink, encode, shown, random }: Page<K>): void {
+export function openPage<K extends Kind>({ store, element, panel, readLink, encode, shown, random, actions: own = {} }: Page<K>): void {
   const stage = found('.stage');
 
   // The element follows the store …
@@ -168,7 +170,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   panel.id = 'controls';
   panel.setAttribute('role', 'region');
   panel.tabIndex = -1;
-  Object.assign(panel, { store, actions });
+  Object.assign(panel, { store, actions: { ...actions, ...own } });
 
   const overlay = document.createElement('stage-overlay');
   Object.assign(overlay, { store, actions: { cancel, frameAll: () => element.frameAll(), toggleFullScreen: () => void toggleFullScreen() } });

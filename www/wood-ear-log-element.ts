@@ -30,8 +30,8 @@ type Vector = [number, number, number];
 export interface WoodEarLogEventMap extends SceneEventMap<WoodEarStage> {
   /** A colony is on screen. `superseded`: a newer one is on its way; `isPreview`: the same follows when its wood ears have made room for each other. */
   generate: CustomEvent<{ stats: WoodEarStats; colony: WoodEarColony; field: Field; superseded: boolean; isPreview: boolean }>;
-  /** The user placed, moved or removed a base, or brought another log. */
-  change: CustomEvent<{ params: WoodEarSceneParams }>;
+  /** The user placed, moved or removed a base, or brought another log; `held`: the hand has not let go. */
+  change: CustomEvent<{ params: WoodEarSceneParams; held: boolean }>;
 }
 
 const SCENE: Scene<WoodEars> = {
@@ -79,7 +79,7 @@ const AROUND = { share: 0.15, cm: 6 };
 export class WoodEarLogElement extends GeneratorElement<WoodEars> {
   static readonly observedAttributes: readonly string[] = [...observedAttributes(SCENE), 'editable'];
 
-  #scene: WoodEarScene | null = null;
+  #shown: WoodEarScene | null = null;
   #wood: Wood | null = null;
   #handles: BaseHandles | undefined;
   #listening: AbortController | undefined;
@@ -117,9 +117,14 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     this.toggleAttribute('editable', Boolean(editable));
   }
 
+  /** All that is shown: the colony, the rocks around it, and where the log lies on them. Not to be changed. */
+  get scene(): WoodEarScene | null {
+    return this.#shown;
+  }
+
   /** What is shown, the newest finished result. Not to be changed. */
   get colony(): WoodEarColony | null {
-    return this.#scene?.colony ?? null;
+    return this.#shown?.colony ?? null;
   }
 
   /** The colony of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */
@@ -144,7 +149,7 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     const { colony, ground, place } = scene;
     const wood: Wood = { colony, rings: scene.rings, meridians: scene.meridians, place };
     if (!this.showField(ground, wood)) return false;
-    this.#scene = scene;
+    this.#shown = scene;
     this.#wood = wood;
     return true;
   }
@@ -189,15 +194,22 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     const [file] = event.dataTransfer?.files ?? [];
     if (!this.editable || !file) return;
     event.preventDefault();
-    this.loadLog(file).catch((thrown: unknown) => {
+    void this.openLog(file);
+  }
+
+  /** As `loadLog`; what is wrong is an `error` event. */
+  async openLog(file: File): Promise<void> {
+    try {
+      await this.loadLog(file);
+    } catch (thrown) {
       if (!isAbort(thrown)) this.report(errorInfo(thrown));
-    });
+    }
   }
 
   /** The user's doing: whoever keeps the parameters is told. */
   #change(params: WoodEarSceneParams): void {
     this.params = params;
-    this.emit('change', { params: this.params });
+    this.emit('change', { params: this.params, held: this.#isHeld });
     this.invalidate();
   }
 
@@ -221,14 +233,14 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
       bases: () => {
         const [px, py, pz, scale] = this.#wood?.place ?? [0, 0, 0, 1];
         // Where they are on the log; those that have just been moved are not there yet.
-        const snapped = this.#scene?.colony.bases ?? [];
+        const snapped = this.#shown?.colony.bases ?? [];
         return this.params.bases.map(({ position }, k) => {
           const [x, y, z] = this.#isHeld || snapped.length !== 3 * this.params.bases.length ? position : (Array.from(snapped.slice(3 * k, 3 * k + 3)) as Vector);
           return [px + scale * x, py + scale * y, pz + scale * z];
         });
       },
       surface: (ray) => {
-        const { colony } = this.#scene ?? {};
+        const { colony } = this.#shown ?? {};
         if (!colony) return null;
         const scale = this.#wood?.place[3] ?? 1;
         const hit = firstHit({ from: at(ray.from), along: ray.along.map((value) => value / scale) as Vector }, colony.log.positions, colony.log.indices);
@@ -240,6 +252,7 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
       hold: (isHeld) => {
         this.#isHeld = isHeld;
         this.hold(isHeld);
+        if (!isHeld) this.emit('change', { params: this.params, held: false });
         this.invalidate();
       },
     };

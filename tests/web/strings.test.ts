@@ -4,28 +4,42 @@ import { test } from 'node:test';
 import { LAYER_ROWS } from '../../www/params-flat.ts';
 import { PARAM_DOCS } from '../../www/param-docs.gen.ts';
 import { PARAMS, PRESETS } from '../../www/params.ts';
+import { WOOD_EAR_DOCS } from '../../www/wood-ear-docs.gen.ts';
+import { WOOD_EAR_PARAMS } from '../../www/wood-ear.gen.ts';
 import { japaneseNotice } from '../../www/notices.ja.ts';
 import { noticeText } from '../../www/notices.ts';
 import { LATER, errorText, presetLabel } from '../../www/strings-later.ts';
-import { LANGUAGES, STRINGS, pickLanguage, presetName, translate } from '../../www/strings.ts';
+import { STRINGS_JA } from '../../www/strings.ja.ts';
+import { LANGUAGES, STRINGS, loadJapanese, pickLanguage, presetName, translate } from '../../www/strings.ts';
+import type { StringKey } from '../../www/strings.ts';
+import { WOOD_EAR_STRINGS } from '../../www/strings-wood-ear.ts';
+import type { Words } from '../../www/params.ts';
 import { decodeLink } from '../../www/url-codec.ts';
 
 const slots = (text: string) => [...text.matchAll(/\{\w+\}/g)].map(([slot]) => slot).sort();
 
 test('every string exists in both languages, with the same slots', () => {
-  for (const [key, words] of Object.entries({ ...STRINGS, ...LATER })) {
+  const catalogue = Object.entries(STRINGS).map(([key, en]): [string, Words] => [key, { en, ja: STRINGS_JA[key as StringKey] }]);
+  for (const [key, words] of [...catalogue, ...Object.entries({ ...LATER, ...WOOD_EAR_STRINGS })]) {
     for (const language of LANGUAGES) assert.ok(words[language].trim(), `${key} ${language}`);
     assert.deepEqual(slots(words.ja), slots(words.en), key);
   }
 });
 
 test('every parameter has a label and a sentence in both languages', () => {
-  for (const spec of PARAMS) {
-    for (const language of LANGUAGES) assert.ok(spec.label[language] && PARAM_DOCS[spec.url]?.[language], spec.url);
+  for (const [rows, docs] of [[PARAMS, PARAM_DOCS], [WOOD_EAR_PARAMS, WOOD_EAR_DOCS]] as const) {
+    for (const spec of rows) for (const language of LANGUAGES) assert.ok(spec.label[language] && docs[spec.url]?.[language], spec.url);
   }
 });
 
-test('slots are filled, and no slot is left open', () => {
+test('what is not there in Japanese yet is English', async () => {
+  assert.equal(translate('ja', 'layer', { n: 3 }), 'Layer 3');
+  await loadJapanese();
+  assert.equal(translate('ja', 'layer', { n: 3 }), '層 3');
+});
+
+test('slots are filled, and no slot is left open', async () => {
+  await loadJapanese();
   assert.equal(translate('en', 'layer', { n: 3 }), 'Layer 3');
   assert.equal(translate('ja', 'layer', { n: 3 }), '層 3');
   const links = ['#v=2', '#preset=x', '#u=x', '#w=x', '#w=0', '#seed=1&seed=2', '#r=1&a=1,2', '#r=1,1,1,1,1,1,1,1,1', '#id=1,1,1', '#camera=x', '#zzz=1', `#${'x'.repeat(2e5)}`];

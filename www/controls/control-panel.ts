@@ -42,7 +42,7 @@ export class ControlPanel extends ScenePanel<Rocks> {
 
   protected override sections(): TemplateResult {
     const ground = this.store.table.rows.filter(({ stage, key }) => stage !== 'look' && key !== 'seed');
-    return html`${this.look()} ${this.#layers()} ${this.section('ground', ground)}`;
+    return html`${this.look()} ${this.#layers()} ${this.section(this.store.text('ground'), ground)}`;
   }
 
   protected override figures(): TemplateResult | undefined {

@@ -24,6 +24,8 @@ const BELOW_FROM = 480;
 export interface PanelParts<K extends Kind> {
   newStore: (link: OpenedLink<K>, preferences: Preferences, history: History<Edition<K>>) => SceneStore<K>;
   panel: ScenePanel<K>;
+  /** Of the scene's own panel. */
+  actions?: object;
   /** An address that the classic scripts lie beside, where one is known. */
   script: string | null;
 }
@@ -41,7 +43,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
   readonly #listening = new AbortController();
   readonly #size = new ResizeObserver(([entry]) => entry && this.#layOut(entry.contentRect));
 
-  constructor(owner: PanelOwner<K>, close: () => void, { newStore, panel, script }: PanelParts<K>) {
+  constructor(owner: PanelOwner<K>, close: () => void, { newStore, panel, script, actions = {} }: PanelParts<K>) {
     const { element, root } = owner;
     this.#owner = owner;
     this.#element = element;
@@ -56,7 +58,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     this.#store.setBackend(backend);
     this.#store.subscribe((change) => this.#follow(change));
     this.#listen();
-    const inner = this.#build(this.#actions(script));
+    const inner = this.#build({ ...this.#actions(script), ...actions });
     root.adoptedStyleSheets.push(layoutStyles());
     root.append(this.#host);
     this.#listenToKeys(inner);

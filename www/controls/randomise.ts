@@ -1,6 +1,7 @@
 /** Fields worth looking at, drawn by lot: one to four sizes of rock, the largest few and tall, the smallest many. */
 
 import { clampParams, defaultLayer, defaultParams } from '../params-flat.ts';
+import { mulberry32 } from './mulberry32.ts';
 import type { Layer, Params, Triple } from '../params.ts';
 
 /** Side of the image that the sizes below are meant for, px; other images scale them, so the number of rocks stays bounded. */
@@ -44,15 +45,4 @@ export function randomParams(params: Params, seed: number): Params {
 
 function rounded(value: number): number {
   return Number(value.toPrecision(2)) + 0;
-}
-
-/** Tommy Ettinger's mulberry32: small, good enough for a lot, and no part of what a field's seed promises. */
-function mulberry32(seed: number): () => number {
-  let state = seed >>> 0;
-  return () => {
-    state = (state + 0x6d2b79f5) >>> 0;
-    let mixed = Math.imul(state ^ (state >>> 15), state | 1);
-    mixed ^= mixed + Math.imul(mixed ^ (mixed >>> 7), mixed | 61);
-    return ((mixed ^ (mixed >>> 14)) >>> 0) / 2 ** 32;
-  };
 }

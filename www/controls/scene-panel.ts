@@ -202,13 +202,13 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     const { store } = this;
     const isNatural = store.color === 'natural';
     const rows = store.table.rows.filter(({ stage, key }) => stage === 'look' && (isNatural || key.startsWith('sun')));
-    return this.section('look', rows, isNatural);
+    return this.section(store.text('look'), rows, isNatural);
   }
 
-  protected section(heading: StringKey, rows: readonly Row[], isOpen = true): TemplateResult {
+  protected section(heading: string, rows: readonly Row[], isOpen = true): TemplateResult {
     return html`
       <details class="section" ?open=${isOpen}>
-        <summary><h2>${this.store.text(heading)}</h2>${icon('down')}</summary>
+        <summary><h2>${heading}</h2>${icon('down')}</summary>
         ${rows.map((row) => paramControl(this.store, row, null))}
       </details>
     `;

@@ -2,7 +2,7 @@
 
 import { History } from '../history.ts';
 import { isMade, presetColor, same } from '../table.ts';
-import { translate } from '../strings.ts';
+import { loadJapanese, translate } from '../strings.ts';
 import { loadLater } from './load-later.ts';
 import type { Later } from './load-later.ts';
 import type { ErrorInfo } from '../errors.ts';
@@ -49,7 +49,7 @@ const MAX_SEED = 0xffff_ffff;
 
 export abstract class SceneStore<K extends Kind> {
   readonly table: Table<K>;
-  language: Language;
+  #language: Language = 'en';
   theme: Theme;
   view: View;
   /** `null`: the preset's own. */
@@ -79,6 +79,15 @@ export abstract class SceneStore<K extends Kind> {
     this.language = preferences.language;
     this.theme = preferences.theme;
     this.messages = this.#messagesOf(notices);
+  }
+
+  get language(): Language {
+    return this.#language;
+  }
+
+  set language(language: Language) {
+    this.#language = language;
+    if (language === 'ja') void loadJapanese().then(() => this.notify('preferences'));
   }
 
   get params(): K['params'] {
@@ -123,6 +132,8 @@ export abstract class SceneStore<K extends Kind> {
 
   /** What is known of the result, in a line. */
   abstract summary(): string;
+
+  abstract stageName(stage: K['stage']): string;
 
   /** Keys of errors about the list of items, not about one parameter. */
   get listKeys(): readonly string[] {

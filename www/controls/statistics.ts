@@ -3,14 +3,12 @@
 import { html, nothing } from 'lit';
 import { STAGES } from '../generator/protocol.ts';
 import { later } from '../strings-later.ts';
+import { BACKENDS } from './backends.ts';
 import { mathText } from './parts.ts';
 import { percent } from './summary.ts';
 import type { TemplateResult } from 'lit';
 import type { FieldLayer } from '../field.ts';
-import type { Backend } from '../renderer/renderer.ts';
 import type { Store } from './store.ts';
-
-const BACKENDS: Record<Backend, string> = { webgpu: 'WebGPU', webgl: 'WebGL2', canvas2d: 'Canvas 2D', null: '–' };
 
 export function statistics(store: Store): TemplateResult {
   const { field, language } = store;

@@ -5,7 +5,6 @@ import { icon } from './icons.ts';
 import { iconButton } from './parts.ts';
 import { percent } from './summary.ts';
 import type { TemplateResult } from 'lit';
-import type { StringKey } from '../strings.ts';
 import type { Kind } from '../table.ts';
 import type { SceneStore } from './scene-store.ts';
 
@@ -27,7 +26,7 @@ export function progressLine<K extends Kind>(store: SceneStore<K>, cancel: () =>
   const { progress } = store;
   if (!progress) return nothing;
   const share = percent(store, progress.fraction).replace(/[.,]\d/, '');
-  const label = store.text('working', { stage: store.text(`stage-${progress.stage}` as StringKey), percent: share });
+  const label = store.text('working', { stage: store.stageName(progress.stage), percent: share });
   return html`
     <div class="progress">
       <progress max="1" .value=${progress.fraction} aria-label=${label}></progress>

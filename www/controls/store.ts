@@ -5,6 +5,7 @@ import { loadLater } from './load-later.ts';
 import { SceneStore } from './scene-store.ts';
 import { summary } from './summary.ts';
 import type { Field } from '../field.ts';
+import type { StageName } from '../generator/protocol.ts';
 import type { History } from '../history.ts';
 import type { Notation } from '../params.ts';
 import type { Rocks } from '../rocks.ts';
@@ -22,6 +23,10 @@ export class Store extends SceneStore<Rocks> {
 
   override summary(): string {
     return summary(this);
+  }
+
+  override stageName(stage: StageName): string {
+    return this.text(`stage-${stage}`);
   }
 
   override get listKeys(): readonly string[] {

@@ -1,0 +1,62 @@
+/** The store of a colony of wood ears: with bases, a log, and what that lies on. */
+
+import { woodEarText } from '../strings-wood-ear.ts';
+import { groundOf, WOOD_EARS } from '../wood-ears.ts';
+import { SceneStore } from './scene-store.ts';
+import type { WoodEarStage } from '../generator/wood-ear-session.ts';
+import type { History } from '../history.ts';
+import type { PresetName } from '../params.ts';
+import type { WoodEarPresetName } from '../wood-ear-flat.ts';
+import type { WoodEars } from '../wood-ears.ts';
+import type { Edition, OpenedLink, Preferences } from './scene-store.ts';
+
+export class WoodEarStore extends SceneStore<WoodEars> {
+  constructor(link: OpenedLink<WoodEars>, preferences: Preferences, history?: History<Edition<WoodEars>>) {
+    super(WOOD_EARS, link, preferences, history);
+  }
+
+  override summary(): string {
+    const { result, language } = this;
+    if (!result) return this.text('notYet');
+    const { individuals, triangles, crossingPairs } = result.colony.stats;
+    const number = (value: number) => value.toLocaleString(language);
+    return woodEarText(language, 'summary', {
+      ears: woodEarText(language, individuals === 1 ? 'oneEar' : 'ears', { n: number(individuals) }),
+      triangles: number(triangles),
+      crossing: number(crossingPairs),
+    });
+  }
+
+  override stageName(stage: WoodEarStage): string {
+    return woodEarText(this.language, `stage-${stage}`);
+  }
+
+  override get listKeys(): readonly string[] {
+    return ['bases', 'log'];
+  }
+
+  /** A log from a file stays, and what the log lies on where somebody chose it. */
+  override choosePreset(preset: WoodEarPresetName): void {
+    const { seed, ground, mesh } = this.params;
+    const isChosen = ground !== this.table.presetParams(this.preset).ground;
+    const params = this.table.presetParams(preset);
+    this.edit({ ...params, seed, mesh, ground: isChosen ? ground : params.ground }, '', preset);
+  }
+
+  addBase(): void {
+    const { bases } = this.params;
+    this.setItems([...bases, this.table.newItem(bases.length, this.params)]);
+  }
+
+  setGround(ground: string): void {
+    this.edit({ ...this.params, ground });
+  }
+
+  chooseGround(preset: PresetName | '', seed = 0): void {
+    this.setGround(preset === '' ? '' : groundOf(preset, seed));
+  }
+
+  removeMesh(): void {
+    this.edit({ ...this.params, mesh: null });
+  }
+}

@@ -1,0 +1,58 @@
+/** The page of wood ears. */
+
+import './wood-ear-log.ts';
+import { loadPreferences } from './controls/preferences.ts';
+import { WoodEarPanel } from './controls/wood-ear-controls.ts';
+import { WoodEarStore } from './controls/wood-ear-store.ts';
+import { errorInfo, isAbort } from './errors.ts';
+import { openPage } from './page.ts';
+import { loadJapanese } from './strings.ts';
+import { same } from './table.ts';
+import { decodeWoodEarLink, encodeWoodEarLink } from './wood-ear-link.ts';
+import { WOOD_EARS } from './wood-ears.ts';
+import type { OpenedLink } from './controls/scene-store.ts';
+import type { WoodEarPresetName } from './wood-ear-flat.ts';
+import type { WoodEarLogEventMap } from './wood-ear-log-element.ts';
+import type { WoodEars } from './wood-ears.ts';
+
+/** What the page shows where no link says anything. */
+const OPENING: WoodEarPresetName = 'fallen-log';
+
+function readLink(text: string): OpenedLink<WoodEars> {
+  return decodeWoodEarLink(text || `#preset=${OPENING}`);
+}
+
+const preferences = loadPreferences();
+// In one language from the first picture on.
+if (preferences.language === 'ja') await loadJapanese();
+
+const element = document.createElement('wood-ear-log');
+const store = new WoodEarStore(readLink(location.search + location.hash), preferences);
+
+function loadLog(file: File): void {
+  element.loadLog(file).catch((thrown: unknown) => {
+    if (!isAbort(thrown)) void store.fail(errorInfo(thrown));
+  });
+}
+
+openPage({
+  store,
+  element,
+  panel: new WoodEarPanel(),
+  readLink,
+  encode: encodeWoodEarLink,
+  shown: () => element.scene,
+  random: async (params, seed) => (await import('./controls/randomise-wood-ears.ts')).randomWoodEars(params, seed),
+  actions: { loadLog, rocksPage: './' },
+});
+
+// What the user does on the picture is the store's to know.
+let wasHeld = false;
+element.addEventListener('change', (event) => {
+  const { params, held } = (event as WoodEarLogEventMap['change']).detail;
+  if (held && !wasHeld) store.hold();
+  if (!same(WOOD_EARS, params, store.params)) store.edit(params, 'bases');
+  if (!held && wasHeld) store.release();
+  wasHeld = held;
+});
+element.editable = true;
