@@ -7,7 +7,7 @@ import { woodEarPresetName, woodEarText } from '../strings-wood-ear.ts';
 import { decodeLink } from '../url-codec.ts';
 import { BASE_ROWS, LOG_ROWS } from '../wood-ear-flat.ts';
 import { icon } from './icons.ts';
-import { paramControl } from './param-control.ts';
+import { paramControl, problemOf } from './param-control.ts';
 import { description, iconButton, menu, segments } from './parts.ts';
 import { register, ScenePanel } from './scene-panel.ts';
 import { woodEarStatistics } from './wood-ear-statistics.ts';
@@ -26,7 +26,6 @@ import type { WoodEarStore } from './wood-ear-store.ts';
 /** The thesis's sliders, which everybody begins with. */
 const SLIDERS: readonly string[] = ['density', 'range', 'moisture', 'wrinkles', 'size', 'sizeSpread'];
 const RANGE = BASE_ROWS[3] as Row;
-const OWN = 'own';
 
 export interface WoodEarActions extends Actions<WoodEars> {
   /** Shows a log from a file. */
@@ -38,6 +37,7 @@ export interface WoodEarActions extends Actions<WoodEars> {
 export class WoodEarPanel extends ScenePanel<WoodEars> {
   declare store: WoodEarStore;
   declare actions: WoodEarActions;
+  readonly #openBases = new Set<number>();
 
   protected override words(key: 'presetHelp' | 'shareHelp' | 'embedHelp'): string {
     return this.#t(key);
@@ -97,27 +97,42 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
   #base(base: WoodEarBase, index: number): TemplateResult {
     const { store } = this;
     const n = index + 1;
+    const isOpen = this.#openBases.has(index) || BASE_ROWS.some((row) => problemOf(store, row, index) !== null);
+    const { min } = store.table.itemCount;
     return html`
       <li class="layer" data-base=${index}>
-        <details class="part base">
-          <summary>
+        <div class="layer-head">
+          <button class="layer-toggle" type="button" aria-expanded=${isOpen} aria-controls="base-${index}" @click=${() => this.#toggleBase(index)}>
             <span class="layer-name">${this.#t('base', { n })}</span>
-            <span class="layer-numbers">${base.position.map((value) => Math.round(value)).join(' · ')} cm</span>
+            <span class="layer-numbers">${base.position.map((value) => Math.round(value)).join(', ')} cm</span>
             ${icon('down')}
-          </summary>
-          ${segments({
-            name: `range-of-${index}`,
-            label: this.#t('rangeOf'),
-            help: this.#t('rangeHelp'),
-            options: [{ value: '', label: this.#t('ofColony') }, { value: OWN, label: this.#t('ownRange') }],
-            value: base.range === null ? '' : OWN,
-            action: (value) => store.setParam(RANGE, index, value === OWN ? store.params.range : null),
-          })}
-          ${base.range === null ? nothing : paramControl(store, RANGE, index)} ${BASE_ROWS.slice(0, 3).map((row) => paramControl(store, row, index))}
-        </details>
-        ${iconButton({ icon: 'remove', label: this.#t('removeBase', { n }), action: () => store.removeItem(index), disabled: store.params.bases.length <= store.table.itemCount.min })}
+          </button>
+          ${iconButton({ icon: 'remove', label: this.#t('removeBase', { n }), action: () => store.removeItem(index), disabled: store.params.bases.length <= min })}
+        </div>
+        <div class="layer-body" id="base-${index}" ?hidden=${!isOpen}>${isOpen ? this.#baseControls(base, index) : nothing}</div>
       </li>
     `;
+  }
+
+  #baseControls(base: WoodEarBase, index: number): TemplateResult {
+    const { store } = this;
+    const ofColony = 'colony';
+    return html`
+      ${segments({
+        name: `range-of-${index}`,
+        label: this.#t('rangeOf'),
+        help: this.#t('rangeHelp'),
+        options: [{ value: ofColony, label: this.#t('ofColony') }, { value: 'own', label: this.#t('ownRange') }],
+        value: base.range === null ? ofColony : 'own',
+        action: (value) => store.setParam(RANGE, index, value === ofColony ? null : store.params.range),
+      })}
+      ${base.range === null ? nothing : paramControl(store, RANGE, index)} ${BASE_ROWS.slice(0, 3).map((row) => paramControl(store, row, index))}
+    `;
+  }
+
+  #toggleBase(index: number): void {
+    if (!this.#openBases.delete(index)) this.#openBases.add(index);
+    this.requestUpdate();
   }
 
   #log(): TemplateResult {
