@@ -6,12 +6,13 @@ import { dist, pkg, root } from './env.mjs';
 import { Failure } from './run.mjs';
 import { bundle } from './web.mjs';
 
-const ENTRIES = ['www/rock-field.ts', 'www/element.ts', 'www/core.ts'];
-const WORKER = 'www/generator/worker.ts';
+const ENTRIES = ['www/rock-field.ts', 'www/element.ts', 'www/wood-ear-log.ts', 'www/core.ts'];
+/** Each with the function of www/inline-worker.ts that gives its address. */
+const WORKERS = { worker: 'workerAddress', 'wood-ear-worker': 'woodEarWorkerAddress' };
 
 /** The forms that bundlers recognise, and ours are written in. */
 const WASM = /new URL\('\.\/([\w-]+)_bg\.wasm', import\.meta\.url\)/g;
-const WORKER_ADDRESS = /new URL\('\.\/worker\.js', import\.meta\.url\)/g;
+const WORKER_ADDRESS = /new URL\('\.\/([\w-]*worker)\.js', import\.meta\.url\)/g;
 
 // The glue names its wasm too, in a branch that is never taken. There is no import.meta in a classic script.
 const common = { define: { 'import.meta.url': 'undefined' }, platform: 'browser', sourcemap: false };
@@ -19,8 +20,9 @@ const common = { define: { 'import.meta.url': 'undefined' }, platform: 'browser'
 export async function buildInline() {
   const outdir = path.join(dist, 'inline');
   rmSync(outdir, { recursive: true, force: true });
-  const { outputFiles } = await bundle({ ...common, entryPoints: [WORKER], outdir, write: false, inject: ['www/inline.ts'], plugins: [inline()] });
-  const worker = outputFiles[0].text;
+  const entryPoints = Object.keys(WORKERS).map((name) => `www/generator/${name}.ts`);
+  const { outputFiles } = await bundle({ ...common, entryPoints, outdir, entryNames: '[name]', write: false, inject: ['www/inline.ts'], plugins: [inline()] });
+  const workers = new Map(outputFiles.map(({ path: file, text }) => [path.basename(file, '.js'), text]));
   await bundle({
     ...common,
     entryPoints: ENTRIES,
@@ -29,24 +31,24 @@ export async function buildInline() {
     chunkNames: 'chunk-[hash]',
     splitting: true,
     inject: ['www/inline.ts', 'www/inline-worker.ts'],
-    plugins: [inline(worker)],
+    plugins: [inline(workers)],
   });
   const left = readdirSync(outdir).filter((name) => /import\.meta|new URL\("\.\//.test(readFileSync(path.join(outdir, name), 'utf8')));
   if (left.length > 0) throw new Failure(`addresses of other files are left in dist/inline/: ${left.join(', ')}; scripts/inline.mjs knows one form of them`);
 }
 
-function inline(worker) {
+function inline(workers = new Map()) {
   return {
     name: 'inline',
     setup(build) {
       build.onLoad({ filter: /[\\/]www[\\/].*\.ts$/ }, ({ path: file }) => {
         const text = readFileSync(file, 'utf8');
-        const contents = text.replaceAll(WASM, "inlined('$1_bg.wasm', () => import('inlined:$1'))").replaceAll(WORKER_ADDRESS, 'workerAddress()');
+        const contents = text.replaceAll(WASM, "inlined('$1_bg.wasm', () => import('inlined:$1'))").replaceAll(WORKER_ADDRESS, (_, name) => `${WORKERS[name]}()`);
         return { contents, loader: 'ts' };
       });
       build.onResolve({ filter: /^inlined:/ }, ({ path: name }) => ({ path: name.slice('inlined:'.length), namespace: 'inlined', sideEffects: false }));
       build.onLoad({ filter: /.*/, namespace: 'inlined' }, ({ path: name }) => {
-        const text = name === 'worker' ? worker : deflateSync(readFileSync(path.join(pkg, `${name}_bg.wasm`)), { level: 9 }).toString('base64');
+        const text = workers.get(name) ?? deflateSync(readFileSync(path.join(pkg, `${name}_bg.wasm`)), { level: 9 }).toString('base64');
         return { contents: `export default ${JSON.stringify(text)};`, loader: 'js', resolveDir: root };
       });
     },

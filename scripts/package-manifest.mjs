@@ -6,12 +6,14 @@ import { dist, root } from './env.mjs';
 import { Failure } from './run.mjs';
 import { tables } from './tables.mjs';
 
-const REGISTERS = 'www/rock-field.ts';
-const CLASSES = ['www/rock-field-element.ts', 'www/generator-element.ts', 'www/scene-element.ts'];
-/** The types of each generator, for what its element inherits. */
-const KINDS = 'www/rocks.ts';
+const SHARED = ['www/generator-element.ts', 'www/scene-element.ts'];
+/** Each with the files that register it and that it is written in, where the package has its class, and where the types of its kind stand. */
+const ELEMENTS = [
+  { registers: 'www/rock-field.ts', written: 'www/rock-field-element.ts', inModule: 'dist/element.js', kind: 'www/rocks.ts', table: 'ROCKS', docs: 'PARAM_DOCS' },
+  { registers: 'www/wood-ear-log.ts', written: 'www/wood-ear-log-element.ts', inModule: 'dist/wood-ear-log.js', kind: 'www/wood-ears.ts', table: 'WOOD_EARS', docs: 'WOOD_EAR_DOCS' },
+];
 /** Where the types of members are written out. */
-const TYPES = [...CLASSES, 'www/renderer/renderer.ts'];
+const TYPES = [...ELEMENTS.map(({ written }) => written), ...SHARED, 'www/renderer/renderer.ts'];
 
 /** Said about every element by the platform, not by this package. */
 const LIFECYCLE = ['connectedCallback', 'disconnectedCallback', 'attributeChangedCallback', 'observedAttributes'];
@@ -21,30 +23,25 @@ export async function writeManifest() {
 }
 
 export async function manifest() {
-  const sources = [REGISTERS, ...CLASSES].map(parse);
-  const { modules } = create({ modules: sources, plugins: [], context: { dev: false } });
+  return { schemaVersion: '1.0.0', modules: (await Promise.all(ELEMENTS.map(modulesOf))).flat() };
+}
+
+async function modulesOf(element) {
+  const { registers, written, inModule } = element;
+  const { modules } = create({ modules: [registers, written, ...SHARED].map(parse), plugins: [], context: { dev: false } });
   const definitions = modules.flatMap(({ exports }) => exports).filter(({ kind }) => kind === 'custom-element-definition');
-  if (definitions.length === 0) throw new Failure(`${REGISTERS} registers no element that the analyzer can see`);
-  const known = await knowledge();
+  if (definitions.length === 0) throw new Failure(`${registers} registers no element that the analyzer can see`);
+  const known = await knowledge(element);
   const declarations = definitions.map(({ name, declaration }) => publicPart(name, modules.flatMap((module) => module.declarations).find((found) => found.name === declaration.name), known));
-  const inPackage = (name) => ({ name, module: 'dist/element.js' });
-  return {
-    schemaVersion: '1.0.0',
-    modules: [
-      {
-        kind: 'javascript-module',
-        path: 'dist/element.js',
-        declarations,
-        exports: declarations.map(({ name }) => ({ kind: 'js', name, declaration: inPackage(name) })),
-      },
-      {
-        kind: 'javascript-module',
-        path: 'dist/rock-field.js',
-        declarations: [],
-        exports: definitions.map(({ name, declaration }) => ({ kind: 'custom-element-definition', name, declaration: inPackage(declaration.name) })),
-      },
-    ],
-  };
+  const inPackage = (name) => ({ name, module: inModule });
+  const classes = { declarations, exports: declarations.map(({ name }) => ({ kind: 'js', name, declaration: inPackage(name) })) };
+  const registered = definitions.map(({ name, declaration }) => ({ kind: 'custom-element-definition', name, declaration: inPackage(declaration.name) }));
+  const registering = `dist/${path.basename(registers, '.ts')}.js`;
+  if (registering === inModule) return [{ kind: 'javascript-module', path: inModule, ...classes, exports: [...classes.exports, ...registered] }];
+  return [
+    { kind: 'javascript-module', path: inModule, ...classes },
+    { kind: 'javascript-module', path: registering, declarations: [], exports: registered },
+  ];
 }
 
 function parse(file) {
@@ -52,7 +49,7 @@ function parse(file) {
 }
 
 /** A class as its users see it: the bundle has no modules to inherit from, and what is not public is nobody's. */
-function publicPart(tagName, declaration, { attributeTypes, aliases, events, parameters }) {
+function publicPart(tagName, declaration, { attributeTypes, aliases, events, parameters, ofKind }) {
   const settable = new Set(declaration.members.filter(({ readonly }) => !readonly).map(({ name }) => name));
   const attributes = declaration.attributes
     .filter(({ name }) => parameters.every((parameter) => parameter.attribute.name !== name))
@@ -64,7 +61,7 @@ function publicPart(tagName, declaration, { attributeTypes, aliases, events, par
   const saidByAttribute = new Map(attributes.map(({ name, fieldName, description }) => [fieldName, { attribute: name, description }]));
   const members = declaration.members
     .filter(({ name, privacy }) => privacy !== 'private' && privacy !== 'protected' && !LIFECYCLE.includes(name))
-    .map((member) => ({ ...saidByAttribute.get(member.name), ...spelledOut(withoutOrigin(member), aliases) }));
+    .map((member) => ({ ...saidByAttribute.get(member.name), ...spelledOut(withoutOrigin(member), aliases, ofKind) }));
   return {
     kind: 'class',
     customElement: true,
@@ -75,7 +72,7 @@ function publicPart(tagName, declaration, { attributeTypes, aliases, events, par
     attributes: [...attributes, ...parameters.map(({ attribute }) => attribute)],
     members: [...members, ...parameters.map(({ property }) => property)],
     // The analyzer also finds the one place that dispatches them all, and takes the name of its argument for an event.
-    events: declaration.events?.filter(({ name, type }) => name !== 'type' || !type).map((event) => ({ ...withoutOrigin(event), type: { text: events.get(event.name) ?? 'CustomEvent' } })),
+    events: declaration.events?.filter(({ name, type }) => name !== 'type' || !type).map((event) => ({ ...withoutOrigin(event), type: { text: ofKind(events.get(event.name) ?? 'CustomEvent') } })),
     slots: declaration.slots?.map(withoutOrigin),
     cssParts: declaration.cssParts?.map(withoutOrigin),
     cssProperties: declaration.cssProperties?.map(withoutOrigin),
@@ -86,25 +83,30 @@ function withoutOrigin({ inheritedFrom, ...rest }) {
   return rest;
 }
 
-/** A member whose type is a list of words says the words. */
-function spelledOut(member, aliases) {
-  if (member.kind !== 'field' || !member.type) return member;
-  return { ...member, type: { text: member.type.text.replace(/\b[A-Z]\w+\b/g, (name) => aliases.get(name) ?? name) } };
+/** A member whose type is a list of words says the words; the types of a kind are those of this one. */
+function spelledOut(member, aliases, ofKind) {
+  const spelled = (type) => ({ text: ofKind(type.text).replace(/\b[A-Z]\w+\b/g, (name) => aliases.get(name) ?? name) });
+  if (member.kind === 'method') return { ...member, ...(member.return?.type && { return: { ...member.return, type: { text: ofKind(member.return.type.text) } } }) };
+  return member.type ? { ...member, type: spelled(member.type) } : member;
 }
 
 // What JSDoc does not say, because the sources say it already.
 
-async function knowledge() {
-  const { COLORS, INTERACTIONS, LOADINGS, METRES_PER_PIXEL, PARAMS, PRESETS, QUALITY_CHOICES, VIEWS } = await tables();
+async function knowledge({ kind, table, docs }) {
+  const known = await tables();
+  const { INTERACTIONS, LOADINGS, METRES_PER_PIXEL, QUALITY_CHOICES } = known;
+  const { colors, itemRows, presets, rows, views } = known[table];
   const oneOf = (words) => ({ type: { text: union(words) }, default: words[0] });
   const sources = TYPES.map(parse);
   const aliases = literalUnions(sources);
   const backends = aliases.get('Backend');
+  // The items of rocks are attributes and properties too; those of wood ears stand in a list of their own.
+  const own = table === 'ROCKS' ? [...rows, ...itemRows] : rows;
   return {
     attributeTypes: {
-      preset: oneOf(PRESETS.map(({ name }) => name)),
-      view: oneOf(VIEWS),
-      color: { type: { text: union(COLORS) } },
+      preset: oneOf(presets.map(({ name }) => name)),
+      view: oneOf(views),
+      color: { type: { text: union(colors) } },
       quality: oneOf(QUALITY_CHOICES),
       interaction: oneOf(INTERACTIONS),
       loading: oneOf(LOADINGS),
@@ -112,25 +114,33 @@ async function knowledge() {
       'metres-per-pixel': { type: { text: 'number' }, default: String(METRES_PER_PIXEL) },
       'auto-rotate': { type: { text: 'boolean' }, default: 'false' },
       disabled: { type: { text: 'boolean' }, default: 'false' },
+      editable: { type: { text: 'boolean' }, default: 'false' },
       'camera-orbit': { type: { text: 'string' } },
       poster: { type: { text: 'string' } },
       src: { type: { text: 'string' } },
     },
-    aliases: new Map([...aliases, ['View', union(VIEWS)], ['ColorMode', union(COLORS)], ['WantedQuality', union(QUALITY_CHOICES)], ['Interaction', union(INTERACTIONS)]]),
-    events: eventTypes(sources),
-    parameters: await Promise.all(PARAMS.map(parameter)),
+    aliases: new Map([...aliases, ['View', union(views)], ['ColorMode', union(colors)], ['WantedQuality', union(QUALITY_CHOICES)], ['Interaction', union(INTERACTIONS)]]),
+    events: eventTypes([parse(ELEMENTS.find((element) => element.table === table).written), ...SHARED.map(parse)]),
+    parameters: own.map((row) => parameter(row, known, known[docs][row.url].en)),
+    ofKind: typesOf(parse(kind)),
   };
 }
 
-/** A row of the parameter table, as an attribute and as a property. */
-async function parameter(spec) {
-  const { attributeOf, defaultOf, PARAM_DOCS, propertyOf } = await tables();
+/** `K['params']` → `Params`, as the interface of the kind says; the stage of an event map is its own name. */
+function typesOf(source) {
+  const kind = source.statements.find((statement) => statement.kind === ts.SyntaxKind.InterfaceDeclaration && statement.heritageClauses?.some((clause) => /\bKind\b/.test(clause.getText(source))));
+  const types = new Map(kind.members.map((member) => [member.name.text, member.type.getText(source)]));
+  return (text) => text.replace(/K\['(\w+)'\]/g, (_, name) => types.get(name)).replace(/\bStage\b/g, types.get('stage'));
+}
+
+/** A row of a parameter table, as an attribute and as a property. */
+function parameter(spec, { attributeOf, defaultOf, propertyOf }, doc) {
   const isList = spec.scope === 'layer';
-  const type = spec.kind === 'choice' ? union(spec.choices.map(({ value }) => value)) : spec.kind === 'optional-integer' ? 'number | null' : 'number';
+  const type = spec.kind === 'choice' ? union(spec.choices.map(({ value }) => value)) : spec.kind.startsWith('optional') ? 'number | null' : 'number';
   const fallback = defaultOf(spec, 'px');
   const unit = spec.unit.px ? ` ${spec.unit.px}` : '';
   const range = spec.kind === 'choice' ? '' : ` From ${spec.min} to ${spec.max}${unit}.`;
-  const description = `${PARAM_DOCS[spec.url].en}${range}`;
+  const description = `${doc}${range}`;
   return {
     attribute: {
       name: attributeOf(spec),

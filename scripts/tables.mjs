@@ -3,7 +3,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 
-const SOURCES = ['attribute-reader', 'camera-orbit', 'element-attributes', 'param-docs.gen', 'params', 'params-flat', 'renderer/quality', 'rocks', 'strings', 'strings-later', 'table', 'url-codec', 'docs/words'];
+const SOURCES = ['attribute-reader', 'camera-orbit', 'element-attributes', 'param-docs.gen', 'params', 'params-flat', 'renderer/quality', 'rocks', 'strings', 'strings-later', 'table', 'url-codec', 'wood-ear-docs.gen', 'wood-ears', 'docs/words'];
 
 let loading;
 

@@ -11,6 +11,15 @@ export const panelApart = {
   },
 };
 
+/** Some packages have a branch for Node, which no browser takes, but bundlers of those who use ours would look for what it imports. */
+export const nodeless = {
+  name: 'nodeless',
+  setup(build) {
+    build.onResolve({ filter: /^node:/ }, ({ kind }) => (kind === 'dynamic-import' ? { path: 'nothing', namespace: 'nothing', sideEffects: false } : undefined));
+    build.onLoad({ filter: /./, namespace: 'nothing' }, () => ({ contents: 'export default undefined;', loader: 'js' }));
+  },
+};
+
 /** So small, and without a state, that a copy for whoever imports them weighs less than a chunk of their own. */
 const TINY = /\/(filled|limits|budget)\.ts$/;
 

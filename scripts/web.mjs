@@ -6,7 +6,7 @@ import * as esbuild from 'esbuild';
 import { writeDocs } from './docs.mjs';
 import { dist, hashOf, pkg, root } from './env.mjs';
 import { Failure, step } from './run.mjs';
-import { panelApart, panelByAddress, sheetsAsText, tinyCopied } from './web-plugins.mjs';
+import { nodeless, panelApart, panelByAddress, sheetsAsText, tinyCopied } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
 
 /** What the browser build put where, for the size check and the dependency check. */
@@ -41,7 +41,7 @@ const PAGES = [
 // What a visit needs beside its scripts. Of the two renderers it needs one: that is kept when the page has used it.
 const ALWAYS_NEEDED = ['page.css', 'generator_bg.wasm', ...COPIED.map((file) => path.basename(file))];
 
-const common = { absWorkingDir: root, bundle: true, minify: true, format: 'esm', target: 'es2022', sourcemap: true, legalComments: 'none', logLevel: 'warning', external: ['node:*'] };
+const common = { absWorkingDir: root, bundle: true, minify: true, format: 'esm', target: 'es2022', sourcemap: true, legalComments: 'none', logLevel: 'warning' };
 
 export async function buildWeb() {
   requireFiles();
@@ -79,7 +79,8 @@ export async function buildWeb() {
 
 export async function bundle(options) {
   try {
-    return await esbuild.build({ ...common, ...options });
+    const plugins = [...(options.platform === 'browser' ? [nodeless] : []), ...(options.plugins ?? [])];
+    return await esbuild.build({ ...common, ...options, plugins });
   } catch (error) {
     throw new Failure(`the bundle has ${error.errors?.length ?? 1} error(s), printed above`);
   }

@@ -1,11 +1,23 @@
-/** The worker of the build with everything in it: its script is a text of this one. Put by scripts/inline.mjs in the place of the worker's address. */
+/** The workers of the build with everything in it: their scripts are texts of this one. Put by scripts/inline.mjs in the place of the workers' addresses. */
 
+import woodEarScript from 'inlined:wood-ear-worker';
 import script from 'inlined:worker';
 
 let address: string | undefined;
+let woodEarAddress: string | undefined;
 
 /** One for all workers of the page. Needs `worker-src blob:`, where the page has a Content-Security-Policy. */
 export function workerAddress(): string {
-  address ??= URL.createObjectURL(new Blob([script], { type: 'text/javascript' }));
+  address ??= addressOf(script);
   return address;
+}
+
+/** As `workerAddress`. */
+export function woodEarWorkerAddress(): string {
+  woodEarAddress ??= addressOf(woodEarScript);
+  return woodEarAddress;
+}
+
+function addressOf(text: string): string {
+  return URL.createObjectURL(new Blob([text], { type: 'text/javascript' }));
 }

@@ -3,3 +3,8 @@ declare module 'inlined:worker' {
   const script: string;
   export default script;
 }
+
+declare module 'inlined:wood-ear-worker' {
+  const script: string;
+  export default script;
+}

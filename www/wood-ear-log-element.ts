@@ -194,16 +194,9 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     const [file] = event.dataTransfer?.files ?? [];
     if (!this.editable || !file) return;
     event.preventDefault();
-    void this.openLog(file);
-  }
-
-  /** As `loadLog`; what is wrong is an `error` event. */
-  async openLog(file: File): Promise<void> {
-    try {
-      await this.loadLog(file);
-    } catch (thrown) {
+    this.loadLog(file).catch((thrown: unknown) => {
       if (!isAbort(thrown)) this.report(errorInfo(thrown));
-    }
+    });
   }
 
   /** The user's doing: whoever keeps the parameters is told. */

@@ -4,6 +4,7 @@ import { panelAddress } from './controls/clipboard.ts';
 import { EmbeddedPanel } from './controls/embedded-panel.ts';
 import { WoodEarPanel } from './controls/wood-ear-controls.ts';
 import { WoodEarStore } from './controls/wood-ear-store.ts';
+import { errorInfo, isAbort } from './errors.ts';
 import type { OpenPanel, PanelOwner } from './controls-button.ts';
 import type { WoodEarLogElement } from './wood-ear-log-element.ts';
 import type { WoodEars } from './wood-ears.ts';
@@ -14,6 +15,12 @@ export function openPanel(owner: PanelOwner<WoodEars>, close: () => void): OpenP
     newStore: (link, preferences, history) => new WoodEarStore(link, preferences, history),
     panel: new WoodEarPanel(),
     script: panelAddress(import.meta.url),
-    actions: { loadLog: (file: File) => void element.openLog(file) },
+    actions: {
+      loadLog: (file: File) => {
+        element.loadLog(file).catch((thrown: unknown) => {
+          if (!isAbort(thrown)) element.dispatchEvent(new CustomEvent('error', { detail: { error: errorInfo(thrown) }, composed: true }));
+        });
+      },
+    },
   });
 }

@@ -1,0 +1,295 @@
+// The page and the element of wood ears in a real browser: first picture, sliders, bases by hand and by keys, files, links, undo, a phone, two languages.
+// Drawn by WebGL2 (software) unless said otherwise, and mostly in the plain colours, which cost it little.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { violations } from './axe.mjs';
+import { launch, screenshotPath } from './browser.mjs';
+
+const MESSAGE = 'stage-overlay > .message';
+/** A small colony, in the colours of the thesis. */
+const SMALL = '#preset=thesis-default&d=30&r=25&m=90';
+
+let session;
+
+before(async () => {
+  session = await launch();
+});
+
+after(() => session?.close());
+
+async function open(address = SMALL, options = {}, browser = session) {
+  const opened = await browser.open(`wood-ear.html${address}`, { viewport: { width: 960, height: 640 }, locale: 'en-US', colorScheme: 'light', ...options });
+  await opened.page.waitForFunction(() => document.querySelector('.summary') !== null, undefined, { timeout: 60_000, polling: 100 });
+  await opened.page.evaluate(() => document.querySelector('wood-ear-log').ready);
+  return opened;
+}
+
+const colony = (page) => page.evaluate(async () => (await document.querySelector('wood-ear-log').getColony()).stats);
+const params = (page) => page.evaluate(() => document.querySelector('wood-ear-log').params);
+const message = (page) => page.locator(`${MESSAGE} p`).first().textContent();
+
+/** A hash (FNV-1a) of the colony of the present parameters, and of the rocks around it. */
+function hash(page) {
+  return page.evaluate(async () => {
+    const element = document.querySelector('wood-ear-log');
+    const { positions, indices } = await element.getColony();
+    let state = 0x811c9dc5;
+    for (const array of [positions, indices, element.field.positions]) {
+      const bytes = new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+      for (let k = 0; k < bytes.length; k += 1) state = Math.imul(state ^ bytes[k], 0x01000193);
+    }
+    return (state >>> 0).toString(16).padStart(8, '0');
+  });
+}
+
+/** The middle of the picture's log, CSS px of the page: where its first base is. */
+function baseOnScreen(page, index = 0) {
+  return page.evaluate((k) => {
+    const box = document.querySelector('wood-ear-log').shadowRoot.querySelectorAll('.handle')[k].getBoundingClientRect();
+    return [box.x + box.width / 2, box.y + box.height / 2];
+  }, index);
+}
+
+async function closeClean({ errors, close }, known = []) {
+  assert.deepEqual(errors.filter((text) => !known.some((pattern) => pattern.test(text))), []);
+  await close();
+}
+
+for (const webgpu of [false, true]) {
+  test(`the first picture is a fallen log among rocks, none of which grows through it, drawn with ${webgpu ? 'WebGPU' : 'WebGL2'}`, async () => {
+    const browser = webgpu ? await launch({ webgpu }) : session;
+    try {
+      const opened = await open('', { viewport: { width: 720, height: 240 } }, browser);
+      const { page } = opened;
+      const { individuals, crossingPairs } = await colony(page);
+      assert.ok(individuals > 300);
+      assert.equal(crossingPairs, 0);
+      assert.equal(await page.locator('[data-backend]').textContent(), webgpu ? 'WebGPU' : 'WebGL2');
+      assert.deepEqual(await page.evaluate(() => [document.querySelector('wood-ear-log').color, document.querySelector('#preset-name').textContent]), ['natural', 'Fallen log']);
+      assert.equal(await page.locator(MESSAGE).count(), 0);
+      // No rock's ground lies under the middle of the log, where it touches the soil.
+      const under = await page.evaluate(() => {
+        const { field, scene } = document.querySelector('wood-ear-log');
+        const [x, y] = scene.place;
+        const inside = (from, to, vertices) => {
+          let isIn = false;
+          for (let k = from, before = to - 1; k < to; before = k, k += 1) {
+            const [ax, ay, bx, by] = [vertices[2 * before], vertices[2 * before + 1], vertices[2 * k], vertices[2 * k + 1]];
+            if (ay > y !== by > y && x < ((bx - ax) * (y - ay)) / (by - ay) + ax) isIn = !isIn;
+          }
+          return isIn;
+        };
+        return field.layers.flatMap(({ selected, cellStarts, cellVertices }) => [...selected].filter((cell) => inside(cellStarts[cell], cellStarts[cell + 1], cellVertices))).length;
+      });
+      assert.equal(under, 0);
+      assert.ok(await page.evaluate(() => document.querySelector('wood-ear-log').field.stats.rocks > 300));
+      await closeClean(opened);
+    } finally {
+      if (webgpu) await browser.close();
+    }
+  });
+}
+
+test('every slider changes the colony or the picture, its number says so, and undo takes it back', async () => {
+  const opened = await open(`${SMALL}&co=pressed&dr=0.3&th=0.1&ft=0.3&pi=0.5&w=60&lb=0.5`);
+  const { page } = opened;
+  await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
+  const looks = ['sa', 'se'];
+  const ids = (await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id))).filter((id) => !looks.includes(id));
+  assert.ok(ids.length >= 18, ids.join());
+  let last = await hash(page);
+  for (const id of ids) {
+    const slider = page.locator(`[id="${id}"]`);
+    const shown = await page.locator(`[id="${id}-number"]`).inputValue();
+    await slider.press('PageUp');
+    assert.notEqual(await hash(page), last, `${id}: the same colony`);
+    assert.notEqual(await page.locator(`[id="${id}-number"]`).inputValue(), shown, id);
+    await page.keyboard.press('Control+z');
+    assert.equal(await hash(page), last, `${id}: undone`);
+    last = await hash(page);
+  }
+  await closeClean(opened);
+});
+
+test('a click on the log places a base, its ring is dragged along the log and removed by Delete, each a step of undo', async () => {
+  const opened = await open();
+  const { page } = opened;
+  const [x, y] = await baseOnScreen(page);
+  await page.mouse.click(x + 90, y + 4);
+  await page.waitForFunction(() => document.querySelector('wood-ear-log').params.bases.length === 2);
+  await colony(page);
+  const placed = (await params(page)).bases[1];
+  assert.equal(placed.range, null);
+  await page.waitForFunction(() => document.querySelector('wood-ear-log').shadowRoot.querySelectorAll('.handle').length === 2);
+  const [hx, hy] = await baseOnScreen(page, 1);
+  assert.ok(Math.hypot(hx - (x + 90), hy - (y + 4)) < 14, 'where it was clicked');
+  await page.mouse.move(hx, hy);
+  await page.mouse.down();
+  for (const step of [20, 40, 60]) await page.mouse.move(hx + step, hy, { steps: 3 });
+  await page.mouse.up();
+  await colony(page);
+  const moved = (await params(page)).bases[1];
+  assert.notDeepEqual(moved.position, placed.position);
+  await page.keyboard.press('Control+z');
+  await page.waitForFunction((wanted) => JSON.stringify(document.querySelector('wood-ear-log').params.bases[1]) === wanted, JSON.stringify(placed));
+  await page.evaluate(() => document.querySelector('wood-ear-log').shadowRoot.querySelectorAll('.handle')[1].focus());
+  await page.keyboard.press('ArrowLeft');
+  await page.waitForFunction((wanted) => JSON.stringify(document.querySelector('wood-ear-log').params.bases[1]) !== wanted, JSON.stringify(placed));
+  await page.keyboard.press('Delete');
+  await page.waitForFunction(() => document.querySelector('wood-ear-log').params.bases.length === 1);
+  // The last one stays.
+  await page.evaluate(() => document.querySelector('wood-ear-log').shadowRoot.querySelector('.handle').focus());
+  await page.keyboard.press('Delete');
+  assert.equal((await params(page)).bases.length, 1);
+  // By keys alone: in the middle of the picture.
+  await page.evaluate(() => document.querySelector('wood-ear-log').shadowRoot.querySelector('.stage').focus());
+  await page.keyboard.press('Enter');
+  await page.waitForFunction(() => document.querySelector('wood-ear-log').params.bases.length === 2);
+  await closeClean(opened);
+});
+
+test('a base has a range of its own, from the panel', async () => {
+  const opened = await open();
+  const { page } = opened;
+  await page.getByRole('button', { name: 'Add base' }).click();
+  await page.getByRole('button', { name: /^Base 2/ }).click();
+  await page.locator('[data-param="range-of-1"] input[value="own"]').check();
+  await page.locator('[id="br-1"]').press('Home');
+  await colony(page);
+  assert.deepEqual((await params(page)).bases.map(({ range }) => range), [null, 20]);
+  await page.getByRole('button', { name: 'Remove base 1' }).click();
+  assert.deepEqual((await params(page)).bases.map(({ range }) => range), [20]);
+  await closeClean(opened);
+});
+
+test('a shared link shows the same log on the same rocks elsewhere', async () => {
+  const opened = await open('#preset=wet-colony&d=20&r=25&seed=7&color=plain&bx=-30,20&by=-15,-15&bz=20,20&br=-,30');
+  const { page } = opened;
+  await page.locator('#ground').selectOption('shingle');
+  await page.getByRole('button', { name: 'Other rocks' }).click();
+  const here = await hash(page);
+  await page.waitForURL(/ground=/, { timeout: 5000 });
+  const other = await open(new URL(page.url()).hash);
+  assert.equal(await hash(other.page), here);
+  assert.deepEqual(await params(other.page), await params(page));
+  await closeClean(other);
+  await closeClean(opened);
+});
+
+test('what is wrong with a link or a value is said, and something legal is shown', async () => {
+  const opened = await open(`${SMALL}&d=900&moss=1&bx=1,2&by=3`);
+  const { page } = opened;
+  assert.match(await message(page), /d: 900 is not allowed \(0 to 100\); 100 is used|unknown|fit together/);
+  assert.equal((await params(page)).density, 100);
+  const number = page.locator('[id="m-number"]');
+  await number.fill('400');
+  await number.blur();
+  assert.equal((await params(page)).moisture, 100);
+  await page.locator('.control-problem').waitFor();
+  await closeClean(opened);
+});
+
+const OBJ = (() => {
+  // A box of quads, 120 long.
+  const corners = [0, 1].flatMap((x) => [0, 1].flatMap((y) => [0, 1].map((z) => `v ${120 * x} ${24 * y} ${24 * z}`)));
+  return `# a box\n${corners.join('\n')}\nf 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n`;
+})();
+
+const drop = (page, name, text) =>
+  page.evaluate(([fileName, content]) => {
+    const transfer = new DataTransfer();
+    transfer.items.add(new File([content], fileName));
+    document.querySelector('wood-ear-log').dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+  }, [name, text]);
+
+test('a log from a file carries the colony; a broken, foreign or empty file is refused in words and the old log stays', async () => {
+  const opened = await open(`${SMALL}&d=100`);
+  const { page } = opened;
+  const grown = await hash(page);
+  for (const [name, text, words] of [
+    ['notes.txt', 'hello', /neither a GLB nor an OBJ/],
+    ['page.glb', '<!doctype html>', /neither a GLB nor an OBJ/],
+    ['half.glb', 'glTF\u0002', /no whole GLB/],
+    ['points.obj', 'v 0 0 0\nv 1 0 0\n', /no triangles/],
+    ['nan.obj', 'v a b c\nv 1 0 0\nv 1 1 0\nf 1 2 3\n', /nowhere/],
+  ]) {
+    await drop(page, name, text);
+    const said = page.locator(`${MESSAGE} p, .control-problem`).filter({ hasText: words });
+    await said.first().waitFor({ timeout: 15_000 });
+    assert.equal(await hash(page), grown, name);
+    await page.locator(`${MESSAGE} button`).click({ timeout: 2000 }).catch(() => undefined);
+  }
+  await drop(page, 'box.obj', OBJ);
+  await page.waitForFunction(() => document.querySelector('wood-ear-log').params.mesh !== null, undefined, { timeout: 15_000 });
+  const { individuals } = await colony(page);
+  assert.ok(individuals > 0);
+  assert.equal(await page.evaluate(() => document.querySelector('wood-ear-log').colony.log.indices.length), 36);
+  await page.getByRole('button', { name: 'Back to the grown log' }).click();
+  assert.equal(await hash(page), grown);
+  await closeClean(opened);
+});
+
+test('of a drag the colony before its collisions is followed at once, and the newest is the last shown', async () => {
+  const opened = await open('#preset=thesis-default');
+  const { page } = opened;
+  const seen = await page.evaluate(async () => {
+    const element = document.querySelector('wood-ear-log');
+    const seen = [];
+    element.addEventListener('generate', ({ detail }) => seen.push([element.colony.stats.individuals, detail.isPreview, detail.superseded]));
+    for (let density = 30; density < 50; density += 1) {
+      element.density = density;
+      await new Promise((resolve) => setTimeout(resolve, 16));
+    }
+    await element.getColony();
+    return seen;
+  });
+  assert.ok(seen.filter(([, isPreview]) => isPreview).length > 1, JSON.stringify(seen));
+  assert.deepEqual(seen.at(-1).slice(1), [false, false]);
+  await closeClean(opened);
+});
+
+test('a phone has the picture and a sheet of controls, and Japanese has all its words', async () => {
+  const opened = await open(SMALL, { viewport: { width: 360, height: 720 }, locale: 'ja-JP', hasTouch: true });
+  const { page } = opened;
+  assert.equal(await page.locator('html').getAttribute('lang'), 'ja');
+  assert.match(await page.locator('.summary').textContent(), /キクラゲ/);
+  assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
+  await page.locator('.sheet-toggle').click();
+  assert.equal(await page.locator('label[for="m"]').textContent(), '水分量');
+  await page.screenshot({ path: screenshotPath('wood-ear-360') });
+  await closeClean(opened);
+});
+
+for (const colorScheme of ['light', 'dark']) {
+  test(`axe finds nothing to complain about in ${colorScheme} colours`, async () => {
+    const opened = await open(SMALL, { colorScheme });
+    await opened.page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
+    assert.deepEqual(await violations(opened.page), []);
+    await closeClean(opened);
+  });
+}
+
+test('an element on another page takes attributes, properties and its own panel', async () => {
+  const opened = await session.open('wood-ear.html#preset=thesis-default', { viewport: { width: 800, height: 600 }, locale: 'en-US' });
+  const { page } = opened;
+  const state = await page.evaluate(async () => {
+    document.body.innerHTML = '<wood-ear-log density="20" range="25" bases="0 -20 20, 30 -20 20 30" ground="none" controls="open" style="width: 700px; height: 500px"></wood-ear-log>';
+    const element = document.querySelector('wood-ear-log');
+    await element.ready;
+    const before = (await element.getColony()).stats.individuals;
+    element.density = 60;
+    element.logLength = 120;
+    const after = (await element.getColony()).stats.individuals;
+    let thrown = null;
+    try {
+      element.params = { ...element.params, density: 900 };
+    } catch ({ name, key, value, max }) {
+      thrown = { name, key, value, max };
+    }
+    return { before, after, thrown, bases: element.bases.length, rocks: element.field.stats.rocks, length: element.params.log.length };
+  });
+  assert.ok(state.after > state.before);
+  assert.deepEqual({ ...state, before: 0, after: 0 }, { before: 0, after: 0, thrown: { name: 'OutOfRange', key: 'density', value: 900, max: 100 }, bases: 2, rocks: 0, length: 120 });
+  await page.waitForFunction(() => document.querySelector('wood-ear-log').shadowRoot.querySelector('.controls-panel')?.shadowRoot.querySelector('[data-param="d"]'));
+  await closeClean(opened);
+});
