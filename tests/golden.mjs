@@ -16,6 +16,20 @@ export async function hashField(field) {
     field.vertexStarts,
     field.rockLayer,
   ];
+  return hashOf(buffers);
+}
+
+/**
+ * SHA-256 of the buffers of a colony; the order of the bytes is described in tests/wood_ear_properties.rs.
+ *
+ * @param {import('../www/colony.ts').WoodEarColony} colony
+ * @returns {Promise<string>}
+ */
+export function hashColony({ positions, normals, indices, individualStarts, vertexStarts, foot, size, base, log }) {
+  return hashOf([positions, normals, indices, individualStarts, vertexStarts, foot, size, base, log.positions, log.normals, log.indices, log.kinds]);
+}
+
+async function hashOf(buffers) {
   const bytes = new Uint8Array(buffers.reduce((sum, { byteLength }) => sum + byteLength, 0));
   let at = 0;
   for (const { buffer, byteOffset, byteLength } of buffers) {

@@ -14,13 +14,16 @@ mod uniforms;
 const NATURAL: &[&str] = &["common", "noise", "stone", "cover", "daylight"];
 
 /// Passes with what `src/render/pipelines.rs` prepends to them.
-const PASSES: [(&str, &[&str]); 9] = [
+const PASSES: [(&str, &[&str]); 12] = [
     ("shadow", &["common"]),
     ("height", &["common"]),
     ("ground", &["common", "lighting"]),
     ("rock", &["common", "lighting"]),
     ("natural_rock", NATURAL),
     ("natural_ground", NATURAL),
+    ("log", NATURAL),
+    ("ear", NATURAL),
+    ("plain_wood", &["common", "lighting"]),
     ("wire", &["common"]),
     ("plan", &["common"]),
     ("stroke", &["common"]),
@@ -112,7 +115,7 @@ fn uniform_blocks_match_rust() {
         };
     }
     offsets_match!(Globals: clip_from_eye, eye, ray_right, ray_up, ray_forward, plan, backdrop_low, backdrop_high, soil, dust,
-        weather, scene);
+        weather, scene, flesh);
     offsets_match!(FieldUniforms: sun_from_world, sun, map, size, ground);
 }
 

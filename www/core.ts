@@ -5,20 +5,32 @@
  */
 
 import * as glue from '../pkg/generator.js';
+import type { WoodEarColony } from './colony.ts';
 import type { Field } from './field.ts';
 import { generateOnce, openGenerator, Realm } from './generator/headless.ts';
 import type { FieldGenerator, GenerateOptions, GeneratorOptions } from './generator/headless.ts';
+import { growOnce, openWoodEars } from './generator/wood-ear-headless.ts';
+import type { WoodEarGenerator, WoodEarOptions } from './generator/wood-ear-headless.ts';
+import type { WoodEarModule } from './generator/wood-ear-session.ts';
 import type { FieldRequest } from './params-flat.ts';
+import type { WoodEarRequest } from './wood-ear-flat.ts';
 
 export { RockFieldError } from './errors.ts';
 export { presets, schema } from './generator/catalogue.ts';
+export { woodEarPresets, woodEarSchema } from './generator/wood-ear-catalogue.ts';
 export type { Field, FieldLayer, FieldStats, StageTimes } from './field.ts';
 export type { FieldGenerator, GenerateOptions, GeneratorOptions } from './generator/headless.ts';
 export type { Progress, StageName } from './generator/protocol.ts';
 export type { FieldRequest, LayerRequest } from './params-flat.ts';
 export type { Layer, Params, PresetName, Triple } from './params.ts';
+export type { WoodEarColony, WoodEarLog, WoodEarStats, WoodEarTimes } from './colony.ts';
+export type { WoodEarGenerator, WoodEarOptions } from './generator/wood-ear-headless.ts';
+export type { WoodEarStage } from './generator/wood-ear-session.ts';
+export type { WoodEarBase, WoodEarLogMesh, WoodEarLogShape, WoodEarParams, WoodEarPresetName, WoodEarRequest } from './wood-ear-flat.ts';
 
 const realm = new Realm(glue, () => new URL('./generator_bg.wasm', import.meta.url));
+// Fetched when a colony is first asked for.
+const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(() => import('../pkg/wood-ear.js'), () => new URL('./wood-ear_bg.wasm', import.meta.url));
 
 /** A generator that keeps its stages between runs; free it with `dispose()`. */
 export function createGenerator(options?: GeneratorOptions): Promise<FieldGenerator> {
@@ -28,4 +40,14 @@ export function createGenerator(options?: GeneratorOptions): Promise<FieldGenera
 /** One field, no cache kept. */
 export function generate(request?: FieldRequest, options?: GenerateOptions): Promise<Field> {
   return generateOnce(realm, request, options);
+}
+
+/** A generator of wood ears that keeps its stages between runs; free it with `dispose()`. */
+export function createWoodEarGenerator(options?: GeneratorOptions): Promise<WoodEarGenerator> {
+  return openWoodEars(woodEars, options);
+}
+
+/** One colony of wood ears on its log, no cache kept. */
+export function growWoodEar(request?: WoodEarRequest, options?: WoodEarOptions & GeneratorOptions): Promise<WoodEarColony> {
+  return growOnce(woodEars, request, options);
 }

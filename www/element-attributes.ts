@@ -8,7 +8,7 @@
 
 import { METRES_PER_PIXEL, parseOrbit } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
-import { errorInfo } from './errors.ts';
+import { errorInfo, RockFieldError } from './errors.ts';
 import { presetColor } from './look.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import type { Params, ParamSpec, PresetName } from './params.ts';
@@ -24,6 +24,13 @@ export const INTERACTIONS = ['cooperative', 'always', 'none'] as const;
 export type Interaction = (typeof INTERACTIONS)[number];
 export const LOADINGS = ['eager', 'lazy'] as const;
 export type Loading = (typeof LOADINGS)[number];
+
+/** @throws {RockFieldError} naming the value and the choices. */
+export function checkChoice<T extends string>(key: string, value: T, choices: readonly T[]): T {
+  if (choices.includes(value)) return value;
+  const message = `${key} is ${JSON.stringify(value)}; it has to be one of ${choices.join(', ')}`;
+  throw new RockFieldError({ name: 'OutOfRange', key, value, message });
+}
 
 /** How much of a wrong value is repeated in a notice. */
 const MAX_QUOTE_LENGTH = 32;

@@ -4,7 +4,8 @@
  * What went wrong, as plain data: `structuredClone` keeps neither the name nor the properties of an Error.
  *
  * Names that the caller can mend: `OutOfRange`, `NotAnInteger`, `TooManyLayers`, `DuplicateLayerId`, `UnknownPreset`,
- * `MalformedRequest`, `OverBudget` (all of them also thrown by Rust), `UnknownKey`, `WrongType` (TypeScript only).
+ * `MalformedRequest`, `OverBudget` (all of them also thrown by Rust), `UnknownKey`, `WrongType` (TypeScript only); of a log of one's own
+ * `LogNotInThrees`, `LogTooLarge`, `LogBadPosition`, `LogBadIndex`, `LogNoArea`.
  * Names that it cannot: `WasmUnavailable`, `WorkerUnavailable`, `WorkerLost`, `Internal`.
  */
 export interface ErrorInfo {
@@ -14,7 +15,7 @@ export interface ErrorInfo {
   message: string;
   /** The parameter at fault, where there is one. */
   key?: string | undefined;
-  /** Index of the layer at fault, in input order. */
+  /** Index of the layer (of wood ears: of the base) at fault, in input order. */
   layer?: number | undefined;
   value?: unknown;
   min?: number | undefined;
@@ -56,4 +57,8 @@ export function isCoded(thrown: unknown): thrown is Error & ErrorInfo {
 
 export function abortError(message: string): DOMException {
   return new DOMException(message, 'AbortError');
+}
+
+export function isAbort(thrown: unknown): boolean {
+  return thrown instanceof DOMException && thrown.name === 'AbortError';
 }

@@ -6,6 +6,8 @@
 
 import { RockFieldError } from './errors.ts';
 import type { FlatRequest } from './generator/protocol.ts';
+import { checkNumber, checkValue, objectOf, rejectUnknown, unknownPreset, wrongType } from './param-checks.ts';
+import type { Loose, Place } from './param-checks.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from './params.ts';
 import type { Bounds, Layer, Notation, Params, ParamSpec, Preset, PresetName } from './params.ts';
 
@@ -16,9 +18,6 @@ export type FieldRequest = { preset?: PresetName | undefined } & { [K in Exclude
 };
 
 export type LayerRequest = { [K in keyof Layer]?: Layer[K] | undefined };
-
-/** What a parameter is before it is checked. */
-type Loose = Record<string, unknown>;
 
 export const FIELD_ROWS: readonly ParamSpec[] = PARAMS.filter((spec) => spec.scope === 'field');
 export const LAYER_ROWS: readonly ParamSpec[] = PARAMS.filter((spec) => spec.scope === 'layer');
@@ -60,9 +59,7 @@ export function defaultLayer(id: number, notation: Notation): Layer {
 /** A preset of the papers with the table's defaults for the rest, seed 0. */
 export function presetParams(name: string): Params {
   const preset = PRESETS.find((candidate) => candidate.name === name);
-  if (!preset) {
-    throw new RockFieldError({ name: 'UnknownPreset', key: 'preset', value: name, message: `there is no preset called ${quote(name)}` });
-  }
+  if (!preset) throw unknownPreset(name);
   const params = {} as Params;
   const fields: Preset['fields'] = 'fields' in preset ? preset.fields : {};
   for (const spec of FIELD_ROWS) writeValue(params, spec, fields[spec.key] ?? defaultOf(spec, preset.notation));
@@ -120,14 +117,14 @@ export function flatRequest(params: Params, maxBytes: number): FlatRequest {
  * @throws {RockFieldError} naming the key, the value and the bounds; nothing is corrected silently.
  */
 export function resolveParams(request: FieldRequest = {}): Params {
-  const given = objectOf(request, 'params', undefined);
-  rejectUnknown(given, (key) => key === 'preset' || key === 'layers' || FIELD_KEYS.has(key), undefined);
+  const given = objectOf(request, 'params');
+  rejectUnknown(given, (key) => key === 'preset' || key === 'layers' || FIELD_KEYS.has(key));
   const preset = given.preset ?? PRESETS[0].name;
-  if (typeof preset !== 'string') throw wrongType('preset', preset, 'the name of a preset', undefined);
+  if (typeof preset !== 'string') throw wrongType('preset', preset, 'the name of a preset');
   const params = presetParams(preset);
   for (const spec of FIELD_ROWS) {
     const value = given[spec.key];
-    if (value !== undefined) writeValue(params, spec, checkValue(spec, 'px', value, undefined));
+    if (value !== undefined) writeValue(params, spec, checkValue(spec, spec, value));
   }
   if (given.layers !== undefined) params.layers = resolveLayers(given.layers, params.notation);
   else checkLayers(params);
@@ -135,7 +132,7 @@ export function resolveParams(request: FieldRequest = {}): Params {
 }
 
 function resolveLayers(given: unknown, notation: Notation): Layer[] {
-  if (!Array.isArray(given)) throw wrongType('layers', given, 'a list of layers', undefined);
+  if (!Array.isArray(given)) throw wrongType('layers', given, 'a list of layers');
   if (given.length > MAX_LAYERS) {
     throw new RockFieldError({
       name: 'TooManyLayers', key: 'layers', value: given.length, min: 0, max: MAX_LAYERS,
@@ -144,9 +141,10 @@ function resolveLayers(given: unknown, notation: Notation): Layer[] {
   }
   const ids = new Set<number>();
   return given.map((entry: unknown, index) => {
-    const fields = objectOf(entry, 'layers', index);
-    rejectUnknown(fields, (key) => LAYER_KEYS.has(key), index);
-    const id = fields.id === undefined ? index : checkNumber('id', fields.id, { min: 0, max: MAX_ID }, true, index);
+    const at = layerAt(index);
+    const fields = objectOf(entry, 'layers', at);
+    rejectUnknown(fields, (key) => LAYER_KEYS.has(key), at);
+    const id = fields.id === undefined ? index : checkNumber('id', fields.id, { min: 0, max: MAX_ID }, true, at);
     if (ids.has(id)) {
       throw new RockFieldError({ name: 'DuplicateLayerId', key: 'id', layer: index, value: id, message: `two layers have the id ${id}` });
     }
@@ -156,91 +154,24 @@ function resolveLayers(given: unknown, notation: Notation): Layer[] {
       const value = fields[spec.key];
       if (value === undefined) continue;
       if (spec.component !== null && !(Array.isArray(value) && value.length === 3)) {
-        throw wrongType(spec.key, value, 'a list of three numbers', index);
+        throw wrongType(spec.key, value, 'a list of three numbers', at);
       }
       const part: unknown = spec.component === null ? value : (value as unknown[])[spec.component];
-      writeValue(layer, spec, checkValue(spec, notation, part, index));
+      writeValue(layer, spec, checkValue(spec, boundsOf(spec, notation), part, at));
     }
     return layer;
   });
 }
 
+function layerAt(index: number): Place {
+  return { index, name: `layer ${index}` };
+}
+
 /** A preset's own layers under another notation: its numbers stay, so they may leave that notation's bounds. */
 function checkLayers(params: Params): void {
   params.layers.forEach((layer, index) => {
-    for (const spec of LAYER_ROWS) checkValue(spec, params.notation, readValue(layer, spec), index);
+    for (const spec of LAYER_ROWS) checkValue(spec, boundsOf(spec, params.notation), readValue(layer, spec), layerAt(index));
   });
-}
-
-function checkValue(spec: ParamSpec, notation: Notation, value: unknown, layer: number | undefined): number | string | null {
-  if (spec.kind === 'choice') {
-    if (spec.choices.some((choice) => choice.value === value)) return value as string;
-    const words = spec.choices.map((choice) => choice.value).join(' or ');
-    if (typeof value !== 'string') throw wrongType(spec.key, value, words, layer);
-    throw new RockFieldError({
-      name: 'OutOfRange', key: spec.key, layer, value, min: spec.min, max: spec.max,
-      message: `${place(spec.key, layer)} is ${quote(value)}; it has to be ${words}`,
-    });
-  }
-  if (spec.kind === 'optional-integer' && value === null) return null;
-  return checkNumber(spec.key, value, boundsOf(spec, notation), spec.kind !== 'real', layer, spec.component);
-}
-
-function checkNumber(
-  key: string,
-  value: unknown,
-  { min, max }: { min: number; max: number },
-  whole: boolean,
-  layer: number | undefined,
-  component: number | null = null,
-): number {
-  const name = place(component === null ? key : `${key}[${component}]`, layer);
-  if (typeof value !== 'number') throw wrongType(key, value, 'a number', layer, name);
-  // Written so that NaN fails too.
-  if (!(value >= min && value <= max)) {
-    const message = `${name} is ${value}; it has to lie in ${min} to ${max}`;
-    throw new RockFieldError({ name: 'OutOfRange', key, layer, value, min, max, message });
-  }
-  if (whole && !Number.isInteger(value)) {
-    const message = `${name} is ${value}; it has to be a whole number`;
-    throw new RockFieldError({ name: 'NotAnInteger', key, layer, value, min, max, message });
-  }
-  // −0 would be another number in the link and in the flat list.
-  return value === 0 ? 0 : value;
-}
-
-function objectOf(value: unknown, key: string, layer: number | undefined): Loose {
-  // Own keys alone: nothing that a prototype adds is a request.
-  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return { ...value };
-  if (key === 'params') {
-    throw new RockFieldError({ name: 'MalformedRequest', key, value, message: `the request is ${quote(value)}; it has to be an object` });
-  }
-  throw wrongType(key, value, 'an object', layer);
-}
-
-function rejectUnknown(given: Loose, known: (key: string) => boolean, layer: number | undefined): void {
-  const key = Object.keys(given).find((candidate) => !known(candidate));
-  if (key === undefined) return;
-  const value = given[key];
-  throw new RockFieldError({ name: 'UnknownKey', key, layer, value, message: `there is no parameter called ${quote(key)}${ofLayer(layer)}` });
-}
-
-function wrongType(key: string, value: unknown, wanted: string, layer: number | undefined, name = place(key, layer)): RockFieldError {
-  return new RockFieldError({ name: 'WrongType', key, layer, value, message: `${name} is ${quote(value)}; it has to be ${wanted}` });
-}
-
-function place(name: string, layer: number | undefined): string {
-  return `${name}${ofLayer(layer)}`;
-}
-
-function ofLayer(layer: number | undefined): string {
-  return layer === undefined ? '' : ` of layer ${layer}`;
-}
-
-/** A value for a message: short, whatever it is. */
-function quote(value: unknown): string {
-  const text = typeof value === 'string' ? JSON.stringify(value) : Array.isArray(value) ? 'a list' : String(value);
-  return text.length > 60 ? `${text.slice(0, 60)}…` : text;
 }
 
 /** One value that `clampParams` replaced. */

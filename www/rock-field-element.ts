@@ -2,12 +2,12 @@
 
 import type { Edition } from './controls/store.ts';
 import type { ControlsButton } from './controls-button.ts';
-import { ATTRIBUTES, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, QUALITY_CHOICES, readAttributes, VIEWS } from './element-attributes.ts';
+import { ATTRIBUTES, checkChoice, COLORS, FIELD_ATTRIBUTES, INTERACTIONS, LAYER_ATTRIBUTES, METRES_PER_PIXEL, QUALITY_CHOICES, readAttributes, VIEWS } from './element-attributes.ts';
 import type { Interaction } from './element-attributes.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Field, FieldStats } from './field.ts';
-import { GeneratorClient } from './generator/client.ts';
+import { FieldRuns } from './field-runs.ts';
 import type { Progress } from './generator/protocol.ts';
 import { History } from './history.ts';
 import { lookOf, presetColor, sameLook, sameRocks } from './look.ts';
@@ -89,17 +89,16 @@ type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEv
 export class RockFieldElement extends SceneElement {
   static readonly observedAttributes: readonly string[] = [...ATTRIBUTES, ...MANNERS];
 
-  #client: GeneratorClient | undefined;
+  #runs = new FieldRuns({
+    onField: (field, superseded, params) => this.#show(field, superseded, params),
+    onProgress: (progress) => this.#tellProgress(progress),
+    onError: (error) => this.report(error),
+  });
   /** Null before the attributes have been read. */
   #params: Params | null = null;
   /** Attributes that have not been read since they changed. */
   #unread = new Set<string>(ATTRIBUTES);
-  /** What is shown, or on its way, is not what the parameters say. */
-  #stale = true;
   #scheduled = false;
-  /** The newest run; settles with its field. */
-  #run: Promise<Field> | undefined;
-  #isOpen = false;
   /** Steps of `undo`, of the panel and of code alike; edits that follow each other closely are one. */
   #history: History<Edition> | undefined;
   #controls: ControlsButton | undefined;
@@ -134,7 +133,7 @@ export class RockFieldElement extends SceneElement {
 
   #setParams(params: Params): void {
     const isDressed = this.#params !== null && sameRocks(this.#params, params) && !sameLook(this.#params, params);
-    if (!isDressed) this.#stale = true;
+    if (!isDressed) this.#runs.stale = true;
     this.#params = params;
   }
 
@@ -145,17 +144,13 @@ export class RockFieldElement extends SceneElement {
   /** Shows the parameters' look, unless their rocks are still to come: these then bring it. */
   #dress(): void {
     const params = this.#params;
-    const isPending = this.field !== null && !this.#isSettled && !(params && this.#shown && sameRocks(this.#shown, params));
+    const isPending = this.field !== null && !this.#runs.isSettled && !(params && this.#shown && sameRocks(this.#shown, params));
     if (params && !isPending) this.#putOn(params, this.#preset);
   }
 
   #putOn(params: Params, preset: PresetName): void {
     this.setSceneLook(lookOf(params));
     this.sceneColor = this.#color ?? presetColor(preset);
-  }
-
-  get #isSettled(): boolean {
-    return !this.#stale && !this.#client?.busy;
   }
 
   #takeParams(params: Params): void {
@@ -338,57 +333,32 @@ export class RockFieldElement extends SceneElement {
   /** Runs now. Resolves with the field; rejects with an AbortError when a newer run supersedes it, else with a RockFieldError. */
   generate(): Promise<Field> {
     this.start();
-    if (!this.#isOpen) {
-      return Promise.reject(new RockFieldError({ name: 'NotConnected', message: 'put the element into the document first' }));
-    }
     const { params } = this;
     this.#presets.set(params, this.#preset);
-    this.#stale = false;
-    const run = this.#generator().generate(params, { onProgress: (progress) => this.#tellProgress(progress) });
-    this.#run = run;
-    run.then(
-      () => this.#endProgress(run),
-      (thrown: unknown) => {
-        this.#endProgress(run);
-        if (!isAbort(thrown)) this.report(errorInfo(thrown));
-      },
-    );
-    return run;
+    return this.#runs.start(params);
   }
 
-  #tellProgress(progress: Progress): void {
-    this.showProgress(progress.fraction);
-    this.emit('progress', progress);
-  }
-
-  #endProgress(run: Promise<Field>): void {
-    if (this.#run === run) this.showProgress(null);
+  #tellProgress(progress: Progress | null): void {
+    this.showProgress(progress?.fraction ?? null);
+    if (progress) this.emit('progress', progress);
   }
 
   /** Gives the running run up; what is shown stays. */
   cancel(): void {
-    this.#stale = false;
-    this.#client?.cancel();
+    this.#runs.cancel();
   }
 
   /** A fresh random seed, which the caller may put into `params`. */
-  async freshSeed(): Promise<number> {
-    if (!this.#isOpen) throw new RockFieldError({ name: 'NotConnected', message: 'put the element into the document first' });
-    return this.#generator().freshSeed();
+  freshSeed(): Promise<number> {
+    return this.#runs.freshSeed();
   }
 
   /** The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */
-  async getField(): Promise<Field> {
-    for (;;) {
-      this.#readAttributes();
-      const run = this.#stale || !this.#run ? this.generate() : this.#run;
-      try {
-        return await run;
-      } catch (thrown) {
-        const isSuperseded = isAbort(thrown) && (this.#stale || this.#run !== run);
-        if (!isSuperseded) throw thrown;
-      }
-    }
+  getField(): Promise<Field> {
+    return this.#runs.newest(
+      () => this.#readAttributes(),
+      () => this.generate(),
+    );
   }
 
   attributeChangedCallback(name: string, before: string | null, after: string | null): void {
@@ -407,20 +377,16 @@ export class RockFieldElement extends SceneElement {
   }
 
   protected override opened(): void {
-    this.#isOpen = true;
+    this.#runs.open();
     // After a pause the field is still there.
-    if (!this.field) this.#stale = true;
+    if (!this.field) this.#runs.stale = true;
     this.#schedule();
     this.#controls?.begin();
   }
 
   protected override closed(): void {
-    this.#isOpen = false;
     this.#controls?.close();
-    if (this.#client?.busy) this.#stale = true;
-    this.#client?.dispose();
-    this.#client = undefined;
-    this.#run = undefined;
+    this.#runs.close();
   }
 
   protected override readManners(): void {
@@ -445,8 +411,8 @@ export class RockFieldElement extends SceneElement {
       element: this,
       root: this.shadowRoot as ShadowRoot,
       language: () => this.language,
-      isOpen: () => this.#isOpen,
-      isSettled: () => this.#isSettled,
+      isOpen: () => this.#runs.isOpen,
+      isSettled: () => this.#runs.isSettled,
       chosenColor: () => this.#color,
       history: () => {
         this.#readAttributes();
@@ -459,11 +425,6 @@ export class RockFieldElement extends SceneElement {
   protected override groundSize(): [number, number] {
     const { imageWidth, imageHeight } = this.#params ?? defaultParams();
     return [imageWidth, imageHeight];
-  }
-
-  #generator(): GeneratorClient {
-    this.#client ??= new GeneratorClient({ onField: (field, superseded, params) => this.#show(field, superseded, params) });
-    return this.#client;
   }
 
   #show(field: Field, superseded: boolean, params: Params): void {
@@ -484,13 +445,13 @@ export class RockFieldElement extends SceneElement {
 
   /** Reads and runs at the end of this task, once, however many attributes and properties are set in it. */
   #schedule(): void {
-    if (this.#scheduled || !this.#isOpen) return;
+    if (this.#scheduled || !this.#runs.isOpen) return;
     this.#scheduled = true;
     queueMicrotask(() => {
       this.#scheduled = false;
-      if (!this.#isOpen) return;
+      if (!this.#runs.isOpen) return;
       this.#readAttributes();
-      if (this.#stale) this.generate().catch(() => undefined); // reported there
+      if (this.#runs.stale) this.generate().catch(() => undefined); // reported there
     });
   }
 
@@ -548,16 +509,6 @@ export class RockFieldElement extends SceneElement {
       this.report(errorInfo(thrown));
     }
   }
-}
-
-function checkChoice<T extends string>(key: string, value: T, choices: readonly T[]): T {
-  if (choices.includes(value)) return value;
-  const message = `${key} is ${JSON.stringify(value)}; it has to be one of ${choices.join(', ')}`;
-  throw new RockFieldError({ name: 'OutOfRange', key, value, message });
-}
-
-function isAbort(thrown: unknown): boolean {
-  return thrown instanceof DOMException && thrown.name === 'AbortError';
 }
 
 defineParameterProperties(RockFieldElement.prototype);

@@ -30,6 +30,10 @@ impl JsGenerator {
         Self::default()
     }
 
+    pub fn set_footprint(&mut self, triangles: &[f64]) -> Result<(), JsValue> {
+        Ok(self.0.set_footprint(triangles)?)
+    }
+
     pub fn start(&mut self, params: &[f64], max_bytes: f64) -> Result<(), JsValue> {
         Ok(self.0.start(Params::from_flat(params)?, max_bytes as u64)?)
     }

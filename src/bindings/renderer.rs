@@ -5,7 +5,10 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{Camera, ColorMode, Gpu, Layer, Look, Mesh, Mode, Plan, Quality, RenderError, Rocks, Scene, View};
+use crate::render::{
+    Camera, ColorMode, Ears, Gpu, Layer, Look, Mesh, Mode, Place, Plan, Prop, PropMesh, Props, Quality, RenderError,
+    Rocks, Scene, View,
+};
 
 thread_local! {
     // wgpu wants its callbacks `Send`, a JavaScript function is not: they carry an index into this list.
@@ -73,6 +76,7 @@ pub struct Renderer {
     gpu: Rc<Gpu>,
     view: View,
     scene: Option<Scene>,
+    props: Props,
     plan: Option<Plan>,
     layers: Vec<Layer>,
 }
@@ -85,7 +89,7 @@ impl Renderer {
         let gpu = device.gpu.clone();
         let own = canvas.map(|canvas| gpu.screen(canvas)).transpose().map_err(|error| to_js(&error))?;
         let view = View::new(&gpu, own).map_err(|error| to_js(&error))?;
-        Ok(Self { gpu, view, scene: None, plan: None, layers: Vec::new() })
+        Ok(Self { gpu, view, scene: None, props: Props::default(), plan: None, layers: Vec::new() })
     }
 
     /// Uploads a field's mesh and replaces what is drawn. Per rock: its layer's id and its site's index.
@@ -108,6 +112,56 @@ impl Renderer {
         self.scene = Some(scene.map_err(|error| to_js(&error))?);
         self.plan = None;
         Ok(())
+    }
+
+    /// Puts a log into the field: a mesh in cm, per vertex its kind (0 bark, 1 end grain, 2 splinter), its place along the axis
+    /// and its distance from it. `place`: where its origin is in px of the image, x, y, z, and px per cm. Stays until replaced or
+    /// cleared; shown once there is a field, which may be empty.
+    #[wasm_bindgen(js_name = setLog)]
+    pub fn set_log(
+        &mut self,
+        positions: &js_sys::Float32Array,
+        normals: &js_sys::Float32Array,
+        indices: &js_sys::Uint32Array,
+        kinds: Vec<u8>,
+        coords: &js_sys::Float32Array,
+        place: Vec<f32>,
+    ) -> Result<(), js_sys::Error> {
+        let mesh = PropMesh { positions, normals, indices };
+        let log = Prop::log(&self.gpu, Place::new(&place), &mesh, &kinds, coords).map_err(|error| to_js(&error))?;
+        self.props.set_log(Some(log));
+        Ok(())
+    }
+
+    #[wasm_bindgen(js_name = clearLog)]
+    pub fn clear_log(&mut self) {
+        self.props.set_log(None);
+    }
+
+    /// Puts wood ears into the field: one mesh in cm of individuals that are cut alike into `rings` and `meridians`. `keys`: per
+    /// individual a number that stays its own, as the log's vertex it stands on. `place` as of the log.
+    #[wasm_bindgen(js_name = setColony)]
+    #[allow(clippy::too_many_arguments, reason = "one flat buffer each")]
+    pub fn set_colony(
+        &mut self,
+        positions: &js_sys::Float32Array,
+        normals: &js_sys::Float32Array,
+        indices: &js_sys::Uint32Array,
+        keys: Vec<u32>,
+        rings: u32,
+        meridians: u32,
+        place: Vec<f32>,
+    ) -> Result<(), js_sys::Error> {
+        let mesh = PropMesh { positions, normals, indices };
+        let ears = Ears { rings, meridians, keys };
+        let colony = Prop::colony(&self.gpu, Place::new(&place), &mesh, &ears).map_err(|error| to_js(&error))?;
+        self.props.set_colony(Some(colony));
+        Ok(())
+    }
+
+    #[wasm_bindgen(js_name = clearColony)]
+    pub fn clear_colony(&mut self) {
+        self.props.set_colony(None);
     }
 
     /// True if the wireframe is shown and waits for [`Renderer::set_edges`].
@@ -169,7 +223,8 @@ impl Renderer {
         }
     }
 
-    /// Variation, wetness, moss and dust (0…1), ground (0 soil, 1 sand, 2 gravel), the sun's azimuth and elevation in degrees.
+    /// Variation, wetness, moss and dust (0…1), ground (0 soil, 1 sand, 2 gravel), the sun's azimuth and elevation in degrees;
+    /// of wood ears moisture, variation, translucency and velvet (0…1).
     /// Per layer id: 0 mixed, 1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate.
     #[wasm_bindgen(js_name = setLook)]
     pub fn set_look(&mut self, values: Vec<f32>, layer_ids: Vec<u32>, materials: Vec<u8>) {
@@ -207,7 +262,7 @@ impl Renderer {
 
     /// Draws one frame.
     pub fn render(&mut self) {
-        self.view.render(&self.gpu, self.scene.as_mut(), self.plan.as_ref());
+        self.view.render(&self.gpu, self.scene.as_mut(), &self.props, self.plan.as_ref());
     }
 
     /// Gives back what the device's other renderers may use; call before `free`.

@@ -23,6 +23,8 @@ pub(crate) struct Look {
     pub(crate) sun: Vec3,
     /// What the smallest stones are made of, which have no mesh: as those of the last layer.
     pub(crate) debris: u8,
+    /// Of wood ears: moisture, variation, translucency, velvet, 0…1.
+    pub(crate) flesh: [f32; 4],
     /// By layer id; see [`super::palette::natural`].
     pub(crate) materials: BTreeMap<u32, u8>,
 }
@@ -34,8 +36,8 @@ impl Default for Look {
 }
 
 impl Look {
-    /// `values`: variation, wetness, moss, dust, ground, the sun's azimuth and elevation in degrees; what is missing or
-    /// no number is 0.
+    /// `values`: variation, wetness, moss, dust, ground, the sun's azimuth and elevation in degrees, and of
+    /// wood ears moisture, variation, translucency, velvet; what is missing or no number is 0.
     pub(crate) fn new(values: &[f32], layers: &[u32], materials: &[u8]) -> Self {
         let value = |at: usize| values.get(at).copied().filter(|value| value.is_finite()).unwrap_or(0.0);
         Self {
@@ -43,6 +45,7 @@ impl Look {
             ground: value(4).clamp(0.0, 2.0).round(),
             sun: sun(value(5), value(6)),
             debris: materials.last().copied().unwrap_or(0),
+            flesh: [7, 8, 9, 10].map(|at| value(at).clamp(0.0, 1.0)),
             materials: layers.iter().copied().zip(materials.iter().copied()).collect(),
         }
     }

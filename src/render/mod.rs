@@ -3,6 +3,7 @@
 //! ```text
 //! Gpu    device, queue, layouts, pipelines, maps              one for all canvases
 //! Scene  one field's buffers
+//! Props  a log and wood ears among the rocks of a view
 //! Plan   the diagrams or the selection seen from above, as strokes and fills; built when first shown
 //! View   camera, style, and with WebGPU its own surface and targets              one per canvas
 //! ```
@@ -26,6 +27,7 @@ mod maps;
 mod palette;
 mod pipelines;
 mod plan;
+mod props;
 mod scene;
 mod settle;
 mod surface;
@@ -39,5 +41,6 @@ pub(crate) use gpu::Gpu;
 pub(crate) use look::{Look, Quality};
 pub(crate) use palette::ColorMode;
 pub(crate) use plan::{Layer, Plan};
+pub(crate) use props::{Ears, Place, Prop, PropMesh, Props};
 pub(crate) use scene::{Mesh, Rocks, Scene};
 pub(crate) use view::{Mode, View};

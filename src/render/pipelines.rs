@@ -53,6 +53,13 @@ const NORMAL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![2 => Snorm16x2],
 };
 
+/// Place along a log and distance from its axis.
+const COORDS: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 8,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![3 => Float32x2],
+};
+
 /// Bytes of a vertex of a plan's fills: x, y, colour.
 pub(crate) const FILL_STRIDE: u64 = 12;
 
@@ -84,6 +91,9 @@ pub(crate) struct Pipelines {
     /// Outsides, then insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
     natural: OnceCell<[wgpu::RenderPipeline; 4]>,
+    /// A log, then wood ears.
+    wood: OnceCell<[wgpu::RenderPipeline; 2]>,
+    plain_wood: OnceCell<wgpu::RenderPipeline>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     plan: OnceCell<[wgpu::RenderPipeline; 2]>,
 }
@@ -173,6 +183,8 @@ impl Pipelines {
             ground,
             rock,
             natural: OnceCell::new(),
+            wood: OnceCell::new(),
+            plain_wood: OnceCell::new(),
             wire: OnceCell::new(),
             plan: OnceCell::new(),
         }
@@ -215,6 +227,30 @@ impl Pipelines {
                 ground,
             ];
             passes.map(|pass| self.make(device, pass))
+        })
+    }
+
+    /// A log and wood ears in natural colours.
+    pub(crate) fn wood(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
+        const EAR: &str = include_str!("shaders/ear.wgsl");
+        const LOG: &str = include_str!("shaders/log.wgsl");
+        const BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 4] =
+            [Some(POSITION), Some(COLOR), Some(NORMAL), Some(COORDS)];
+        self.wood.get_or_init(|| {
+            let pass = |label, source, buffers| wood_pass(label, source, NATURAL, buffers);
+            [
+                self.make(device, pass("rock-field/log/pipeline", LOG, &BUFFERS)),
+                self.make(device, pass("rock-field/ear/pipeline", EAR, &BUFFERS[..3])),
+            ]
+        })
+    }
+
+    /// A log and wood ears in the papers' style: as one, matte.
+    pub(crate) fn plain_wood(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
+        self.plain_wood.get_or_init(|| {
+            let source = include_str!("shaders/plain_wood.wgsl");
+            let buffers = [Some(POSITION), Some(COLOR), Some(NORMAL)];
+            self.make(device, wood_pass("rock-field/plain-wood/pipeline", source, LIGHTING, &buffers))
         })
     }
 
@@ -272,6 +308,25 @@ fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {
         topology: wgpu::PrimitiveTopology::TriangleList,
         sides,
         depth,
+        target: Target::View { blend: false },
+    }
+}
+
+/// Both sides: a wood ear may be a single sheet.
+fn wood_pass<'a>(
+    label: &'static str,
+    source: &'static str,
+    before: &'static [&'static str],
+    buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+) -> Pass<'a> {
+    Pass {
+        label,
+        source,
+        before,
+        buffers,
+        topology: wgpu::PrimitiveTopology::TriangleList,
+        sides: Sides::Both,
+        depth: Depth::Test,
         target: Target::View { blend: false },
     }
 }

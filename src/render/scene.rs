@@ -8,7 +8,7 @@ use super::palette::{self, ColorMode};
 use super::settle::Stands;
 use super::surface::depth_attachment;
 use super::uniforms::FieldUniforms;
-use super::{Gpu, RenderError, upload};
+use super::{Gpu, Props, RenderError, upload};
 
 /// The mesh as it lies in JavaScript; read a slice at a time.
 pub(crate) struct Mesh<'a> {
@@ -49,6 +49,7 @@ pub(crate) struct Scene {
     stale: bool,
     /// Under which the uniforms were written.
     sun: Vec3,
+    props: Option<u64>,
     low: Vec3,
     high: Vec3,
     /// Middle and radius of a sphere round everything.
@@ -153,6 +154,7 @@ impl Scene {
             painted: None,
             stale: false,
             sun: Vec3::ZERO,
+            props: None,
             low,
             high,
             center: (low + high) * 0.5,
@@ -163,14 +165,18 @@ impl Scene {
         })
     }
 
-    /// Lets `sun` shine from now on.
-    pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3) {
-        if sun == self.sun {
+    /// Lets `sun` shine, and `props` stand there, from now on.
+    pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3, props: &Props) {
+        if (sun, Some(props.number)) == (self.sun, self.props) {
             return;
         }
-        self.sun = sun;
+        (self.sun, self.props) = (sun, Some(props.number));
         self.number = gpu.next_number();
-        let uniforms = field_uniforms(sun, self.image, self.low, self.high, MapSets::side(gpu) as f32);
+        let (low, high) = props.around(self.low, self.high);
+        self.center = (low + high) * 0.5;
+        self.radius = (high - low).length() * 0.5;
+        let mut uniforms = field_uniforms(sun, self.image, low, high, MapSets::side(gpu) as f32);
+        uniforms.size[2] = self.high.z.max(1.0);
         gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
     }
 
@@ -255,6 +261,7 @@ impl Scene {
         encoder: &mut wgpu::CommandEncoder,
         frame_group: &wgpu::BindGroup,
         maps: &Maps,
+        props: &Props,
     ) {
         let height_color = wgpu::RenderPassColorAttachment {
             view: &maps.height,
@@ -287,6 +294,7 @@ impl Scene {
             pass.set_bind_group(0, frame_group, &[]);
             pass.set_bind_group(1, &self.field_group, &[]);
             self.draw_rocks(&mut pass, pipeline);
+            props.draw(&mut pass, [pipeline; 2]);
         }
     }
 
@@ -323,7 +331,7 @@ impl Scene {
 
 /// Two 16-bit numbers a normal: the octahedron's faces unfolded (Cigolle et al., *A survey of efficient representations
 /// for independent unit vectors*, 2014). A byte each would show as bands on a smooth boulder.
-fn upload_normals(gpu: &Gpu, buffer: &wgpu::Buffer, count: u32, normals: &js_sys::Float32Array) {
+pub(crate) fn upload_normals(gpu: &Gpu, buffer: &wgpu::Buffer, count: u32, normals: &js_sys::Float32Array) {
     let mut scratch = Vec::new();
     upload::write::<u32>(&gpu.queue, buffer, count, |start, slice| {
         scratch.resize(slice.len() * 3, 0.0);
@@ -388,7 +396,7 @@ fn field_uniforms(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) 
         sun_from_world: (to_clip * view).to_cols_array_2d(),
         sun: sun.extend(span.x.max(span.y)).to_array(),
         map: [corner.x, corner.y, scale.x, scale.y],
-        size: [image[0], image[1], high.z.max(1.0), 0.0],
+        size: [image[0], image[1], high.z.max(1.0), high.z.max(1.0)],
         ground: [0.36 * image[0].max(image[1]), texel, 0.0, 0.0],
     }
 }

@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-/// Once per frame and view. Size 240 B.
+/// Once per frame and view. Size 256 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Globals {
@@ -27,6 +27,8 @@ pub(crate) struct Globals {
     pub(crate) weather: [f32; 4],
     /// x ground, y quality, z 1 in natural colours, w kind of the debris, 0 mixed.
     pub(crate) scene: [f32; 4],
+    /// Of wood ears: moisture, variation, translucency, velvet.
+    pub(crate) flesh: [f32; 4],
 }
 
 /// Once per field. Size 128 B.
@@ -38,7 +40,7 @@ pub(crate) struct FieldUniforms {
     pub(crate) sun: [f32; 4],
     /// xy the height map's corner, zw 1 / its sides, px.
     pub(crate) map: [f32; 4],
-    /// xy image width and height, z the top of the highest rock, px.
+    /// xy image width and height, z the top of the highest rock, w that of everything, px.
     pub(crate) size: [f32; 4],
     /// x width of the soil's fade, y one texel of the height map, px.
     pub(crate) ground: [f32; 4],

@@ -4,7 +4,7 @@ use super::camera::FOV_Y;
 use super::palette::{self, ColorMode, DARK, LIGHT};
 use super::surface::Screen;
 use super::uniforms::Globals;
-use super::{Camera, Gpu, Layer, Look, Plan, Quality, RenderError, Scene, upload};
+use super::{Camera, Gpu, Layer, Look, Plan, Props, Quality, RenderError, Scene, upload};
 
 /// What is shown.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -118,7 +118,7 @@ impl View {
 
     /// Draws one frame; without a field (`scene` none) the backdrop alone. Where the screen is shared the frame is in
     /// its top left corner, until another view is drawn.
-    pub(crate) fn render(&self, gpu: &Gpu, scene: Option<&mut Scene>, plan: Option<&Plan>) {
+    pub(crate) fn render(&self, gpu: &Gpu, scene: Option<&mut Scene>, props: &Props, plan: Option<&Plan>) {
         if let Some(screen) = &gpu.shared {
             screen.borrow_mut().grow(&gpu.device, gpu.kind, self.width, self.height);
         }
@@ -129,21 +129,21 @@ impl View {
         let Some(texture) = screen.acquire(&gpu.device, gpu.kind) else {
             return;
         };
-        let globals = self.globals(scene.as_deref());
-        gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let scene = scene.map(|scene| {
+            scene.light(gpu, self.look.sun, props);
             let maps = self.is_solid().then(|| {
-                scene.light(gpu, self.look.sun);
                 scene.paint(gpu, self.shown_color(), &self.look);
                 let (maps, stale) = gpu.maps.borrow_mut().lend(gpu, self.number, scene.number);
                 if stale {
-                    scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps);
+                    scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps, props);
                 }
                 maps
             });
             (&*scene, maps)
         });
+        let globals = self.globals(scene.as_ref().map(|(scene, _)| *scene));
+        gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
         let frame = texture.texture.create_view(&Default::default());
         let (color, depth) = screen.attachments(&frame, self.clear_color(gpu));
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -168,6 +168,9 @@ impl View {
                     } else {
                         scene.draw_rocks(&mut pass, both);
                     }
+                    if !props.is_empty() {
+                        props.draw(&mut pass, gpu.pipelines.wood(&gpu.device).each_ref());
+                    }
                     // The backdrop, and the ground; last, so that only what shows of it is drawn.
                     pass.set_pipeline(ground);
                     pass.draw(0..6, 0..1);
@@ -178,6 +181,7 @@ impl View {
                     for sides in &gpu.pipelines.rock {
                         scene.draw_rocks(&mut pass, sides);
                     }
+                    self.draw_plain(gpu, props, &mut pass);
                 }
                 (Mode::Wireframe, _) => {
                     let [fill, edges] = gpu.pipelines.wire(&gpu.device);
@@ -185,6 +189,7 @@ impl View {
                     pass.draw(0..3, 0..1);
                     scene.draw_rocks(&mut pass, fill);
                     scene.draw_edges(&mut pass, edges);
+                    self.draw_plain(gpu, props, &mut pass);
                 }
                 (_, Some(plan)) => plan.draw(&mut pass, gpu.pipelines.plan(&gpu.device)),
                 (_, None) => {}
@@ -193,6 +198,13 @@ impl View {
         drop(pass);
         gpu.queue.submit([encoder.finish()]);
         gpu.queue.present(texture);
+    }
+
+    /// In the papers' style.
+    fn draw_plain(&self, gpu: &Gpu, props: &Props, pass: &mut wgpu::RenderPass<'_>) {
+        if !props.is_empty() {
+            props.draw(pass, [gpu.pipelines.plain_wood(&gpu.device); 2]);
+        }
     }
 
     fn is_solid(&self) -> bool {
@@ -249,6 +261,7 @@ impl View {
                 if natural { 1.0 } else { 0.0 },
                 f32::from(self.look.debris),
             ],
+            flesh: self.look.flesh,
         }
     }
 }

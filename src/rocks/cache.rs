@@ -49,6 +49,8 @@ pub(super) struct SelectionKey {
     pub(super) cells: u64,
     pub(super) threshold: Threshold,
     pub(super) border: Border,
+    /// Version of the footprint.
+    pub(super) footprint: u64,
     /// Versions of the selections that went before.
     pub(super) coarser: Vec<u64>,
 }

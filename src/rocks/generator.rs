@@ -6,6 +6,7 @@
 
 use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey};
 use super::field::{Field, FieldLayer};
+use super::footprint::Footprint;
 use super::mesher::{Mesher, Source};
 use super::select::{Selector, Threshold, flag};
 use super::shape::Shaper;
@@ -28,6 +29,10 @@ const ROCKS_PER_STEP: usize = 1 << 10;
 #[derive(Debug, Default)]
 pub struct Generator {
     params: Option<Params>,
+    /// With its version.
+    footprint: (Footprint, u64),
+    /// The footprint from the next start on, where it is another.
+    next_footprint: Option<Footprint>,
     /// In input order.
     layers: Vec<LayerCache>,
     mesh: Mesh,
@@ -68,6 +73,20 @@ impl Generator {
         Generator::default()
     }
 
+    /// Ground that something else stands on: from the next [`Generator::start`] on, no cell that touches it is selected. An addition to
+    /// Fig. 7: its pixels are flagged before the first layer's cells are looked at, as those of larger rocks are before the smaller ones'.
+    ///
+    /// `triangles` has x, y (px) of three corners each, in any orientation, overlapping or not; none takes the footprint away. A rock
+    /// stays within its cell at the ground; its top may lean out of it (decision A14).
+    ///
+    /// # Errors
+    /// Not six numbers per triangle, more than 2¹⁶ of them, or a number beyond ±65,536; then nothing has changed.
+    pub fn set_footprint(&mut self, triangles: &[f64]) -> Result<(), Error> {
+        let footprint = Footprint::new(triangles)?;
+        self.next_footprint = (footprint != self.footprint.0).then_some(footprint);
+        Ok(())
+    }
+
     /// Begins a run, dropping the one in progress but not the stages it has finished.
     ///
     /// # Errors
@@ -77,6 +96,10 @@ impl Generator {
         memory_estimate(&params).check(max_bytes)?;
         self.task = None;
         self.taken = None;
+        if let Some(footprint) = self.next_footprint.take() {
+            self.versions += 1;
+            self.footprint = (footprint, self.versions);
+        }
         let mut old = core::mem::take(&mut self.layers);
         self.layers = params
             .layers
@@ -239,12 +262,15 @@ impl Generator {
                 cells: cache.cells.version,
                 threshold: layer.cell_count.map_or(Threshold::Area(layer.area_fraction), Threshold::Count),
                 border: params.border,
+                footprint: self.footprint.1,
                 coarser: coarser.iter().map(|&(_, version)| version).collect(),
             };
             if !cache.selection.is_current(&key) {
-                let taken = self.taken.get_or_insert_with(|| Taken {
-                    bitmap: Bitmap::new(params.image_width, params.image_height),
-                    flagged: Vec::new(),
+                let taken = self.taken.get_or_insert_with(|| {
+                    let image = [params.image_width, params.image_height];
+                    let mut bitmap = Bitmap::new(image[0], image[1]);
+                    self.footprint.0.flag(image, &mut bitmap);
+                    Taken { bitmap, flagged: Vec::new() }
                 });
                 if let Some(&(unflagged, _)) = coarser.get(taken.flagged.len()) {
                     return Some(Task { layer: unflagged, work: Work::Flag(0) });

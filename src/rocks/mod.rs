@@ -4,6 +4,7 @@ mod body;
 mod cache;
 mod cell;
 mod field;
+mod footprint;
 mod generator;
 mod grid;
 mod mesher;

@@ -5,8 +5,9 @@ import { RockFieldError } from '../../www/errors.ts';
 import { LoopHost } from '../../www/generator/host.ts';
 import { PATIENCE_MS, PROGRESS_AFTER_MS } from '../../www/generator/loop.ts';
 import type { FlatRequest, FromWorker } from '../../www/generator/protocol.ts';
-import { Session, SLICE_MS } from '../../www/generator/session.ts';
-import type { RawGenerator } from '../../www/generator/session.ts';
+import { fieldSession } from '../../www/generator/field-session.ts';
+import type { RawGenerator } from '../../www/generator/field-session.ts';
+import { SLICE_MS } from '../../www/generator/session.ts';
 import type { GeneratorModule } from '../../www/generator/wasm.ts';
 
 const STEP_MS = 2;
@@ -252,7 +253,7 @@ test('a seed is drawn while a run goes on', async () => {
 
 test('a session runs one thing at a time and frees its generator once', async () => {
   const generator = new FakeGenerator();
-  const session = new Session(generator as unknown as RawGenerator);
+  const session = fieldSession(generator as unknown as RawGenerator);
   const run = session.run(request(1, 20));
   await assert.rejects(session.run(request(1, 1)), /running already/);
   await run;
@@ -359,7 +360,7 @@ test('in a browser each task runs one slice, whosever it is, and what came in du
     const generator = new FakeGenerator();
     const step = generator.step.bind(generator);
     generator.step = () => (slices.push(mode), (now += SLICE_MS), step());
-    return new Session(generator as unknown as RawGenerator).run(request(mode, 4 - mode));
+    return fieldSession(generator as unknown as RawGenerator).run(request(mode, 4 - mode));
   });
   while (tasks.length > 0) {
     assert.equal(tasks.length, 1, 'a message would have to wait for several slices');

@@ -5,7 +5,7 @@ import { test } from 'node:test';
 // @ts-expect-error: the built package, not part of the sources
 import { createGenerator, generate, presets, RockFieldError, schema } from 'rock-field/core';
 import type { Field } from '../../www/field.ts';
-import { buffersOf } from '../../www/generator/session.ts';
+import { buffersOf } from '../../www/generator/field-session.ts';
 import { PRESETS } from '../../www/params.ts';
 import { presetParams } from '../../www/params-flat.ts';
 

@@ -70,7 +70,7 @@ function valueSchema(spec: ParamSpec, notation: Notation): JsonSchema {
   return { ...words, type, minimum: min, maximum: max };
 }
 
-function frozen<T>(value: T): T {
+export function frozen<T>(value: T): T {
   if (typeof value === 'object' && value !== null) {
     Object.values(value).forEach(frozen);
     Object.freeze(value);

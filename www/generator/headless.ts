@@ -5,11 +5,11 @@ import type { Field } from '../field.ts';
 import { encodeParams, flatRequest, resolveParams } from '../params-flat.ts';
 import type { FieldRequest } from '../params-flat.ts';
 import { defaultMaxBytes } from './budget.ts';
-import type { FlatRequest, Progress } from './protocol.ts';
-import { Session } from './session.ts';
+import { fieldSession } from './field-session.ts';
+import type { FlatRequest, Progress, StageName } from './protocol.ts';
 import type { RunOptions } from './session.ts';
 import { loadGenerator } from './wasm.ts';
-import type { GeneratorGlue, GeneratorModule, WasmSource } from './wasm.ts';
+import type { GeneratorModule, Glue, WasmSource } from './wasm.ts';
 
 export interface GenerateOptions {
   /** Aborting rejects with the signal's reason; finished stages are kept. */
@@ -42,25 +42,32 @@ export interface FieldGenerator {
 }
 
 /** The wasm of a realm: one instance, which all generators share, and which is replaced after a trap. */
-export class Realm {
-  #glue: GeneratorGlue;
+export class Realm<Module> {
+  #glue: Glue<Module> | undefined;
+  #loadGlue: () => Glue<Module> | Promise<Glue<Module>>;
   #source: () => WasmSource | Promise<WasmSource>;
-  #module: Promise<GeneratorModule> | undefined;
+  #module: Promise<Module> | undefined;
   #instance = 0;
   #trapped = false;
 
-  constructor(glue: GeneratorGlue, defaultSource: () => WasmSource | Promise<WasmSource>) {
-    this.#glue = glue;
+  /** @param glue the module, or what imports it when it is first needed. */
+  constructor(glue: Glue<Module> | (() => Promise<Glue<Module>>), defaultSource: () => WasmSource | Promise<WasmSource>) {
+    this.#loadGlue = typeof glue === 'function' ? (glue as () => Promise<Glue<Module>>) : () => glue;
     this.#source = defaultSource;
   }
 
   /** Only the first source counts: there is one instance. */
-  load(source?: WasmSource | Promise<WasmSource>): Promise<GeneratorModule> {
-    this.#module ??= loadGenerator(this.#glue, source ?? this.#source()).catch((error: unknown) => {
+  load(source?: WasmSource | Promise<WasmSource>): Promise<Module> {
+    this.#module ??= this.#load(source).catch((error: unknown) => {
       this.#module = undefined;
       throw error;
     });
     return this.#module;
+  }
+
+  async #load(source: WasmSource | Promise<WasmSource> | undefined): Promise<Module> {
+    this.#glue = await this.#loadGlue();
+    return loadGenerator<Module>(this.#glue, source ?? this.#source());
   }
 
   /** Instance number `instance` trapped: nobody may call into it any more. */
@@ -76,7 +83,7 @@ export class Realm {
   /** The number of a sound instance: the present one, or a new one after a trap. */
   soundInstance(): number {
     if (!this.#trapped) return this.#instance;
-    if (!this.#glue.__wbg_reset_state) {
+    if (!this.#glue?.__wbg_reset_state) {
       throw new RockFieldError({ name: 'Internal', message: 'the generator failed before and cannot be started again here; reload the page or restart the process' });
     }
     this.#glue.__wbg_reset_state();
@@ -86,12 +93,12 @@ export class Realm {
   }
 }
 
-export async function openGenerator(realm: Realm, { wasm }: GeneratorOptions = {}): Promise<FieldGenerator> {
-  return new HeadlessGenerator(realm, await realm.load(wasm));
+export async function openGenerator(realm: Realm<GeneratorModule>, { wasm }: GeneratorOptions = {}): Promise<FieldGenerator> {
+  return new HeadlessFields(realm, await realm.load(wasm));
 }
 
 /** One field, no cache kept. */
-export async function generateOnce(realm: Realm, request?: FieldRequest, options?: GenerateOptions): Promise<Field> {
+export async function generateOnce(realm: Realm<GeneratorModule>, request?: FieldRequest, options?: GenerateOptions): Promise<Field> {
   const generator = await openGenerator(realm);
   try {
     return await generator.generate(request, options);
@@ -100,43 +107,48 @@ export async function generateOnce(realm: Realm, request?: FieldRequest, options
   }
 }
 
-class HeadlessGenerator implements FieldGenerator {
-  #realm: Realm;
-  #module: GeneratorModule;
-  #session: Session | undefined;
+/** A session, as far as it is used here. */
+interface Runs<Flat, Result, Stage extends string> {
+  readonly broken: boolean;
+  run(request: Flat, options: RunOptions<Result, Stage>): Promise<Result>;
+  free(): void;
+}
+
+interface HeadlessOptions<Result, Stage extends string> extends RunOptions<Result, Stage> {
+  maxBytes?: number | undefined;
+}
+
+/** What every generator without a worker does, whatever it generates. */
+export abstract class Headless<Module extends { fresh_seed(): number }, Request, Flat, Result, Stage extends string> {
+  #realm: Realm<Module>;
+  #module: Module;
+  #session: Runs<Flat, Result, Stage> | undefined;
   #instance = -1;
   /** Settles when the call before is answered. */
   #last: Promise<unknown> = Promise.resolve();
   #disposed = false;
 
-  constructor(realm: Realm, module: GeneratorModule) {
+  constructor(realm: Realm<Module>, module: Module) {
     this.#realm = realm;
     this.#module = module;
   }
 
-  async generate(request: FieldRequest = {}, options: GenerateOptions = {}): Promise<Field> {
-    const { signal, onProgress, maxBytes = defaultMaxBytes() } = options;
+  /** Copies all of the request. */
+  protected abstract encode(request: Request | undefined, maxBytes: number): Flat;
+  protected abstract open(module: Module): Runs<Flat, Result, Stage>;
+
+  async generate(request?: Request, options: HeadlessOptions<Result, Stage> = {}): Promise<Result> {
+    const { signal, onProgress, onPreview, maxBytes = defaultMaxBytes() } = options;
     // Read now: what the caller does to the object afterwards is no part of the request.
-    const flat = flatRequest(resolveParams(request), maxBytes);
+    const flat = this.encode(request, maxBytes);
     signal?.throwIfAborted();
-    const run = this.#last.then(() => this.#runIn(this.#open(), flat, { signal, onProgress }));
+    const run = this.#last.then(() => this.#runIn(this.#open(), flat, { signal, onProgress, onPreview }));
     this.#last = run.catch(() => undefined);
     return run;
   }
 
   freshSeed(): number {
-    this.#realm.soundInstance();
-    return this.#module.fresh_seed();
-  }
-
-  memoryEstimate(request: FieldRequest = {}): number {
-    const flat = encodeParams(resolveParams(request));
-    this.#realm.soundInstance();
-    try {
-      return this.#module.memory_estimate(flat);
-    } catch (thrown) {
-      throw new RockFieldError(errorInfo(thrown), { cause: thrown });
-    }
+    return this.sound().fresh_seed();
   }
 
   dispose(): void {
@@ -148,7 +160,13 @@ class HeadlessGenerator implements FieldGenerator {
     });
   }
 
-  async #runIn(session: Session, request: FlatRequest, options: RunOptions): Promise<Field> {
+  /** The module, with an instance that did not trap. */
+  protected sound(): Module {
+    this.#realm.soundInstance();
+    return this.#module;
+  }
+
+  async #runIn(session: Runs<Flat, Result, Stage>, request: Flat, options: RunOptions<Result, Stage>): Promise<Result> {
     const instance = this.#instance;
     try {
       return await session.run(request, options);
@@ -158,13 +176,33 @@ class HeadlessGenerator implements FieldGenerator {
   }
 
   /** The session, a new one after a trap: of this generator, or of another in the same instance. */
-  #open(): Session {
+  #open(): Runs<Flat, Result, Stage> {
     if (this.#disposed) throw new RockFieldError({ name: 'Internal', message: 'the generator was disposed of' });
     const instance = this.#realm.soundInstance();
     if (!this.#session || instance !== this.#instance) {
-      this.#session = new Session(new this.#module.Generator());
+      this.#session = this.open(this.#module);
       this.#instance = instance;
     }
     return this.#session;
+  }
+}
+
+class HeadlessFields extends Headless<GeneratorModule, FieldRequest, FlatRequest, Field, StageName> implements FieldGenerator {
+  protected encode(request: FieldRequest | undefined, maxBytes: number): FlatRequest {
+    return flatRequest(resolveParams(request), maxBytes);
+  }
+
+  protected open(module: GeneratorModule) {
+    return fieldSession(new module.Generator());
+  }
+
+  memoryEstimate(request: FieldRequest = {}): number {
+    const flat = encodeParams(resolveParams(request));
+    const module = this.sound();
+    try {
+      return module.memory_estimate(flat);
+    } catch (thrown) {
+      throw new RockFieldError(errorInfo(thrown), { cause: thrown });
+    }
   }
 }

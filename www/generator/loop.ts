@@ -8,8 +8,9 @@
  */
 
 import { abortError, errorInfo, isCoded } from '../errors.ts';
+import { buffersOf, fieldSession } from './field-session.ts';
+import type { FieldSession } from './field-session.ts';
 import type { FromLoop, Progress, StartMessage, ToLoop } from './protocol.ts';
-import { buffersOf, Session } from './session.ts';
 import type { GeneratorModule } from './wasm.ts';
 
 /** A superseded run younger than this may end: at 150 ms a drag still feels answered. Chosen by eye. */
@@ -31,7 +32,7 @@ interface Run {
 export class RunLoop {
   #post: (message: FromLoop, transfer?: Transferable[]) => void;
   #module: Promise<GeneratorModule>;
-  #session: Session | undefined;
+  #session: FieldSession | undefined;
   #running: Run | undefined;
   #next: StartMessage | undefined;
   #patience = PATIENCE_MS;
@@ -85,7 +86,7 @@ export class RunLoop {
       this.#running = run;
       try {
         const module = await this.#module;
-        this.#session ??= new Session(new module.Generator());
+        this.#session ??= fieldSession(new module.Generator());
         // The time the wasm took to load is not the run's fault.
         run.begin = performance.now();
         const field = await this.#session.run(request, {

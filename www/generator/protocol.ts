@@ -16,8 +16,8 @@ export type StageName = 'sites' | 'cells' | 'selection' | 'shape' | 'mesh';
 /** In the order of the numbers that `Generator.stage()` gives. */
 export const STAGES: readonly StageName[] = ['sites', 'cells', 'selection', 'shape', 'mesh'];
 
-export interface Progress {
-  stage: StageName;
+export interface Progress<Stage extends string = StageName> {
+  stage: Stage;
   /** 0…1 of the whole run. */
   fraction: number;
 }

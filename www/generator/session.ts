@@ -1,49 +1,49 @@
-/** Drives one `Generator` of the wasm: slices, time per stage, abort, and the buffers as a `Field`. In the worker and in Node. */
+/** Drives one generator of the wasm: slices, time per stage, abort, and the buffers as what they are called here. In the worker and in Node. */
 
 import { errorInfo, isCoded, RockFieldError } from '../errors.ts';
-import type { Field, FieldLayer, StageTimes } from '../field.ts';
-import { STAGES } from './protocol.ts';
-import type { FlatRequest, Progress } from './protocol.ts';
+import type { Progress } from './protocol.ts';
 
-/** The class of the same name in pkg/generator.d.ts, as far as it is used. */
-export interface RawGenerator {
-  start(params: Float64Array, maxBytes: number): void;
+/** The steps of a generator of the wasm. */
+export interface RawSteps {
   step(): boolean;
   stage(): number;
   progress(): number;
-  positions(): Float32Array;
-  normals(): Float32Array;
-  indices(): Uint32Array;
-  rock_starts(): Uint32Array;
-  vertex_starts(): Uint32Array;
-  rock_layer(): Uint8Array;
-  layer_sites(k: number): Float32Array;
-  layer_cell_starts(k: number): Uint32Array;
-  layer_cell_vertices(k: number): Float32Array;
-  layer_selected(k: number): Uint32Array;
-  /** `[id, radius px, targetSites, sitesSaturated, areaFraction, areaReached, saturated]` */
-  layer_summary(k: number): Float64Array;
-  /** `[rocks, triangles, coveredFraction, layers]` */
-  summary(): Float64Array;
+  /** The buffers are those of this run, before its last stages. */
+  preview_ready?(): boolean;
   free(): void;
 }
 
-export interface RunOptions {
+/** What is generated: how a run begins, and what is copied out after it. One for each session: it may keep something between runs. */
+export interface Craft<Raw extends RawSteps, Flat, Result, Stage extends string> {
+  /** In the order of the numbers that `stage()` gives. */
+  stages: readonly Stage[];
+  start(raw: Raw, request: Flat): void;
+  collect(raw: Raw, request: Flat, ms: Times<Stage>): Result;
+}
+
+/** Milliseconds per stage that actually ran, and from the request to the buffers in JavaScript. */
+export type Times<Stage extends string> = Record<Stage | 'total', number>;
+
+export interface RunOptions<Result, Stage extends string> {
   signal?: AbortSignal | undefined;
   /** Called between slices. */
-  onProgress?: ((progress: Progress) => void) | undefined;
+  onProgress?: ((progress: Progress<Stage>) => void) | undefined;
+  /** Called once, when there is something to show and the run goes on. */
+  onPreview?: ((result: Result) => void) | undefined;
 }
 
 /** After this much work the queue is read. A step takes 1–3 ms, on a slow phone 10: a slice stays under 30 ms. */
 export const SLICE_MS = 16;
 
-export class Session {
-  #generator: RawGenerator;
+export class Session<Raw extends RawSteps, Flat, Result, Stage extends string> {
+  #generator: Raw;
+  #craft: Craft<Raw, Flat, Result, Stage>;
   #running = false;
   #broken = false;
 
-  constructor(generator: RawGenerator) {
+  constructor(generator: Raw, craft: Craft<Raw, Flat, Result, Stage>) {
     this.#generator = generator;
+    this.#craft = craft;
   }
 
   /** The wasm trapped: the instance behind this session, memory included, must not be used again. */
@@ -57,26 +57,37 @@ export class Session {
    * @throws {RockFieldError} for a request that cannot be met (nothing has changed) or, with name `Internal`, after a trap.
    * @throws the signal's reason when it was aborted.
    */
-  async run(request: FlatRequest, { signal, onProgress }: RunOptions = {}): Promise<Field> {
+  async run(request: Flat, { signal, onProgress, onPreview }: RunOptions<Result, Stage> = {}): Promise<Result> {
     if (this.#broken) throw new RockFieldError({ name: 'Internal', message: 'the generator failed before and was discarded' });
     if (this.#running) throw new RockFieldError({ name: 'Internal', message: 'the session is running already' });
     signal?.throwIfAborted();
     this.#running = true;
     try {
       const begin = performance.now();
-      const ms: StageTimes = { sites: 0, cells: 0, selection: 0, shape: 0, mesh: 0, total: 0 };
-      this.#guard(() => this.#generator.start(request.params, request.maxBytes));
-      while (!this.#guard(() => runSlice(this.#generator, ms))) {
-        onProgress?.(this.#guard(() => progressOf(this.#generator)));
+      const { stages } = this.#craft;
+      const ms = Object.fromEntries([...stages, 'total'].map((name) => [name, 0])) as Times<Stage>;
+      let wantsPreview = onPreview !== undefined;
+      this.#guard(() => this.#craft.start(this.#generator, request));
+      while (!this.#guard(() => runSlice(this.#generator, stages, ms, wantsPreview))) {
+        if (wantsPreview && this.#guard(() => this.#generator.preview_ready?.())) {
+          wantsPreview = false;
+          onPreview?.(this.#collect(request, ms, begin));
+        }
+        onProgress?.(this.#guard(() => progressOf(this.#generator, stages)));
         await nextTask();
         signal?.throwIfAborted();
       }
-      const field = this.#guard(() => collect(this.#generator, request, ms));
-      ms.total = performance.now() - begin;
-      return field;
+      return this.#collect(request, ms, begin);
     } finally {
       this.#running = false;
     }
+  }
+
+  #collect(request: Flat, ms: Times<Stage>, begin: number): Result {
+    const times = { ...ms };
+    const result = this.#guard(() => this.#craft.collect(this.#generator, request, times));
+    times.total = performance.now() - begin;
+    return result;
   }
 
   free(): void {
@@ -96,70 +107,28 @@ export class Session {
   }
 }
 
-/** Steps until the run is finished (true) or the slice is over; adds the time to the stages. */
-function runSlice(generator: RawGenerator, ms: StageTimes): boolean {
+/** Steps until the run is finished (true), the slice is over or a preview that is wanted is ready; adds the time to the stages. */
+function runSlice<Stage extends string>(generator: RawSteps, stages: readonly Stage[], ms: Times<Stage>, wantsPreview: boolean): boolean {
   const begin = performance.now();
   let before = begin;
   for (;;) {
-    const stage = stageOf(generator);
+    const stage = stageOf(generator, stages);
     const done = generator.step();
     const now = performance.now();
     ms[stage] += now - before;
     before = now;
     if (done) return true;
-    if (now - begin >= SLICE_MS) return false;
+    if (now - begin >= SLICE_MS || (wantsPreview && generator.preview_ready?.())) return false;
   }
 }
 
-function stageOf(generator: RawGenerator): Progress['stage'] {
-  return STAGES[generator.stage()] ?? 'mesh';
+/** The last, when the number is none of a stage's: the run is about to end. */
+function stageOf<Stage extends string>(generator: RawSteps, stages: readonly Stage[]): Stage {
+  return stages[generator.stage()] ?? stages[stages.length - 1]!;
 }
 
-function progressOf(generator: RawGenerator): Progress {
-  return { stage: stageOf(generator), fraction: generator.progress() };
-}
-
-/** The buffers of a finished run; each is a copy that belongs to JavaScript. */
-function collect(generator: RawGenerator, { imageWidth, imageHeight }: FlatRequest, ms: StageTimes): Field {
-  const [rocks = 0, triangles = 0, coveredFraction = 0, layerCount = 0] = generator.summary();
-  return {
-    imageWidth,
-    imageHeight,
-    layers: Array.from({ length: layerCount }, (_, k) => collectLayer(generator, k)),
-    positions: generator.positions(),
-    normals: generator.normals(),
-    indices: generator.indices(),
-    rockStarts: generator.rock_starts(),
-    vertexStarts: generator.vertex_starts(),
-    rockLayer: generator.rock_layer(),
-    stats: { rocks, triangles, coveredFraction, ms },
-  };
-}
-
-function collectLayer(generator: RawGenerator, k: number): FieldLayer {
-  const [id = 0, radius = 0, targetSites = 0, sitesSaturated, areaFraction = 0, areaReached = 0, saturated] = generator.layer_summary(k);
-  return {
-    id,
-    radius,
-    targetSites,
-    sites: generator.layer_sites(k),
-    sitesSaturated: sitesSaturated === 1,
-    cellStarts: generator.layer_cell_starts(k),
-    cellVertices: generator.layer_cell_vertices(k),
-    selected: generator.layer_selected(k),
-    areaFraction,
-    areaReached,
-    saturated: saturated === 1,
-  };
-}
-
-/** The buffers of a field, each once: a transfer list. */
-export function buffersOf(field: Field): ArrayBuffer[] {
-  const arrays = [
-    field.positions, field.normals, field.indices, field.rockStarts, field.vertexStarts, field.rockLayer,
-    ...field.layers.flatMap((layer) => [layer.sites, layer.cellStarts, layer.cellVertices, layer.selected]),
-  ];
-  return [...new Set(arrays.map((array) => array.buffer as ArrayBuffer))];
+function progressOf<Stage extends string>(generator: RawSteps, stages: readonly Stage[]): Progress<Stage> {
+  return { stage: stageOf(generator, stages), fraction: generator.progress() };
 }
 
 // Node only: a MessageChannel there keeps the process alive, and setImmediate is cheaper.

@@ -2,7 +2,7 @@
 
 import type { InitInput } from '../../pkg/generator.js';
 import { RockFieldError } from '../errors.ts';
-import type { RawGenerator } from './session.ts';
+import type { RawGenerator } from './field-session.ts';
 
 /** What pkg/generator.js exports, as far as it is used. */
 export interface GeneratorModule {
@@ -11,11 +11,14 @@ export interface GeneratorModule {
   memory_estimate(params: Float64Array): number;
 }
 
-export interface GeneratorGlue extends GeneratorModule {
+/** A module before its wasm is there. */
+export type Glue<Module> = Module & {
   default(options: { module_or_path: InitInput | Promise<InitInput> }): Promise<unknown>;
   /** Behind a flag of the wasm-bindgen CLI: a new instance of the same module. */
   __wbg_reset_state?: () => void;
-}
+};
+
+export type GeneratorGlue = Glue<GeneratorModule>;
 
 /** Where the wasm comes from: an address, bytes, a response, or a compiled module. */
 export type WasmSource = InitInput;
@@ -25,7 +28,7 @@ export type WasmSource = InitInput;
  *
  * @throws {RockFieldError} `WasmUnavailable`; the next call tries again.
  */
-export async function loadGenerator(glue: GeneratorGlue, source: WasmSource | Promise<WasmSource>): Promise<GeneratorModule> {
+export async function loadGenerator<Module>(glue: Glue<Module>, source: WasmSource | Promise<WasmSource>): Promise<Module> {
   let given: WasmSource;
   try {
     given = await source;

@@ -19,6 +19,25 @@ export interface RawRenderer {
     rockLayers: Uint32Array,
     rockSites: Uint32Array,
   ): void;
+  setLog(
+    positions: Float32Array,
+    normals: Float32Array,
+    indices: Uint32Array,
+    kinds: Uint8Array,
+    coords: Float32Array,
+    place: Float32Array,
+  ): void;
+  clearLog(): void;
+  setColony(
+    positions: Float32Array,
+    normals: Float32Array,
+    indices: Uint32Array,
+    keys: Uint32Array,
+    rings: number,
+    meridians: number,
+    place: Float32Array,
+  ): void;
+  clearColony(): void;
   needsEdges(): boolean;
   setEdges(indices: Uint32Array): void;
   needsPlan(): boolean;

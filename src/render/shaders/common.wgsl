@@ -1,7 +1,7 @@
 // Prepended to every pass. World: x right, y up, z up, pixels of the image. Colour maths is linear.
 
 // Group 0, once per frame and view.
-// size 240 B, align 16; mirrored by Globals in uniforms.rs
+// size 256 B, align 16; mirrored by Globals in uniforms.rs
 struct Globals {
   // Takes positions relative to the eye: far from the origin an f32 keeps its digits that way.
   clip_from_eye: mat4x4f,
@@ -24,6 +24,8 @@ struct Globals {
   weather: vec4f,
   // x ground: 0 soil, 1 sand, 2 gravel; y quality: 0 low, 1 medium, 2 high; z 1 in natural colours; w unused
   scene: vec4f,
+  // Wood ears: moisture, variation, translucency, velvet, 0…1
+  flesh: vec4f,
 }
 
 // Group 1, once per field.
@@ -35,7 +37,7 @@ struct FieldUniforms {
   sun: vec4f,
   // xy the height map's corner, zw 1 / its sides, px
   map: vec4f,
-  // xy image width and height, z the top of the highest rock, w unused
+  // xy image width and height, z the top of the highest rock, w that of everything, px
   size: vec4f,
   // x width over which the soil fades outside the image, y one texel of the height map in px, zw unused
   ground: vec4f,

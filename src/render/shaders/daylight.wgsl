@@ -2,7 +2,7 @@
 
 @group(2) @binding(0) var shadow_map: texture_depth_2d;
 @group(2) @binding(1) var shadow_sampler: sampler_comparison;
-// Height / field.size.z, seen from above: R in steps of 1/255, G the rest of it
+// Height / field.size.w, seen from above: R in steps of 1/255, G the rest of it
 @group(2) @binding(2) var height_map: texture_2d<f32>;
 @group(2) @binding(3) var height_sampler: sampler;
 // The shadow map again: its depths themselves
@@ -20,7 +20,7 @@ fn turned(way: vec2f) -> vec2f {
 fn height_at(at: vec2f) -> f32 {
   let uv = (at - field.map.xy) * field.map.zw;
   let found = textureSampleLevel(height_map, height_sampler, vec2f(uv.x, 1.0 - uv.y), 0.0).rg;
-  return (found.r + (found.g - 0.5) / 255.0) * field.size.z;
+  return (found.r + (found.g - 0.5) / 255.0) * field.size.w;
 }
 
 // How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks. The inner turns find the
@@ -76,7 +76,7 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
   ) * 0.5;
   // Width of the half-shadow per px to its caster: the sun's disc and the bright sky round it.
   const SPREAD = 0.035;
-  let most = 0.5 * SPREAD * field.size.z / max(field.sun.z, 0.2);
+  let most = 0.5 * SPREAD * field.size.w / max(field.sun.z, 0.2);
   var soft = 1.2 * texel * side;
   if quality > 1.5 {
     var found = 0.0;
@@ -118,12 +118,15 @@ fn glint(n_h: f32, n_v: f32, n_l: f32, v_h: f32, rough: f32) -> f32 {
   return a * a / (3.14159 * d * d) * masking * fresnel * n_l;
 }
 
+// The sun's light: low, it is warmer; and the camera adjusts.
+fn sunshine() -> vec3f {
+  return mix(vec3f(2.8, 1.95, 1.2), vec3f(2.66, 2.46, 2.16), smoothstep(0.05, 0.75, field.sun.z));
+}
+
 // Light from a surface to the eye. `face` without its relief, `normal` with it; `seen` from `sky_seen`.
 fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
   let sun = field.sun.xyz;
-  // Low, it is warmer; and the camera adjusts.
-  let high = smoothstep(0.05, 0.75, sun.z);
-  let sun_color = mix(vec3f(2.8, 1.95, 1.2), vec3f(2.66, 2.46, 2.16), high);
+  let sun_color = sunshine();
   let sky_color = vec3f(0.36, 0.40, 0.45);
   let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.45 + sky_color * 0.6);
 

@@ -10,7 +10,7 @@ fn vs_main(@location(0) position: vec3f, @location(1) color: vec4f) -> Varyings 
   var out: Varyings;
   let at = settled(position, color);
   let uv = (at.xy - field.map.xy) * field.map.zw;
-  out.height = at.z / field.size.z;
+  out.height = at.z / field.size.w;
   // What is below the ground is flat: nothing reads it, and it must not be clipped away from what is above.
   out.clip = vec4f(uv * 2.0 - 1.0, 1.0 - max(out.height, 0.0), 1.0);
   return out;

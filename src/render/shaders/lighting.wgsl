@@ -2,7 +2,7 @@
 
 @group(2) @binding(0) var shadow_map: texture_depth_2d;
 @group(2) @binding(1) var shadow_sampler: sampler_comparison;
-// Height / field.size.z, seen from above: R in steps of 1/255, G the rest of it (height.wgsl)
+// Height / field.size.w, seen from above: R in steps of 1/255, G the rest of it (height.wgsl)
 @group(2) @binding(2) var height_map: texture_2d<f32>;
 @group(2) @binding(3) var height_sampler: sampler;
 
@@ -29,7 +29,7 @@ fn sunlight(world: vec3f, normal: vec3f) -> f32 {
 
 fn height_at(at: vec2f) -> f32 {
   let uv = (at - field.map.xy) * field.map.zw;
-  return textureSampleLevel(height_map, height_sampler, vec2f(uv.x, 1.0 - uv.y), 0.0).r * field.size.z;
+  return textureSampleLevel(height_map, height_sampler, vec2f(uv.x, 1.0 - uv.y), 0.0).r * field.size.w;
 }
 
 // How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks.

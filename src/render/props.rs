@@ -1,0 +1,228 @@
+//! What stands among the rocks: a fallen log, and wood ears that grow on it. Each is one mesh and one draw.
+//!
+//! What is painted of a vertex has the rocks' form, so that the shadow and height passes draw both. Of a log, three zeros and
+//! the kind of wood: 0 bark, 1 end grain, 2 splinter. Of a wood ear, the share of the way from its middle to its rim, two
+//! random bytes of the individual, and its [`Side`].
+
+use glam::Vec3;
+
+use super::palette;
+use super::scene::upload_normals;
+use super::{Gpu, RenderError, upload};
+
+/// Where a prop stands, as it lies in JavaScript: its origin in px of the world, and px per cm.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Place {
+    origin: Vec3,
+    scale: f32,
+}
+
+impl Place {
+    /// x, y, z, scale; what is missing or no number stands at the origin, 1 px a cm.
+    pub(crate) fn new(values: &[f32]) -> Self {
+        let value = |at: usize| values.get(at).copied().filter(|value| value.is_finite());
+        let origin = [0, 1, 2].map(|at| value(at).unwrap_or(0.0));
+        Self { origin: origin.into(), scale: value(3).filter(|&scale| scale > 0.0).unwrap_or(1.0) }
+    }
+}
+
+/// A closed or open mesh in cm, as it lies in JavaScript.
+pub(crate) struct PropMesh<'a> {
+    /// 3v coordinates.
+    pub(crate) positions: &'a js_sys::Float32Array,
+    /// 3v coordinates.
+    pub(crate) normals: &'a js_sys::Float32Array,
+    /// 3t vertex numbers.
+    pub(crate) indices: &'a js_sys::Uint32Array,
+}
+
+/// One side of a wood ear, as `shaders/ear.wgsl` reads it.
+#[derive(Clone, Copy, Debug)]
+enum Side {
+    Inner,
+    Rim,
+    Outer,
+    Foot,
+}
+
+/// How the vertices of a wood ear lie one after the other; all individuals of a colony are alike.
+#[derive(Clone, Debug)]
+pub(crate) struct Ears {
+    pub(crate) rings: u32,
+    pub(crate) meridians: u32,
+    /// Per individual a number that stays its own while others come and go.
+    pub(crate) keys: Vec<u32>,
+}
+
+impl Ears {
+    /// What is painted of `vertex`, where every individual has `each` of them.
+    fn painted(&self, vertex: u32, each: u32) -> u32 {
+        let (d, c) = (self.rings.max(1), self.meridians.max(1));
+        let (individual, at) = (vertex / each, vertex % each);
+        let hash = palette::hash(0, self.keys.get(individual as usize).copied().unwrap_or(individual));
+        let sheet = d * c;
+        let closed = each >= 2 * sheet + 2 * c;
+        let (ring, side) = match at {
+            at if at < sheet => (at / c + 1, Side::Inner),
+            at if closed && at < sheet + 2 * c => (d, Side::Rim),
+            at if closed && at < 2 * sheet + 2 * c => ((at - sheet - 2 * c) / c + 1, Side::Outer),
+            _ => (0, Side::Foot),
+        };
+        (ring * 255 / d) | hash << 8 & 0x00ff_ff00 | (side as u32) << 24
+    }
+}
+
+/// Buffers of a log or of a colony.
+pub(crate) struct Prop {
+    positions: wgpu::Buffer,
+    normals: wgpu::Buffer,
+    painted: wgpu::Buffer,
+    /// Per vertex: of a log, its place along the axis and the distance from it, px.
+    coords: Option<wgpu::Buffer>,
+    indices: wgpu::Buffer,
+    index_count: u32,
+    low: Vec3,
+    high: Vec3,
+}
+
+impl Drop for Prop {
+    /// Not left to JavaScript's collector.
+    fn drop(&mut self) {
+        let buffers = [&self.positions, &self.normals, &self.painted, &self.indices];
+        for buffer in buffers.into_iter().chain(&self.coords) {
+            buffer.destroy();
+        }
+    }
+}
+
+impl Prop {
+    /// `kinds` one per vertex, `coords` two per vertex, in cm.
+    pub(crate) fn log(
+        gpu: &Gpu,
+        place: Place,
+        mesh: &PropMesh<'_>,
+        kinds: &[u8],
+        coords: &js_sys::Float32Array,
+    ) -> Result<Self, RenderError> {
+        let vertices = mesh.positions.length() / 3;
+        if kinds.len() != vertices as usize || coords.length() != 2 * vertices {
+            return Err(RenderError::Malformed("kinds and coords of another log"));
+        }
+        let kind = |vertex: u32| u32::from(kinds.get(vertex as usize).copied().unwrap_or(0).min(2)) << 24;
+        let mut log = Self::new(gpu, place, mesh, kind)?;
+        let usage = wgpu::BufferUsages::VERTEX;
+        let buffer = upload::buffer(&gpu.device, "rock-field/log/coords", "coords", 8 * u64::from(vertices), usage)?;
+        upload::write::<f32>(&gpu.queue, &buffer, 2 * vertices, |start, slice| {
+            coords.subarray(start, start + slice.len() as u32).copy_to(slice);
+            for coord in slice {
+                *coord *= place.scale;
+            }
+        });
+        log.coords = Some(buffer);
+        Ok(log)
+    }
+
+    pub(crate) fn colony(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, ears: &Ears) -> Result<Self, RenderError> {
+        let each = mesh.positions.length() / 3 / (ears.keys.len() as u32).max(1);
+        if each * ears.keys.len() as u32 * 3 != mesh.positions.length() {
+            return Err(RenderError::Malformed("individuals of different size"));
+        }
+        Self::new(gpu, place, mesh, |vertex| ears.painted(vertex, each.max(1)))
+    }
+
+    fn new(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, painted: impl Fn(u32) -> u32) -> Result<Self, RenderError> {
+        let vertices = mesh.positions.length() / 3;
+        let index_count = mesh.indices.length() / 3 * 3;
+        if mesh.normals.length() != mesh.positions.length() {
+            return Err(RenderError::Malformed("positions and normals disagree"));
+        }
+        let make = |label, what, elements: u32, usage| {
+            upload::buffer(&gpu.device, label, what, 4 * u64::from(elements), usage)
+        };
+        let vertex = wgpu::BufferUsages::VERTEX;
+        let positions = make("rock-field/prop/positions", "vertices", 3 * vertices, vertex)?;
+        let normals = make("rock-field/prop/normals", "normals", vertices, vertex)?;
+        let colors = make("rock-field/prop/painted", "colours", vertices, vertex)?;
+        let indices = make("rock-field/prop/indices", "triangles", index_count, wgpu::BufferUsages::INDEX)?;
+        let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
+        upload::write::<f32>(&gpu.queue, &positions, 3 * vertices, |start, slice| {
+            mesh.positions.subarray(start, start + slice.len() as u32).copy_to(slice);
+            for vertex in slice.chunks_exact_mut(3) {
+                let at = Vec3::from_slice(vertex) * place.scale + place.origin;
+                low = at.min(low);
+                high = at.max(high);
+                vertex.copy_from_slice(&at.to_array());
+            }
+        });
+        upload_normals(gpu, &normals, vertices, mesh.normals);
+        upload::write::<u32>(&gpu.queue, &colors, vertices, |start, slice| {
+            for (vertex, out) in (start..).zip(slice) {
+                *out = painted(vertex);
+            }
+        });
+        let mut highest = 0;
+        upload::write::<u32>(&gpu.queue, &indices, index_count, |start, slice| {
+            mesh.indices.subarray(start, start + slice.len() as u32).copy_to(slice);
+            highest = slice.iter().fold(highest, |most, &index| most.max(index));
+        });
+        if index_count > 0 && (highest >= vertices || !(high - low).is_finite()) {
+            return Err(RenderError::Malformed("an index or a coordinate that is none"));
+        }
+        Ok(Self { positions, normals, painted: colors, coords: None, indices, index_count, low, high })
+    }
+
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
+        if self.index_count == 0 {
+            return;
+        }
+        pass.set_pipeline(pipeline);
+        pass.set_vertex_buffer(0, self.positions.slice(..));
+        pass.set_vertex_buffer(1, self.painted.slice(..));
+        pass.set_vertex_buffer(2, self.normals.slice(..));
+        if let Some(coords) = &self.coords {
+            pass.set_vertex_buffer(3, coords.slice(..));
+        }
+        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..self.index_count, 0, 0..1);
+    }
+}
+
+/// What one picture shows beside its field.
+#[derive(Default)]
+pub(crate) struct Props {
+    log: Option<Prop>,
+    colony: Option<Prop>,
+    /// Counted up by every change.
+    pub(crate) number: u64,
+}
+
+impl Props {
+    pub(crate) fn set_log(&mut self, log: Option<Prop>) {
+        self.log = log;
+        self.number += 1;
+    }
+
+    pub(crate) fn set_colony(&mut self, colony: Option<Prop>) {
+        self.colony = colony;
+        self.number += 1;
+    }
+
+    /// The log, then the colony, each with its pipeline.
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, [log, ear]: [&wgpu::RenderPipeline; 2]) {
+        for (prop, pipeline) in [(&self.log, log), (&self.colony, ear)] {
+            if let Some(prop) = prop {
+                prop.draw(pass, pipeline);
+            }
+        }
+    }
+
+    pub(crate) fn is_empty(&self) -> bool {
+        self.log.is_none() && self.colony.is_none()
+    }
+
+    /// A box that has `low`…`high` and everything in it.
+    pub(crate) fn around(&self, low: Vec3, high: Vec3) -> (Vec3, Vec3) {
+        let shown = self.log.iter().chain(&self.colony).filter(|prop| prop.index_count > 0);
+        shown.fold((low, high), |(low, high), prop| (low.min(prop.low), high.max(prop.high)))
+    }
+}

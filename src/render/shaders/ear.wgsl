@@ -1,0 +1,111 @@
+// Wood ears (Auricularia) in natural colours: wet a jelly that light shines through, dry dark and matte; the back is velvet.
+
+struct Varyings {
+  @builtin(position) clip: vec4f,
+  @location(0) from_eye: vec3f,
+  // Share of the way to the rim, two random numbers of the individual, and its side: 0 inner, 1 rim, 2 outer, 3 foot
+  @location(1) own: vec4f,
+  @location(2) normal: vec3f,
+  // As in rock.wgsl: the same point, but never outside the triangle
+  @location(3) @interpolate(perspective, centroid) inside: vec3f,
+}
+
+@vertex
+fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(2) normal: vec2f) -> Varyings {
+  var out: Varyings;
+  out.from_eye = position - globals.eye.xyz;
+  out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
+  out.inside = out.from_eye;
+  out.own = vec4f(painted.xyz, painted.w * 255.0);
+  // Octahedral, as scene.rs packs it.
+  let z = 1.0 - abs(normal.x) - abs(normal.y);
+  let fold = max(-z, 0.0);
+  out.normal = vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z);
+  return out;
+}
+
+@fragment
+fn fs_main(
+  @builtin(position) pixel: vec4f,
+  @builtin(front_facing) front: bool,
+  @location(0) from_eye: vec3f,
+  @location(1) own: vec4f,
+  @location(2) given: vec3f,
+  @location(3) @interpolate(perspective, centroid) inside: vec3f,
+) -> @location(0) vec4f {
+  let across = dpdx(from_eye);
+  let down = dpdy(from_eye);
+  let step_x = dot(across, across);
+  let step_y = dot(down, down);
+  let footprint = sqrt(sqrt(step_x * step_y)) * 0.5 + sqrt(max(step_x, step_y)) * 0.5;
+  let turn_x = dpdx(given);
+  let turn_y = dpdy(given);
+  // A single sheet shows its back as its inner side turned over.
+  let base = normalize(given) * select(-1.0, 1.0, front);
+  let world = inside + globals.eye.xyz;
+  let far = length(from_eye);
+  let to_eye = -from_eye / far;
+  let back = select(1.0, smoothstep(1.0, 1.9, own.w), front);
+  let moisture = globals.flesh.x;
+  let variation = globals.flesh.y;
+  let wet = smoothstep(0.15, 0.85, moisture + 0.3 * variation * (own.z - 0.5));
+
+  // Veins that branch over the inner side, and what the flesh is uneven by.
+  let at = world + own.yzy * vec3f(37.0, 53.0, 71.0);
+  let broad = noise3(at / 1.7);
+  let seen_veins = shown(0.9, footprint) * (1.0 - back);
+  var slope = 0.06 * broad.xyz;
+  var vein = 0.0;
+  if globals.scene.y > 0.0 && seen_veins > 0.0 {
+    let net = noise3((at + 0.3 * broad.xyz) / 1.3);
+    vein = (1.0 - smoothstep(0.0, 0.22, abs(net.w))) * seen_veins * smoothstep(-0.25, 0.3, broad.w);
+    slope -= 0.3 * sign(net.w) * net.xyz * vein;
+  }
+  var down_hair = 0.0;
+  let hair_seen = shown(0.12, footprint) * back;
+  if globals.scene.y > 0.0 && hair_seen > 0.0 {
+    let hair = noise3(at / 0.12) * hair_seen;
+    down_hair = hair.w;
+    slope += 0.25 * hair.xyz;
+  }
+
+  // Inside from red-brown to nearly black as it dries, outside to a pale grey; some are more yellow, some younger and paler.
+  let young = variation * (own.y - 0.4);
+  let warm = vec3f(1.0 + 0.1 * young, 1.0 + 0.45 * young, 1.0 + 0.25 * young);
+  let jelly = mix(vec3f(0.06, 0.022, 0.013), vec3f(0.115, 0.049, 0.026), own.x * own.x) * warm;
+  let inner = mix(vec3f(0.03, 0.022, 0.019), jelly, wet) * (1.0 + 0.5 * broad.w + 0.12 * vein);
+  let skin = mix(vec3f(0.17, 0.148, 0.13), vec3f(0.095, 0.056, 0.04), wet) * warm;
+  let zones = 1.0 + 0.12 * sin(own.x * 26.0 + 3.0 * broad.w) * back;
+  let outer = skin * zones * (1.0 + 0.25 * broad.w + 0.5 * down_hair);
+  var albedo = mix(inner, outer, back) * exp2(variation * (own.z - 0.5) * 1.2);
+  var rough = mix(mix(0.6, 0.2, wet), 0.85, back);
+  let relief = bumped(base, slope);
+  let seen = mix(0.25, 1.0, sky_seen(world, base, pixel.xy));
+  let towards = normalize(relief + to_eye * max(0.0, 0.02 - dot(relief, to_eye)));
+
+  // Velvet: hairs stand out against the light where they are seen from the side.
+  let n_v = max(dot(towards, to_eye), 0.0);
+  let velvet = globals.flesh.w * back * (1.0 - 0.35 * wet);
+  let fuzz = velvet * pow(1.0 - n_v, 2.5);
+  albedo = mix(albedo, vec3f(0.36, 0.32, 0.285) * (1.0 + 0.6 * down_hair), 0.25 * velvet + 0.6 * fuzz);
+  // What turns faster than the pixels can show scatters, as in natural_rock.wgsl: a rim is as wide as a pixel.
+  let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.3);
+  rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
+  var light = daylight(albedo, rough, world, base, towards, to_eye, seen);
+
+  // Light through the flesh: of the sun and the sky behind it, redder the thicker it is, and most at the rim.
+  let thin = globals.flesh.z * wet * smoothstep(0.05, 1.0, own.x) * (1.0 - smoothstep(2.2, 2.9, own.w));
+  if thin > 0.0 {
+    let sun = field.sun.xyz;
+    let lit = dot(base, sun);
+    let behind = max(-lit, 0.0) + 0.25 * max(1.0 - abs(lit), 0.0);
+    // The shadow map has the flesh itself: asked is its lit side.
+    let toward_sun = select(-base, base, lit > 0.0);
+    let direct = sun_seen(world + sun * 0.15, toward_sun) * behind;
+    let scatter = 0.6 + 1.2 * pow(max(dot(-to_eye, sun), 0.0), 4.0);
+    let depth = mix(1.5, 0.5, own.x);
+    let tint = exp(-depth * vec3f(0.75, 2.1, 3.4) * (1.0 + 0.5 * vein));
+    light += tint * thin * (sunshine() * direct * scatter * 0.6 + vec3f(0.36, 0.4, 0.45) * 0.12 * seen);
+  }
+  return developed(light, far, pixel.xy);
+}

@@ -1,0 +1,38 @@
+// A log and wood ears in the papers' style: smooth and matte; flesh is told from wood by what is painted of it.
+
+struct Varyings {
+  @builtin(position) clip: vec4f,
+  @location(0) from_eye: vec3f,
+  @location(1) color: vec3f,
+  @location(2) normal: vec3f,
+}
+
+@vertex
+fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(2) normal: vec2f) -> Varyings {
+  var out: Varyings;
+  out.from_eye = position - globals.eye.xyz;
+  out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
+  let kind = painted.w * 255.0;
+  let wood = mix(vec3f(0.2, 0.16, 0.125), vec3f(0.42, 0.33, 0.23), min(kind, 1.0));
+  let flesh = mix(vec3f(0.2, 0.085, 0.06), vec3f(0.27, 0.21, 0.18), smoothstep(1.2, 1.8, kind));
+  // A log has no random bytes; of wood ears one in 65536.
+  out.color = select(flesh, wood, all(painted.yz == vec2f(0.0)));
+  let z = 1.0 - abs(normal.x) - abs(normal.y);
+  let fold = max(-z, 0.0);
+  out.normal = vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z);
+  return out;
+}
+
+@fragment
+fn fs_main(
+  @builtin(position) pixel: vec4f,
+  @location(0) from_eye: vec3f,
+  @location(1) color: vec3f,
+  @location(2) given: vec3f,
+) -> @location(0) vec4f {
+  let flat = cross(dpdx(from_eye), dpdy(from_eye));
+  let face = select(flat, -flat, dot(flat, from_eye) > 0.0);
+  let normal = normalize(given);
+  let lit = shade(color, from_eye + globals.eye.xyz, select(normal, -normal, dot(normal, face) < 0.0), pixel.xy);
+  return finish(lit * mix(1.0, 0.3, globals.ray_forward.w), pixel.xy);
+}

@@ -1,0 +1,112 @@
+/** Sessions of wood ears: the buffers of the wasm as a `WoodEarColony`. */
+
+import type { WoodEarColony, WoodEarLog } from '../colony.ts';
+import { RockFieldError } from '../errors.ts';
+import type { FlatColony, LogMesh } from '../wood-ear-flat.ts';
+import { Session } from './session.ts';
+import type { Craft, RawSteps, Times } from './session.ts';
+
+/** The class of the same name in pkg/wood-ear.d.ts, as far as it is used. */
+export interface RawWoodEarGenerator extends RawSteps {
+  set_log(positions: Float32Array, indices: Uint32Array): void;
+  clear_log(): void;
+  start(params: Float64Array, maxBytes: number): void;
+  preview_ready(): boolean;
+  positions(): Float32Array;
+  normals(): Float32Array;
+  indices(): Uint32Array;
+  individual_starts(): Uint32Array;
+  vertex_starts(): Uint32Array;
+  foot(): Uint32Array;
+  size(): Float32Array;
+  base(): Uint8Array;
+  log_positions(): Float32Array;
+  log_normals(): Float32Array;
+  log_indices(): Uint32Array;
+  log_kinds(): Uint8Array;
+  log_coords(): Float32Array;
+  log_version(): number;
+  bases(): Float64Array;
+  summary(): Float64Array;
+}
+
+/** What pkg/wood-ear.js exports, as far as it is used. */
+export interface WoodEarModule {
+  WoodEarGenerator: new () => RawWoodEarGenerator;
+  fresh_seed(): number;
+}
+
+export type WoodEarStage = 'log' | 'spawn' | 'deform' | 'collide' | 'mesh' | 'look';
+
+const STAGES: readonly WoodEarStage[] = ['log', 'spawn', 'deform', 'collide', 'mesh', 'look'];
+
+export function woodEarSession(generator: RawWoodEarGenerator): Session<RawWoodEarGenerator, FlatColony, WoodEarColony, WoodEarStage> {
+  return new Session(generator, new WoodEars());
+}
+
+class WoodEars implements Craft<RawWoodEarGenerator, FlatColony, WoodEarColony, WoodEarStage> {
+  readonly stages = STAGES;
+  /** The user's log that the generator has. */
+  #given: LogMesh | null = null;
+  #log: WoodEarLog | undefined;
+  #version = -1;
+
+  start(generator: RawWoodEarGenerator, { params, log, maxBytes }: FlatColony): void {
+    if (!log && this.#given) generator.clear_log();
+    // Setting it would start from the log again.
+    else if (log && !(this.#given && sameLog(log, this.#given))) setLog(generator, log);
+    this.#given = log;
+    generator.start(params, maxBytes);
+  }
+
+  collect(generator: RawWoodEarGenerator, _request: FlatColony, ms: Times<WoodEarStage>): WoodEarColony {
+    const [individuals = 0, triangles = 0, crossingPairs = 0, sweeps = 0, rounds = 0, keptMedian = 0, keptP10 = 0, dropped = 0] = generator.summary();
+    return {
+      positions: generator.positions(),
+      normals: generator.normals(),
+      indices: generator.indices(),
+      individualStarts: generator.individual_starts(),
+      vertexStarts: generator.vertex_starts(),
+      foot: generator.foot(),
+      size: generator.size(),
+      base: generator.base(),
+      log: this.#collectLog(generator),
+      bases: generator.bases(),
+      stats: { individuals, triangles, crossingPairs, sweeps, rounds, keptMedian, keptP10, dropped, ms },
+    };
+  }
+
+  /** The copy made before, unless the log changed since, or somebody transferred it. */
+  #collectLog(generator: RawWoodEarGenerator): WoodEarLog {
+    const version = generator.log_version();
+    if (!this.#log || version !== this.#version || Object.values(this.#log).some(({ byteLength }) => byteLength === 0)) {
+      this.#log = {
+        positions: generator.log_positions(),
+        normals: generator.log_normals(),
+        indices: generator.log_indices(),
+        kinds: generator.log_kinds(),
+        coords: generator.log_coords(),
+      };
+      this.#version = version;
+    }
+    return this.#log;
+  }
+}
+
+/** A log that is refused is the request's fault, and nothing has changed. */
+function setLog(generator: RawWoodEarGenerator, { positions, indices }: LogMesh): void {
+  try {
+    generator.set_log(positions, indices);
+  } catch (thrown) {
+    if (!(thrown instanceof Error && thrown.name.startsWith('Log'))) throw thrown;
+    throw new RockFieldError({ name: thrown.name, key: 'log', message: thrown.message }, { cause: thrown });
+  }
+}
+
+function sameLog(a: LogMesh, b: LogMesh): boolean {
+  return same(a.positions, b.positions) && same(a.indices, b.indices);
+}
+
+function same(a: Float32Array | Uint32Array, b: Float32Array | Uint32Array): boolean {
+  return a.length === b.length && a.every((value, k) => value === b[k]);
+}

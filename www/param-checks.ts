@@ -1,0 +1,94 @@
+/** Values of a request from code, checked against the rows of a table. Nothing is corrected silently: an error names key, value and bounds. */
+
+import { RockFieldError } from './errors.ts';
+
+/** What a parameter is before it is checked. */
+export type Loose = Record<string, unknown>;
+
+/** What a value belongs to, where that is not the request itself: a layer, a base. */
+export interface Place {
+  /** In the list it stands in. */
+  index?: number;
+  /** For people. */
+  name: string;
+}
+
+interface Range {
+  min: number;
+  max: number;
+}
+
+/** A row, as far as its values are checked. */
+interface Spec extends Range {
+  key: string;
+  component: number | null;
+  kind: 'real' | 'integer' | 'optional-real' | 'optional-integer' | 'choice';
+  choices: readonly { value: string }[];
+}
+
+/** A value of a row, checked. `name` is how the request calls it, where that is not the key. */
+export function checkValue(spec: Spec, bounds: Range, value: unknown, at?: Place, name: string = spec.component === null ? spec.key : `${spec.key}[${spec.component}]`): number | string | null {
+  if (spec.kind === 'choice') {
+    if (spec.choices.some((choice) => choice.value === value)) return value as string;
+    const words = spec.choices.map((choice) => choice.value).join(' or ');
+    if (typeof value !== 'string') throw wrongType(spec.key, value, words, at, name);
+    throw new RockFieldError({
+      name: 'OutOfRange', key: spec.key, layer: at?.index, value, min: spec.min, max: spec.max,
+      message: `${name}${of(at)} is ${quote(value)}; it has to be ${words}`,
+    });
+  }
+  if (spec.kind.startsWith('optional') && value === null) return null;
+  return checkNumber(spec.key, value, bounds, spec.kind.endsWith('integer'), at, name);
+}
+
+export function checkNumber(key: string, value: unknown, { min, max }: Range, whole: boolean, at?: Place, part: string = key): number {
+  if (typeof value !== 'number') throw wrongType(key, value, 'a number', at, part);
+  const name = `${part}${of(at)}`;
+  const layer = at?.index;
+  // Written so that NaN fails too.
+  if (!(value >= min && value <= max)) {
+    const message = `${name} is ${value}; it has to lie in ${min} to ${max}`;
+    throw new RockFieldError({ name: 'OutOfRange', key, layer, value, min, max, message });
+  }
+  if (whole && !Number.isInteger(value)) {
+    const message = `${name} is ${value}; it has to be a whole number`;
+    throw new RockFieldError({ name: 'NotAnInteger', key, layer, value, min, max, message });
+  }
+  // −0 would be another number in the link and in the flat list.
+  return value === 0 ? 0 : value;
+}
+
+/** @param key `params` for the request itself. */
+export function objectOf(value: unknown, key: string, at?: Place): Loose {
+  // Own keys alone: nothing that a prototype adds is a request.
+  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return { ...value };
+  if (key === 'params') {
+    throw new RockFieldError({ name: 'MalformedRequest', key, value, message: `the request is ${quote(value)}; it has to be an object` });
+  }
+  throw wrongType(key, value, 'an object', at);
+}
+
+export function rejectUnknown(given: Loose, known: (key: string) => boolean, at?: Place): void {
+  const key = Object.keys(given).find((candidate) => !known(candidate));
+  if (key === undefined) return;
+  const value = given[key];
+  throw new RockFieldError({ name: 'UnknownKey', key, layer: at?.index, value, message: `there is no parameter called ${quote(key)}${of(at)}` });
+}
+
+export function wrongType(key: string, value: unknown, wanted: string, at?: Place, name: string = key): RockFieldError {
+  return new RockFieldError({ name: 'WrongType', key, layer: at?.index, value, message: `${name}${of(at)} is ${quote(value)}; it has to be ${wanted}` });
+}
+
+export function unknownPreset(name: string): RockFieldError {
+  return new RockFieldError({ name: 'UnknownPreset', key: 'preset', value: name, message: `there is no preset called ${quote(name)}` });
+}
+
+function of(at: Place | undefined): string {
+  return at ? ` of ${at.name}` : '';
+}
+
+/** A value for a message: short, whatever it is. */
+function quote(value: unknown): string {
+  const text = typeof value === 'string' ? JSON.stringify(value) : Array.isArray(value) ? 'a list' : String(value);
+  return text.length > 60 ? `${text.slice(0, 60)}…` : text;
+}
