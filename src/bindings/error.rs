@@ -5,12 +5,15 @@ use wasm_bindgen::prelude::*;
 
 use crate::error::Error;
 
+/// A number as JavaScript writes it.
+pub(super) fn number(n: f64) -> String {
+    js_sys::Object::from(JsValue::from_f64(n)).to_string().into()
+}
+
 /// The only conversion of errors: `name` is the code for machines, `message` the text for people.
 impl From<Error> for JsValue {
     fn from(error: Error) -> JsValue {
-        let js = js_sys::Error::new(
-            &error.message(|n| String::from(js_sys::Object::from(JsValue::from_f64(n)).to_string())),
-        );
+        let js = js_sys::Error::new(&error.message(number));
         js.set_name(error.code());
         let [value, min, max] = error.numbers();
         for (key, number) in [("value", value), ("min", min), ("max", max)] {

@@ -3,12 +3,13 @@
 use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
+use super::error::number;
 use crate::params::wood_ear::Params;
 use crate::wood_ear::{Generator, LogError, Stats};
 
 impl From<LogError> for JsValue {
     fn from(error: LogError) -> JsValue {
-        let js = js_sys::Error::new(&error.to_string());
+        let js = js_sys::Error::new(&error.message(number));
         js.set_name(error.code());
         js.into()
     }
@@ -17,7 +18,8 @@ impl From<LogError> for JsValue {
 /// A seed from the system's source of randomness.
 #[wasm_bindgen]
 pub fn fresh_seed() -> Result<u32, JsError> {
-    Ok(getrandom::u32()?)
+    // The crate's own texts would bring Rust's formatting with them.
+    getrandom::u32().map_err(|_| JsError::new("the system has no source of randomness"))
 }
 
 /// The stages with their cache; see [`crate::wood_ear::Generator`].
@@ -128,3 +130,8 @@ impl JsWoodEar {
         [a, b, c, d, e, kept_median, kept_p10].as_slice().into()
     }
 }
+
+/// A fourth of the size of the standard one, dlmalloc.
+#[cfg(target_family = "wasm")]
+#[global_allocator]
+static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();
