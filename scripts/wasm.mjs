@@ -12,12 +12,12 @@ export const artefacts = [
   // Its instance can be replaced after a trap, which in Node and for `rock-field/core` there is no worker for.
   // Functions called once stay functions: V8 makes a third slower code of very large ones.
   { feature: 'generator', profile: 'release', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'], expected: '10–60 s', bindgen: ['--experimental-reset-state-function'] },
-  // Small, and fast where it counts: the size levels are as large and half as fast. Vectorised code and deep inlining take 2 kB and
-  // save no time, what panics say, where nobody reads it, 3 kB.
+  // Small, and as fast as with everything: the size levels of the compiler are as large and half as fast; vectorised loops and the deepest
+  // inlining take 1.3 kB and save no time that can be measured; what panics say, where nobody reads it, takes 3 kB.
   {
     feature: 'wood-ear',
     profile: 'wood-ear',
-    rustc: ['-C', 'no-vectorize-slp', '-C', 'no-vectorize-loops', '-C', 'llvm-args=-inline-threshold=40'],
+    rustc: ['-C', 'no-vectorize-loops', '-C', 'llvm-args=-inline-threshold=170'],
     silent: true,
     optimise: ['-O3', '--one-caller-inline-max-function-size', '0'],
     expected: '10–60 s',

@@ -26,7 +26,7 @@ fn bounds(range: Range, slider: Slider) -> String {
         "min: {}, max: {}, step: {}, default: {}, slider: {{ min: {}, max: {}, logarithmic: {} }}",
         number(range.min),
         number(range.max),
-        number(range.step),
+        number(slider.step),
         number(range.default),
         number(slider.min),
         number(slider.max),
@@ -41,17 +41,17 @@ macro_rules! rows {
             let scope = if matches!(spec.scope, $table::Scope::Field(..)) { "field" } else { $item };
             let (kind, choices) = kind_of(spec.kind);
             writeln!($out, "  {{").unwrap();
-            let component = spec.component.map_or("null".into(), |c| c.to_string());
+            let component = text.component.map_or("null".into(), |c| c.to_string());
             writeln!(
                 $out,
                 "    key: {}, component: {component}, url: {}, scope: '{scope}', kind: '{kind}', stage: '{}',",
                 json(spec.key),
-                json(spec.url),
+                json(text.url),
                 format!("{:?}", spec.stage).to_lowercase()
             )
             .unwrap();
-            writeln!($out, "    {},", bounds(spec.range, spec.slider)).unwrap();
-            match spec.relative {
+            writeln!($out, "    {},", bounds(spec.range, text.slider)).unwrap();
+            match spec.relative.zip(text.relative) {
                 Some((range, slider)) => writeln!($out, "    relative: {{ {} }},", bounds(range, slider)).unwrap(),
                 None => writeln!($out, "    relative: null,").unwrap(),
             }
@@ -73,8 +73,8 @@ macro_rules! rows {
 macro_rules! docs {
     ($out:ident, $table:ident, $name:literal) => {
         writeln!($out, "export const {}: Readonly<Record<string, Words>> = {{", $name).unwrap();
-        for (spec, text) in $table::PARAMS.iter().zip($table::TEXTS) {
-            writeln!($out, "  {}: {},", spec.url, pair(text.doc)).unwrap();
+        for text in $table::TEXTS {
+            writeln!($out, "  {}: {},", text.url, pair(text.doc)).unwrap();
         }
         $out.push_str("};\n");
     };
@@ -198,7 +198,7 @@ fn wood_ear_table() -> String {
 fn readme_table() -> String {
     let mut out = String::from("| key | in links | range | default | |\n|---|---|---|---|---|\n");
     for (spec, text) in PARAMS.iter().zip(TEXTS) {
-        let key = spec.component.map_or(format!("`{}`", spec.key), |c| format!("`{}[{c}]`", spec.key));
+        let key = text.component.map_or(format!("`{}`", spec.key), |c| format!("`{}[{c}]`", spec.key));
         let range = match spec.kind {
             Kind::Choice(words) => words.iter().map(|w| format!("`{w}`")).collect::<Vec<_>>().join(", "),
             _ => format!("{} – {} {}", spec.range.min, spec.range.max, text.unit[0]),
@@ -208,7 +208,7 @@ fn readme_table() -> String {
             _ if spec.range.default.is_nan() => "none".into(),
             _ => spec.range.default.to_string(),
         };
-        writeln!(out, "| {key} | `{}` | {} | {default} | {} |", spec.url, range.trim(), text.doc[0]).unwrap();
+        writeln!(out, "| {key} | `{}` | {} | {default} | {} |", text.url, range.trim(), text.doc[0]).unwrap();
     }
     out
 }
@@ -240,7 +240,7 @@ fn every_row_has_words_and_a_default_within_its_bounds() {
             assert_eq!(spec.range.max, (words.len() - 1) as f64);
         }
     }
-    let mut urls: Vec<_> = PARAMS.iter().map(|s| s.url).collect();
+    let mut urls: Vec<_> = TEXTS.iter().map(|text| text.url).collect();
     urls.sort_unstable();
     urls.dedup();
     assert_eq!(urls.len(), PARAMS.len(), "two rows share a key in links");
@@ -312,14 +312,14 @@ fn the_wood_ears_table_is_as_sound_as_the_rocks() {
     for (spec, text) in PARAMS.iter().zip(TEXTS) {
         assert!([text.label, text.doc].iter().flatten().all(|words| !words.is_empty()), "{}", spec.key);
         let range = spec.range;
-        assert!(range.min < range.max && range.min <= spec.slider.min && spec.slider.max <= range.max, "{}", spec.key);
+        assert!(range.min < range.max && range.min <= text.slider.min && text.slider.max <= range.max, "{}", spec.key);
         let none = range.default.is_nan() && spec.kind.is_optional();
         assert!(none || (range.min..=range.max).contains(&range.default), "{}", spec.key);
         if let Kind::Choice(words) = spec.kind {
             assert_eq!((words.len(), range.max), (text.choices.len(), (words.len() - 1) as f64));
         }
     }
-    let mut urls: Vec<_> = PARAMS.iter().map(|spec| spec.url).collect();
+    let mut urls: Vec<_> = TEXTS.iter().map(|text| text.url).collect();
     urls.sort_unstable();
     urls.dedup();
     assert_eq!(urls.len(), PARAMS.len(), "two rows share a key in links");

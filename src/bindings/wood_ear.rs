@@ -131,7 +131,7 @@ impl JsWoodEar {
     }
 }
 
-/// A fourth of the size of the standard one, dlmalloc.
+/// 2.5 kB smaller, compressed, than the standard one (dlmalloc), as fast, and no hungrier.
 #[cfg(target_family = "wasm")]
 #[global_allocator]
 static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();

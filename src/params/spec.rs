@@ -1,7 +1,7 @@
 //! What a row of a parameter table is, and the macro that writes one: the rocks' table and the wood-ear's are made alike.
 //!
 //! The rows give rise to two constants, so that a wasm build which only checks bounds does not carry
-//! the texts: `PARAMS` (keys and bounds) and `TEXTS` (labels and documentation, same order).
+//! the texts: `PARAMS` (keys and bounds) and `TEXTS` (controls, labels and documentation, same order).
 
 use super::Notation;
 
@@ -36,20 +36,18 @@ impl Kind {
     }
 }
 
-/// Bounds, step of the control, and default.
+/// Bounds and default.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Smallest legal value.
     pub min: f64,
     /// Largest legal value.
     pub max: f64,
-    /// Step of sliders and number fields.
-    pub step: f64,
     /// Value where none is given; NaN for "none".
     pub default: f64,
 }
 
-/// The part of the range that a slider covers; the number field beside it takes the whole range.
+/// The part of the range that a slider covers, and the step of it and of the number field beside it, which takes the whole range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slider {
     /// Left end.
@@ -58,6 +56,8 @@ pub struct Slider {
     pub max: f64,
     /// Equal steps are equal factors.
     pub logarithmic: bool,
+    /// Step of the control.
+    pub step: f64,
 }
 
 /// One row: the bounds and the place of a parameter of `P` or of its items `I`, whose stages are `S`.
@@ -65,27 +65,29 @@ pub struct Slider {
 pub struct ParamSpec<P, I, S> {
     /// Property name in code; the three parts of a triple share it.
     pub key: &'static str,
-    /// Which part of a triple: base, per rock, per vertex.
-    pub component: Option<u8>,
-    /// Key in links.
-    pub url: &'static str,
     /// Whole or item, with its accessors.
     pub scope: Scope<P, I>,
     /// Kind of value.
     pub kind: Kind,
     /// Bounds in the journal's notation.
     pub range: Range,
-    /// Span of the slider in the journal's notation.
-    pub slider: Slider,
-    /// Bounds and slider in the conference's notation, where they differ.
-    pub relative: Option<(Range, Slider)>,
+    /// Bounds in the conference's notation, where they differ.
+    pub relative: Option<Range>,
     /// First stage an edit re-runs.
     pub stage: S,
 }
 
-/// The words that belong to a row of `PARAMS`.
+/// What belongs to a row of `PARAMS` and no stage needs: its controls and its words.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Text {
+    /// Key in links.
+    pub url: &'static str,
+    /// Which part of a triple: base, per rock, per vertex.
+    pub component: Option<u8>,
+    /// Its control in the journal's notation.
+    pub slider: Slider,
+    /// Its control in the conference's notation, where they differ.
+    pub relative: Option<Slider>,
     /// Unit in the journal's and in the conference's notation.
     pub unit: [&'static str; 2],
     /// Label in English and Japanese.
@@ -105,7 +107,7 @@ impl<P, I, S> ParamSpec<P, I, S> {
     /// Bounds in a notation.
     pub fn range(&self, notation: Notation) -> Range {
         match (notation, self.relative) {
-            (Notation::Relative, Some((range, _))) => range,
+            (Notation::Relative, Some(range)) => range,
             _ => self.range,
         }
     }
@@ -125,20 +127,18 @@ macro_rules! table {
         /// Keys, bounds and accessors of every parameter.
         pub const PARAMS: &[ParamSpec] = &[$($crate::params::spec::ParamSpec {
             key: $key,
-            component: table!(@option $($component)?),
-            url: $url,
             scope: $scope,
             kind: $kind,
-            range: $crate::params::spec::Range { min: $min, max: $max, step: $step, default: $default },
-            slider: $crate::params::spec::Slider { min: $lo, max: $hi, logarithmic: table!(@$scale) },
-            relative: table!(@option $((
-                $crate::params::spec::Range { min: $rmin, max: $rmax, step: $rstep, default: $rdefault },
-                $crate::params::spec::Slider { min: $rlo, max: $rhi, logarithmic: table!(@$rscale) },
-            ))?),
+            range: $crate::params::spec::Range { min: $min, max: $max, default: $default },
+            relative: table!(@option $($crate::params::spec::Range { min: $rmin, max: $rmax, default: $rdefault })?),
             stage: Stage::$stage,
         }),*];
-        /// Labels and documentation of every parameter, in the order of [`PARAMS`].
+        /// Controls, labels and documentation of every parameter, in the order of [`PARAMS`].
         pub const TEXTS: &[$crate::params::spec::Text] = &[$($crate::params::spec::Text {
+            url: $url,
+            component: table!(@option $($component)?),
+            slider: $crate::params::spec::Slider { min: $lo, max: $hi, logarithmic: table!(@$scale), step: $step },
+            relative: table!(@option $($crate::params::spec::Slider { min: $rlo, max: $rhi, logarithmic: table!(@$rscale), step: $rstep })?),
             unit: $unit,
             label: $label,
             doc: [$en, $ja],
