@@ -172,7 +172,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.#params = params;
   }
 
-  get #preset(): K['preset'] {
+  /** What the parameters were written against. */
+  protected get presetInUse(): K['preset'] {
     return this.#history?.present.preset ?? this.#scene.table.presets[0]?.name ?? '';
   }
 
@@ -180,7 +181,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   #dress(): void {
     const params = this.#params;
     const isPending = this.#result !== null && !this.#runs.isSettled && !this.#sameMade(params, this.#shown);
-    if (params && !isPending) this.#putOn(params, this.#preset);
+    if (params && !isPending) this.#putOn(params, this.presetInUse);
   }
 
   #putOn(params: K['params'], preset: K['preset']): void {
@@ -194,7 +195,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   /** What says the same as the present is no step: the panel's edits come here when they are in the history already. */
-  #record(preset: K['preset'] = this.#preset): void {
+  #record(preset: K['preset'] = this.presetInUse): void {
     if (!this.#params) return;
     const edition: Edition<K> = { params: this.#params, preset };
     const present = this.#history?.present;
@@ -219,7 +220,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   /** As the attribute; assigning `null` lets it follow the preset again. */
   get color(): ColorMode {
     this.#readAttributes();
-    return this.#color ?? presetColor(this.#scene.table, this.#preset);
+    return this.#color ?? presetColor(this.#scene.table, this.presetInUse);
   }
 
   set color(color: ColorMode | null) {
@@ -319,7 +320,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   shareURL(base: string = document.baseURI): string {
     const url = new URL(base, document.baseURI);
     const { params, view, color, framed, camera } = this;
-    url.hash = this.#scene.encode({ params, preset: this.#preset, view, color, camera: framed ? null : camera });
+    url.hash = this.#scene.encode({ params, preset: this.presetInUse, view, color, camera: framed ? null : camera });
     return url.href;
   }
 
@@ -365,7 +366,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   generate(): Promise<K['result']> {
     this.start();
     const { params } = this;
-    this.#presets.set(params, this.#preset);
+    this.#presets.set(params, this.presetInUse);
     return this.#runs.start(params);
   }
 
@@ -448,7 +449,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
       chosenColor: () => this.#color,
       history: () => {
         this.#readAttributes();
-        return (this.#history ??= new History<Edition<K>>({ params: this.params, preset: this.#preset }));
+        return (this.#history ??= new History<Edition<K>>({ params: this.params, preset: this.presetInUse }));
       },
       result: () => this.#result,
       random: this.#scene.random,
@@ -466,8 +467,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.#result = result;
     this.#shown = params;
     // Its look may have been edited since it was asked for.
-    if (this.#params && this.#sameMade(this.#params, params)) this.#putOn(this.#params, this.#preset);
-    else this.#putOn(params, this.#presets.get(params) ?? this.#preset);
+    if (this.#params && this.#sameMade(this.#params, params)) this.#putOn(this.#params, this.presetInUse);
+    else this.#putOn(params, this.#presets.get(params) ?? this.presetInUse);
     // Without these words the picture is still a picture.
     this.#describe(result).catch((thrown: unknown) => console.warn(thrown));
     this.emit('generate', this.detailOf(result, superseded, isPreview));

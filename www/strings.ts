@@ -38,6 +38,9 @@ export const STRINGS = {
   skip: 'Skip to the controls',
   picture: 'Picture',
   controls: 'Controls',
+  scenes: 'Scene',
+  'scene-rocks': 'Rocks',
+  'scene-wood-ears': 'Wood ears',
 
   undo: 'Undo',
   redo: 'Redo',

@@ -81,6 +81,9 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
 
   #shown: WoodEarScene | null = null;
   #wood: Wood | null = null;
+  #subject: Subject | null = null;
+  /** What the subject was made for. */
+  #framed: readonly unknown[] = [];
   #handles: BaseHandles | undefined;
   #listening: AbortController | undefined;
   /** A base is being dragged. */
@@ -162,8 +165,18 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     return sceneLabel(this.language);
   }
 
+  /** It stays while bases are edited: the picture must not jump from under the hand. */
   protected override get subject(): Subject {
-    return subjectOf(this.params);
+    const { params } = this;
+    const framed = [this.presetInUse, params.log.length, params.mesh];
+    if (!this.#subject || framed.some((value, k) => value !== this.#framed[k])) this.#subject = subjectOf(params);
+    this.#framed = framed;
+    return this.#subject;
+  }
+
+  override frameAll(animate = true): void {
+    this.#subject = null;
+    super.frameAll(animate);
   }
 
   override attributeChangedCallback(name: string, before: string | null, after: string | null): void {

@@ -17,6 +17,8 @@ import type { Later } from './load-later.ts';
 import type { Place } from './parts.ts';
 import type { Problem, SceneStore } from './scene-store.ts';
 
+const SCENES = [{ name: 'scene-rocks', href: './' }, { name: 'scene-wood-ears', href: 'wood-ear.html' }] as const;
+
 /** What the panel's place does that the store cannot. */
 export interface Actions<K extends Kind> {
   freshSeed: () => void;
@@ -168,6 +170,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     const problem = problemOf(store, seed, null);
     return html`
       <section class="start" aria-label=${store.text('preset')}>
+        ${this.isEmbedded ? nothing : this.#scenes()}
         <div class="control" data-param="preset" data-help=${this.words('presetHelp')}>
           <div class="control-head">
             <span class="control-label" id="preset-label">${store.text('preset')}</span>
@@ -189,6 +192,17 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
           ${description('seed', store.help(seed), problem)}
         </div>
       </section>
+    `;
+  }
+
+  /** The pages, one for each scene. */
+  #scenes(): TemplateResult {
+    const { store } = this;
+    const here = location.pathname.endsWith(SCENES[1].href);
+    return html`
+      <nav class="segment-row scenes" aria-label=${store.text('scenes')}>
+        ${SCENES.map(({ name, href }, index) => html`<a class="segment" href=${href} aria-current=${here === (index === 1) ? 'page' : nothing}><span>${store.text(name)}</span></a>`)}
+      </nav>
     `;
   }
 
