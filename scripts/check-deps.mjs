@@ -120,9 +120,9 @@ function web() {
 function browserGraph() {
   const file = path.join(pkg, 'web.meta.json');
   if (!existsSync(file)) return ['there is no build to look into. Make one with: npm run build'];
-  const { inputs } = JSON.parse(readFileSync(file, 'utf8'));
-  return Object.entries(inputs).flatMap(([name, { imports }]) =>
-    imports.filter((entry) => entry.path.startsWith('node:')).map((entry) => `${name} imports ${entry.path}, and is part of the browser's files`),
+  const { outputs } = JSON.parse(readFileSync(file, 'utf8'));
+  return Object.entries(outputs).flatMap(([name, { imports }]) =>
+    imports.filter((entry) => entry.path.startsWith('node:')).map((entry) => `${name} imports ${entry.path}, and is one of the browser's files`),
   );
 }
 

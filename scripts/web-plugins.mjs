@@ -11,12 +11,11 @@ export const panelApart = {
   },
 };
 
-/** Some packages have a branch for Node, which no browser takes, but bundlers of those who use ours would look for what it imports. */
+/** Some packages have a class for Node beside the one for browsers, of which nothing is left; scripts/check-deps.mjs sees to it. */
 export const nodeless = {
   name: 'nodeless',
   setup(build) {
-    build.onResolve({ filter: /^node:/ }, ({ kind }) => (kind === 'dynamic-import' ? { path: 'nothing', namespace: 'nothing', sideEffects: false } : undefined));
-    build.onLoad({ filter: /./, namespace: 'nothing' }, () => ({ contents: 'export default undefined;', loader: 'js' }));
+    build.onResolve({ filter: /^node:/ }, ({ path: name, kind }) => (kind === 'dynamic-import' ? { path: name, external: true, sideEffects: false } : undefined));
   },
 };
 

@@ -4,7 +4,7 @@
 
 pub mod wood_ear;
 
-use rock_field::params::{Border, Darts, Kind, Layer, Notation, PARAMS, Params, Scope, Swing};
+use rock_field::params::{Border, Darts, Kind, Layer, Notation, PARAMS, Params, Scope, Swing, TEXTS};
 use rock_field::rocks::{Field, Pixel, Sites, generate, voronoi};
 use rock_field::validate::check_field;
 
@@ -22,7 +22,7 @@ pub(crate) use field_test;
 /// The end of the address that shows these parameters on the page.
 pub fn link(params: &Params) -> String {
     let mut link = String::from("#v=1");
-    for spec in PARAMS {
+    for (spec, text) in PARAMS.iter().zip(TEXTS) {
         let written = |value: f64| match spec.kind {
             Kind::Choice(words) => words[value as usize].to_string(),
             _ if value.is_nan() => "-".to_string(),
@@ -32,7 +32,7 @@ pub fn link(params: &Params) -> String {
             Scope::Field(get, _) => written(get(params)),
             Scope::Item(get, _) => list(params, |layer| written(get(layer))),
         };
-        link += &format!("&{}={values}", spec.url);
+        link += &format!("&{}={values}", text.url);
     }
     if params.layers.iter().enumerate().any(|(index, layer)| layer.id != index as u32) {
         link += &format!("&id={}", list(params, |layer| layer.id.to_string()));
