@@ -4,6 +4,7 @@ import path from 'node:path';
 import { ts } from '@custom-elements-manifest/analyzer';
 import { codeBlock, escaped, heading, inline, liveExample, markdown } from './docs-html.mjs';
 import { root } from './env.mjs';
+import { manifest } from './package-manifest.mjs';
 import { tables } from './tables.mjs';
 
 const { encodeLink, presetLabel, presetName, presetParams, translate, word, LAYER_ROWS, PAPERS, PRESETS } = await tables();
@@ -128,6 +129,29 @@ function groupedByKind(all) {
   const groups = {};
   for (const member of all) (groups[member.kind] ??= []).push(member);
   return groups;
+}
+
+/** Everything public of an element, in tables: what it is called, what it takes, what it is. */
+export async function elementTables(tag) {
+  const declaration = (await manifest()).modules.flatMap(({ declarations }) => declarations).find(({ tagName }) => tagName === tag);
+  const paired = new Set(declaration.attributes.map(({ fieldName }) => fieldName));
+  const ofKind = (kind) => declaration.members.filter((member) => member.kind === kind);
+  const methods = ofKind('method').map(({ return: returned, ...member }) => ({ ...member, name: signature({ ...member, kind: 'method' }), type: returned?.type }));
+  const parts = [
+    ['attribute', 'Attributes', declaration.attributes],
+    ['property', 'Properties without an attribute', ofKind('field').filter(({ name }) => !paired.has(name))],
+    ['method', 'Methods', methods],
+    ['event', 'Events', declaration.events],
+    ['part', 'CSS parts', declaration.cssParts],
+  ];
+  const html = parts.map(([kind, title, list]) => {
+    const rows = list.map(({ name, type, default: fallback, description = '' }) => {
+      const taken = [type && `<code>${escaped(type.text)}</code>`, fallback && `${word('default').toLowerCase()} <code>${escaped(fallback)}</code>`].filter(Boolean).join(', ');
+      return `<tr><th scope="row"><code>${escaped(name)}</code>${taken && ` <span class="quiet">${taken}</span>`}</th><td>${description && inline(closed(description))}</td></tr>`;
+    });
+    return `${heading(2, `${tag}-${kind}`, title, title)}<div class="table" tabindex="0" role="group" aria-label="${title}"><table>${rows.join('')}</table></div>`;
+  });
+  return { html: html.join('\n'), contents: parts.map(([kind, title]) => ({ id: `${tag}-${kind}`, name: title })) };
 }
 
 /** Every preset, live, with its link and its line. */

@@ -4,7 +4,7 @@ import path from 'node:path';
 import { root } from './env.mjs';
 import { frame, markdown } from './docs-html.mjs';
 import { members } from './docs-members.mjs';
-import { gallery, overview, sections, types } from './docs-reference.mjs';
+import { elementTables, gallery, overview, sections, types } from './docs-reference.mjs';
 
 const SOURCES = path.join(root, 'www', 'docs');
 
@@ -20,6 +20,7 @@ const PAGES = [
   { file: 'methods.html', title: 'Methods', kinds: ['method'], description: 'Every method of <rock-field>, beside a live example.' },
   { file: 'events.html', title: 'Events', kinds: ['event'], description: 'Every event of <rock-field>, beside a live example.' },
   { file: 'styling.html', title: 'Slots and CSS', kinds: ['slot', 'part', 'css-property'], description: 'Slots, CSS parts and custom properties of <rock-field>, beside live examples.' },
+  { file: 'wood-ear-log.html', title: 'Wood ears', make: () => elementTables('wood-ear-log'), className: 'wide', description: 'A second element, <wood-ear-log>: a colony of wood-ear fungus on a fallen log. Its attributes, properties, methods and events.' },
   { file: 'types.html', title: 'Types', make: types, description: 'The types of fields, parameters, cameras and errors, and the functions of rock-field/core.' },
 ];
 

@@ -140,7 +140,7 @@ export interface Subject {
 }
 
 /** Seen from the side, and in tall pictures more along it, so low that it stands before what lies behind it. */
-const SUBJECT = { elevation: [(34 * Math.PI) / 180, (19 * Math.PI) / 180], azimuth: [(64 * Math.PI) / 180, (22 * Math.PI) / 180], room: 0.86 } as const;
+const SUBJECT = { elevation: [(34 * Math.PI) / 180, (25 * Math.PI) / 180], azimuth: [(64 * Math.PI) / 180, (22 * Math.PI) / 180], room: 0.86 } as const;
 
 /** The nearest camera that shows all of a subject. */
 export function subjectCamera({ low, high }: Subject, aspect: number): CameraState {

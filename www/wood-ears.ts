@@ -42,8 +42,8 @@ export interface WoodEars extends Kind {
   stage: WoodEarStage;
 }
 
-/** What logs lie on where they are found. */
-const FOUND_ON = groundOf('forest-floor');
+/** What logs lie on where they are found; with this seed no boulder stands in the light of a log. */
+const FOUND_ON = groundOf('forest-floor', 9);
 /** The longest link there can be, and some. */
 const MAX_GROUND_LENGTH = 16_384;
 
