@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { launch, screenshotPath } from './browser.mjs';
+import { launch, pageOf, screenshotPath } from './browser.mjs';
 
 const MESSAGE = 'stage-overlay > .message';
 /** A small colony, in the colours of the thesis. */
@@ -189,6 +189,27 @@ test('what is wrong with a link or a value is said, and something legal is shown
   assert.equal((await params(page)).moisture, 100);
   await page.locator('.control-problem').waitFor();
   await closeClean(opened);
+});
+
+test('the embed code shows the same log on another page', async () => {
+  let html = '';
+  const other = await launch({ intercept: pageOf('elsewhere.html', () => html) });
+  try {
+    const opened = await open(`${SMALL}&ground=preset%3Dshingle`, { permissions: ['clipboard-read', 'clipboard-write'] }, other);
+    const { page } = opened;
+    await page.getByRole('button', { name: 'Copy embed code' }).click();
+    await page.waitForSelector('.toast.is-shown');
+    html = `<!doctype html><title>Elsewhere</title><link rel="icon" href="data:,">${await page.evaluate(() => navigator.clipboard.readText())}`;
+    assert.match(html, /<script async src="http:\/\/[^"]+\/wood-ear-cdn\.js"><\/script>\n<wood-ear-log src="#v=1&amp;preset=thesis-default/);
+    const expected = await hash(page);
+    const there = await other.open('elsewhere.html', { viewport: { width: 500, height: 400 } });
+    await there.page.waitForFunction(() => document.querySelector('wood-ear-log')?.scene, undefined, { polling: 100 });
+    assert.equal(await hash(there.page), expected);
+    await closeClean(there);
+    await closeClean(opened);
+  } finally {
+    await other.close();
+  }
 });
 
 const OBJ = (() => {
