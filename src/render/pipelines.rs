@@ -53,13 +53,6 @@ const NORMAL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![2 => Snorm16x2],
 };
 
-/// Place along a log and distance from its axis.
-const COORDS: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: 8,
-    step_mode: wgpu::VertexStepMode::Vertex,
-    attributes: &wgpu::vertex_attr_array![3 => Float32x2],
-};
-
 /// Bytes of a vertex of a plan's fills: x, y, colour.
 pub(crate) const FILL_STRIDE: u64 = 12;
 
@@ -234,14 +227,10 @@ impl Pipelines {
     pub(crate) fn wood(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
         const EAR: &str = include_str!("shaders/ear.wgsl");
         const LOG: &str = include_str!("shaders/log.wgsl");
-        const BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 4] =
-            [Some(POSITION), Some(COLOR), Some(NORMAL), Some(COORDS)];
+        let buffers = [Some(POSITION), Some(COLOR), Some(NORMAL)];
         self.wood.get_or_init(|| {
-            let pass = |label, source, buffers| wood_pass(label, source, NATURAL, buffers);
-            [
-                self.make(device, pass("rock-field/log/pipeline", LOG, &BUFFERS)),
-                self.make(device, pass("rock-field/ear/pipeline", EAR, &BUFFERS[..3])),
-            ]
+            [("rock-field/log/pipeline", LOG), ("rock-field/ear/pipeline", EAR)]
+                .map(|(label, source)| self.make(device, wood_pass(label, source, NATURAL, &buffers)))
         })
     }
 

@@ -153,3 +153,14 @@ fn moss_albedo(at: vec3f, footprint: f32) -> vec3f {
     + 0.4 * noise2((at.xy - 0.7 * at.z) / 1.9) * shown(1.9, footprint);
   return mix(vec3f(0.05, 0.058, 0.019), vec3f(0.135, 0.126, 0.042), hue) * (1.0 + 0.8 * tips);
 }
+
+// A point as the log has it: x along its axis from its middle, y across and z up from the axis, px.
+fn about_log(at: vec3f) -> vec3f {
+  let from_middle = at.x - field.log.x;
+  let t = from_middle / max(field.log.y, 1.0);
+  let b = field.bow;
+  let aside = at.y - (b.x + t * (b.y + t * (b.z + t * b.w)));
+  let steep = (b.y + t * (2.0 * b.z + 3.0 * t * b.w)) / max(field.log.y, 1.0);
+  let lean = inverseSqrt(1.0 + steep * steep);
+  return vec3f(from_middle + aside * steep * lean * lean, aside * lean, at.z - field.log.w);
+}

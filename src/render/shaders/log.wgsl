@@ -3,25 +3,19 @@
 struct Varyings {
   @builtin(position) clip: vec4f,
   @location(0) from_eye: vec3f,
-  // Place along the axis, distance from it, kind of wood
-  @location(1) wood: vec3f,
+  @location(1) kind: f32,
   @location(2) normal: vec3f,
   // As in rock.wgsl: the same point, but never outside the triangle
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
 }
 
 @vertex
-fn vs_main(
-  @location(0) position: vec3f,
-  @location(1) painted: vec4f,
-  @location(2) normal: vec2f,
-  @location(3) coords: vec2f,
-) -> Varyings {
+fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(2) normal: vec2f) -> Varyings {
   var out: Varyings;
   out.from_eye = position - globals.eye.xyz;
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
   out.inside = out.from_eye;
-  out.wood = vec3f(coords, painted.w * 255.0);
+  out.kind = painted.w * 255.0;
   // Octahedral, as scene.rs packs it.
   let z = 1.0 - abs(normal.x) - abs(normal.y);
   let fold = max(-z, 0.0);
@@ -39,7 +33,7 @@ fn fissures(noise: vec4f, wide: f32) -> vec4f {
 fn fs_main(
   @builtin(position) pixel: vec4f,
   @location(0) from_eye: vec3f,
-  @location(1) wood: vec3f,
+  @location(1) kind: f32,
   @location(2) given: vec3f,
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
 ) -> @location(0) vec4f {
@@ -55,7 +49,7 @@ fn fs_main(
   let quality = globals.scene.y;
 
   // Along the grain all is drawn out.
-  let at = vec3f(wood.x, world.yz);
+  let at = about_log(world);
   const LONG = vec3f(0.17, 1.0, 1.0);
   let broad = noise3(at * LONG / 7.0 + 3.0);
   let fiber_seen = shown(0.5, footprint);
@@ -63,8 +57,8 @@ fn fs_main(
   if quality > 0.0 && fiber_seen > 0.0 {
     fiber = noise3(at * LONG / 0.5) * fiber_seen;
   }
-  let end = smoothstep(0.35, 0.65, wood.z) * (1.0 - smoothstep(1.35, 1.65, wood.z));
-  let splinter = smoothstep(1.35, 1.65, wood.z);
+  let end = smoothstep(0.35, 0.65, kind) * (1.0 - smoothstep(1.35, 1.65, kind));
+  let splinter = smoothstep(1.35, 1.65, kind);
   let bare = end + splinter;
 
   // Bark: ridges between fissures along the axis, cut across into plates, and scaly.
@@ -112,14 +106,14 @@ fn fs_main(
 
   if bare > 0.0 {
     // Growth rings, unequal, each pale first and dark at last; the heart is darker, and checks gape from it.
-    let radius = wood.y + 0.35 * broad.w;
+    let radius = length(at.yz) + 0.35 * broad.w;
     let years = radius / 0.42 + 1.5 * noise2(vec2f(radius / 1.3, 0.5));
     let late = smoothstep(0.35, 0.95, fract(years)) * (1.0 - smoothstep(0.95, 1.0, fract(years)));
     let rings = late * shown(0.42, footprint);
-    let check = fissures(noise3(vec3f(0.5, world.yz / 3.7) + 23.0), 0.03);
+    let check = fissures(noise3(vec3f(0.5, at.yz / 3.7) + 23.0), 0.03);
     var pale = mix(vec3f(0.3, 0.215, 0.135), vec3f(0.23, 0.2, 0.165), 0.5 + broad.x);
     pale *= (1.0 - 0.35 * rings) * (1.0 + 0.3 * broad.w + 0.35 * fiber.w);
-    pale *= mix(0.7, 1.0, smoothstep(1.0, 7.0, wood.y));
+    pale *= mix(0.7, 1.0, smoothstep(1.0, 7.0, length(at.yz)));
     let gap = mix(check.w, 1.0, smoothstep(0.0, 0.2, broad.w));
     let torn = mix(vec3f(0.28, 0.19, 0.11), vec3f(0.2, 0.175, 0.15), hue) * max(1.0 + 0.9 * fiber.w + 0.3 * broad.w, 0.2);
     let grain = mix(pale * mix(0.25, 1.0, gap), torn, splinter / bare);
