@@ -43,6 +43,8 @@ impl Ears {
             at if at < sheet => (at / c + 1, Side::Inner),
             at if closed && at < sheet + 2 * c => (d, Side::Rim),
             at if closed && at < 2 * sheet + 2 * c => ((at - sheet - 2 * c) / c + 1, Side::Outer),
+            // The floor over a stalk: seen from inside.
+            at if closed && at > 2 * sheet + 3 * c => (0, Side::Inner),
             _ => (0, Side::Foot),
         };
         (ring * 255 / d) | hash << 8 & 0x00ff_ff00 | (side as u32) << 24
