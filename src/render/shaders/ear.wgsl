@@ -97,6 +97,16 @@ fn fs_main(
   let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.3);
   rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
   var light = daylight(albedo, rough, world, base, towards, to_eye, seen);
+  // Water levels out what is fine, and shows the sky between the trees.
+  let film = wet * (1.0 - back);
+  if film > 0.0 {
+    let level = bumped(base, 0.35 * slope);
+    let mirrored = reflect(-to_eye, level);
+    let gaps = smoothstep(0.0, 0.45, noise3(mirrored * 2.3 + 17.0).w) * smoothstep(-0.1, 0.5, mirrored.z);
+    let grazing = 1.0 - max(dot(level, to_eye), 0.0);
+    let square = grazing * grazing;
+    light += vec3f(0.95, 1.0, 1.06) * (film * film * gaps * seen * (0.05 + 0.8 * square * square * grazing));
+  }
 
   // Light through the flesh: of the sun and the sky behind it, redder the thicker it is, and most at the rim.
   let thin = globals.flesh.z * wet * smoothstep(0.05, 1.0, own.x) * (1.0 - smoothstep(2.2, 2.9, own.w));
