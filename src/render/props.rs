@@ -39,6 +39,8 @@ pub(crate) struct Prop {
     painted: wgpu::Buffer,
     /// Of a log, px.
     axis: Option<Axis>,
+    /// Of wood ears: no face is seen from within.
+    closed: bool,
     indices: wgpu::Buffer,
     index_count: u32,
     low: Vec3,
@@ -71,7 +73,9 @@ impl Prop {
         if each * ears.keys.len() as u32 * 3 != mesh.positions.length() {
             return Err(RenderError::Malformed("individuals of different size"));
         }
-        Self::new(gpu, place, mesh, |vertex| ears.painted(vertex, each.max(1)))
+        let mut colony = Self::new(gpu, place, mesh, |vertex| ears.painted(vertex, each.max(1)))?;
+        colony.closed = ears.is_closed(each);
+        Ok(colony)
     }
 
     fn new(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, painted: impl Fn(u32) -> u32) -> Result<Self, RenderError> {
@@ -112,7 +116,7 @@ impl Prop {
         if index_count > 0 && (highest >= vertices || !(high - low).is_finite()) {
             return Err(RenderError::Malformed("an index or a coordinate that is none"));
         }
-        Ok(Self { positions, normals, painted: colors, indices, index_count, axis: None, low, high })
+        Ok(Self { positions, normals, painted: colors, indices, index_count, axis: None, closed: false, low, high })
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
@@ -147,6 +151,11 @@ impl Props {
 
     pub(crate) fn clear(&mut self) {
         *self = Self { number: self.number + 1, ..Self::default() };
+    }
+
+    /// Whether the wood ears are closed bodies.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.colony.as_ref().is_some_and(|colony| colony.closed)
     }
 
     /// Of the log, if there is one.

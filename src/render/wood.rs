@@ -32,13 +32,18 @@ pub(crate) struct Ears {
 }
 
 impl Ears {
+    /// Whether an individual of `each` vertices has a thickness, and with it two sheets.
+    pub(crate) fn is_closed(&self, each: u32) -> bool {
+        each >= 2 * (self.rings.max(1) + 1) * self.meridians.max(1)
+    }
+
     /// What is painted of `vertex`, where every individual has `each` of them.
     pub(crate) fn painted(&self, vertex: u32, each: u32) -> u32 {
         let (d, c) = (self.rings.max(1), self.meridians.max(1));
         let (individual, at) = (vertex / each, vertex % each);
         let hash = palette::hash(0, self.keys.get(individual as usize).copied().unwrap_or(individual));
         let sheet = d * c;
-        let closed = each >= 2 * sheet + 2 * c;
+        let closed = self.is_closed(each);
         let (ring, side) = match at {
             at if at < sheet => (at / c + 1, Side::Inner),
             at if closed && at < sheet + 2 * c => (d, Side::Rim),
