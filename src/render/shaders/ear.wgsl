@@ -58,8 +58,10 @@ fn fs_main(
   var vein = 0.0;
   if globals.scene.y > 0.0 && seen_veins > 0.0 {
     let net = noise3((at + 0.3 * broad.xyz) / 1.3);
-    vein = (1.0 - smoothstep(0.0, 0.22, abs(net.w))) * seen_veins * smoothstep(-0.25, 0.3, broad.w);
-    slope -= 0.3 * sign(net.w) * net.xyz * vein;
+    let t = clamp(net.w / 0.22, -1.0, 1.0);
+    let here = seen_veins * smoothstep(-0.25, 0.3, broad.w);
+    vein = (1.0 - t * t) * (1.0 - t * t) * here;
+    slope -= 0.3 * t * (1.0 - t * t) * here * net.xyz;
   }
   var fine = 0.0;
   if globals.scene.y > 0.0 {
