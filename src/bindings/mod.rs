@@ -8,5 +8,7 @@ mod generator;
 mod literal;
 #[cfg(feature = "renderer")]
 mod renderer;
+#[cfg(feature = "renderer")]
+mod renderer_wood;
 #[cfg(feature = "wood-ear")]
 mod wood_ear;

@@ -6,8 +6,7 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 use crate::render::{
-    Camera, ColorMode, Ears, Gpu, Layer, Look, Mesh, Mode, Place, Plan, Prop, PropMesh, Props, Quality, RenderError,
-    Rocks, Scene, View,
+    Camera, ColorMode, Gpu, Layer, Look, Mesh, Mode, Plan, Prop, Props, Quality, RenderError, Rocks, Scene, View,
 };
 
 thread_local! {
@@ -31,7 +30,7 @@ fn tell(id: u32, reason: &str) {
     }
 }
 
-fn to_js(error: &RenderError) -> js_sys::Error {
+pub(super) fn to_js(error: &RenderError) -> js_sys::Error {
     let js = js_sys::Error::new(&error.to_string());
     js.set_name(error.code());
     js
@@ -73,10 +72,12 @@ impl Device {
 /// One picture and its field.
 #[wasm_bindgen]
 pub struct Renderer {
-    gpu: Rc<Gpu>,
+    pub(super) gpu: Rc<Gpu>,
     view: View,
     scene: Option<Scene>,
-    props: Props,
+    pub(super) props: Props,
+    /// Uploaded, and shown with the colony that comes next.
+    pub(super) next_log: Option<Prop>,
     plan: Option<Plan>,
     layers: Vec<Layer>,
 }
@@ -89,7 +90,7 @@ impl Renderer {
         let gpu = device.gpu.clone();
         let own = canvas.map(|canvas| gpu.screen(canvas)).transpose().map_err(|error| to_js(&error))?;
         let view = View::new(&gpu, own).map_err(|error| to_js(&error))?;
-        Ok(Self { gpu, view, scene: None, props: Props::default(), plan: None, layers: Vec::new() })
+        Ok(Self { gpu, view, scene: None, props: Props::default(), next_log: None, plan: None, layers: Vec::new() })
     }
 
     /// Uploads a field's mesh and replaces what is drawn. Per rock: its layer's id and its site's index.
@@ -112,56 +113,6 @@ impl Renderer {
         self.scene = Some(scene.map_err(|error| to_js(&error))?);
         self.plan = None;
         Ok(())
-    }
-
-    /// Puts a log into the field: a mesh in cm, per vertex its kind (0 bark, 1 end grain, 2 splinter), its place along the axis
-    /// and its distance from it. `place`: where its origin is in px of the image, x, y, z, and px per cm. Stays until replaced or
-    /// cleared; shown once there is a field, which may be empty.
-    #[wasm_bindgen(js_name = setLog)]
-    pub fn set_log(
-        &mut self,
-        positions: &js_sys::Float32Array,
-        normals: &js_sys::Float32Array,
-        indices: &js_sys::Uint32Array,
-        kinds: Vec<u8>,
-        coords: &js_sys::Float32Array,
-        place: Vec<f32>,
-    ) -> Result<(), js_sys::Error> {
-        let mesh = PropMesh { positions, normals, indices };
-        let log = Prop::log(&self.gpu, Place::new(&place), &mesh, &kinds, coords).map_err(|error| to_js(&error))?;
-        self.props.set_log(Some(log));
-        Ok(())
-    }
-
-    #[wasm_bindgen(js_name = clearLog)]
-    pub fn clear_log(&mut self) {
-        self.props.set_log(None);
-    }
-
-    /// Puts wood ears into the field: one mesh in cm of individuals that are cut alike into `rings` and `meridians`. `keys`: per
-    /// individual a number that stays its own, as the log's vertex it stands on. `place` as of the log.
-    #[wasm_bindgen(js_name = setColony)]
-    #[allow(clippy::too_many_arguments, reason = "one flat buffer each")]
-    pub fn set_colony(
-        &mut self,
-        positions: &js_sys::Float32Array,
-        normals: &js_sys::Float32Array,
-        indices: &js_sys::Uint32Array,
-        keys: Vec<u32>,
-        rings: u32,
-        meridians: u32,
-        place: Vec<f32>,
-    ) -> Result<(), js_sys::Error> {
-        let mesh = PropMesh { positions, normals, indices };
-        let ears = Ears { rings, meridians, keys };
-        let colony = Prop::colony(&self.gpu, Place::new(&place), &mesh, &ears).map_err(|error| to_js(&error))?;
-        self.props.set_colony(Some(colony));
-        Ok(())
-    }
-
-    #[wasm_bindgen(js_name = clearColony)]
-    pub fn clear_colony(&mut self) {
-        self.props.set_colony(None);
     }
 
     /// True if the wireframe is shown and waits for [`Renderer::set_edges`].

@@ -34,6 +34,7 @@ mod surface;
 mod uniforms;
 mod upload;
 mod view;
+mod wood;
 
 pub(crate) use camera::Camera;
 pub(crate) use error::RenderError;
@@ -41,6 +42,7 @@ pub(crate) use gpu::Gpu;
 pub(crate) use look::{Look, Quality};
 pub(crate) use palette::ColorMode;
 pub(crate) use plan::{Layer, Plan};
-pub(crate) use props::{Ears, Place, Prop, PropMesh, Props};
+pub(crate) use props::{Place, Prop, PropMesh, Props};
 pub(crate) use scene::{Mesh, Rocks, Scene};
 pub(crate) use view::{Mode, View};
+pub(crate) use wood::Ears;

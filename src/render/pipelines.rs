@@ -53,13 +53,6 @@ const NORMAL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![2 => Snorm16x2],
 };
 
-/// Place along a log and distance from its axis.
-const COORDS: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
-    array_stride: 8,
-    step_mode: wgpu::VertexStepMode::Vertex,
-    attributes: &wgpu::vertex_attr_array![3 => Float32x2],
-};
-
 /// Bytes of a vertex of a plan's fills: x, y, colour.
 pub(crate) const FILL_STRIDE: u64 = 12;
 
@@ -91,8 +84,9 @@ pub(crate) struct Pipelines {
     /// Outsides, then insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
     natural: OnceCell<[wgpu::RenderPipeline; 4]>,
-    /// A log, then wood ears.
-    wood: OnceCell<[wgpu::RenderPipeline; 2]>,
+    log: OnceCell<wgpu::RenderPipeline>,
+    /// As single sheets, then as closed bodies.
+    ears: [OnceCell<wgpu::RenderPipeline>; 2],
     plain_wood: OnceCell<wgpu::RenderPipeline>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     plan: OnceCell<[wgpu::RenderPipeline; 2]>,
@@ -111,7 +105,7 @@ struct Pass<'a> {
     target: Target,
 }
 
-/// Which sides of a face are drawn. Never only one: rocks overhang, and c_w may turn one inside out.
+/// Which sides of a face are drawn. Of rocks never only one: they overhang, and c_w may turn one inside out.
 enum Sides {
     Both,
     Out,
@@ -183,7 +177,8 @@ impl Pipelines {
             ground,
             rock,
             natural: OnceCell::new(),
-            wood: OnceCell::new(),
+            log: OnceCell::new(),
+            ears: [OnceCell::new(), OnceCell::new()],
             plain_wood: OnceCell::new(),
             wire: OnceCell::new(),
             plan: OnceCell::new(),
@@ -230,19 +225,19 @@ impl Pipelines {
         })
     }
 
-    /// A log and wood ears in natural colours.
-    pub(crate) fn wood(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
-        const EAR: &str = include_str!("shaders/ear.wgsl");
+    /// A log and wood ears in natural colours, these as closed bodies or as single sheets.
+    pub(crate) fn wood(&self, device: &wgpu::Device, closed: bool) -> [&wgpu::RenderPipeline; 2] {
         const LOG: &str = include_str!("shaders/log.wgsl");
-        const BUFFERS: [Option<wgpu::VertexBufferLayout<'static>>; 4] =
-            [Some(POSITION), Some(COLOR), Some(NORMAL), Some(COORDS)];
-        self.wood.get_or_init(|| {
-            let pass = |label, source, buffers| wood_pass(label, source, NATURAL, buffers);
-            [
-                self.make(device, pass("rock-field/log/pipeline", LOG, &BUFFERS)),
-                self.make(device, pass("rock-field/ear/pipeline", EAR, &BUFFERS[..3])),
-            ]
-        })
+        const EAR: &str = include_str!("shaders/ear.wgsl");
+        let make = |label, source, sides| {
+            let buffers = [Some(POSITION), Some(COLOR), Some(NORMAL)];
+            self.make(device, Pass { sides, ..wood_pass(label, source, NATURAL, &buffers) })
+        };
+        let [sheets, bodies] = &self.ears;
+        let log = self.log.get_or_init(|| make("rock-field/log/pipeline", LOG, Sides::Both));
+        // Of a body the far faces would show as specks along its rim, as of a rock.
+        let (ears, sides) = if closed { (bodies, Sides::Out) } else { (sheets, Sides::Both) };
+        [log, ears.get_or_init(|| make("rock-field/ear/pipeline", EAR, sides))]
     }
 
     /// A log and wood ears in the papers' style: as one, matte.

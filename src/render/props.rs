@@ -1,13 +1,9 @@
 //! What stands among the rocks: a fallen log, and wood ears that grow on it. Each is one mesh and one draw.
-//!
-//! What is painted of a vertex has the rocks' form, so that the shadow and height passes draw both. Of a log, three zeros and
-//! the kind of wood: 0 bark, 1 end grain, 2 splinter. Of a wood ear, the share of the way from its middle to its rim, two
-//! random bytes of the individual, and its [`Side`].
 
 use glam::Vec3;
 
-use super::palette;
 use super::scene::upload_normals;
+use super::wood::{self, Axis, Ears};
 use super::{Gpu, RenderError, upload};
 
 /// Where a prop stands, as it lies in JavaScript: its origin in px of the world, and px per cm.
@@ -36,49 +32,15 @@ pub(crate) struct PropMesh<'a> {
     pub(crate) indices: &'a js_sys::Uint32Array,
 }
 
-/// One side of a wood ear, as `shaders/ear.wgsl` reads it.
-#[derive(Clone, Copy, Debug)]
-enum Side {
-    Inner,
-    Rim,
-    Outer,
-    Foot,
-}
-
-/// How the vertices of a wood ear lie one after the other; all individuals of a colony are alike.
-#[derive(Clone, Debug)]
-pub(crate) struct Ears {
-    pub(crate) rings: u32,
-    pub(crate) meridians: u32,
-    /// Per individual a number that stays its own while others come and go.
-    pub(crate) keys: Vec<u32>,
-}
-
-impl Ears {
-    /// What is painted of `vertex`, where every individual has `each` of them.
-    fn painted(&self, vertex: u32, each: u32) -> u32 {
-        let (d, c) = (self.rings.max(1), self.meridians.max(1));
-        let (individual, at) = (vertex / each, vertex % each);
-        let hash = palette::hash(0, self.keys.get(individual as usize).copied().unwrap_or(individual));
-        let sheet = d * c;
-        let closed = each >= 2 * sheet + 2 * c;
-        let (ring, side) = match at {
-            at if at < sheet => (at / c + 1, Side::Inner),
-            at if closed && at < sheet + 2 * c => (d, Side::Rim),
-            at if closed && at < 2 * sheet + 2 * c => ((at - sheet - 2 * c) / c + 1, Side::Outer),
-            _ => (0, Side::Foot),
-        };
-        (ring * 255 / d) | hash << 8 & 0x00ff_ff00 | (side as u32) << 24
-    }
-}
-
 /// Buffers of a log or of a colony.
 pub(crate) struct Prop {
     positions: wgpu::Buffer,
     normals: wgpu::Buffer,
     painted: wgpu::Buffer,
-    /// Per vertex: of a log, its place along the axis and the distance from it, px.
-    coords: Option<wgpu::Buffer>,
+    /// Of a log, px.
+    axis: Option<Axis>,
+    /// Of wood ears: no face is seen from within.
+    closed: bool,
     indices: wgpu::Buffer,
     index_count: u32,
     low: Vec3,
@@ -89,36 +51,20 @@ impl Drop for Prop {
     /// Not left to JavaScript's collector.
     fn drop(&mut self) {
         let buffers = [&self.positions, &self.normals, &self.painted, &self.indices];
-        for buffer in buffers.into_iter().chain(&self.coords) {
-            buffer.destroy();
-        }
+        buffers.into_iter().for_each(wgpu::Buffer::destroy);
     }
 }
 
 impl Prop {
-    /// `kinds` one per vertex, `coords` two per vertex, in cm.
-    pub(crate) fn log(
-        gpu: &Gpu,
-        place: Place,
-        mesh: &PropMesh<'_>,
-        kinds: &[u8],
-        coords: &js_sys::Float32Array,
-    ) -> Result<Self, RenderError> {
-        let vertices = mesh.positions.length() / 3;
-        if kinds.len() != vertices as usize || coords.length() != 2 * vertices {
-            return Err(RenderError::Malformed("kinds and coords of another log"));
+    /// `kinds` one per vertex.
+    pub(crate) fn log(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, kinds: &[u8]) -> Result<Self, RenderError> {
+        let points = mesh.positions.to_vec();
+        if 3 * kinds.len() != points.len() {
+            return Err(RenderError::Malformed("kinds of another log"));
         }
-        let kind = |vertex: u32| u32::from(kinds.get(vertex as usize).copied().unwrap_or(0).min(2)) << 24;
-        let mut log = Self::new(gpu, place, mesh, kind)?;
-        let usage = wgpu::BufferUsages::VERTEX;
-        let buffer = upload::buffer(&gpu.device, "rock-field/log/coords", "coords", 8 * u64::from(vertices), usage)?;
-        upload::write::<f32>(&gpu.queue, &buffer, 2 * vertices, |start, slice| {
-            coords.subarray(start, start + slice.len() as u32).copy_to(slice);
-            for coord in slice {
-                *coord *= place.scale;
-            }
-        });
-        log.coords = Some(buffer);
+        let painted = |vertex: u32| wood::painted(kinds.get(vertex as usize).copied().unwrap_or(0));
+        let mut log = Self::new(gpu, place, mesh, painted)?;
+        log.axis = Some(Axis::of(&points, kinds).placed(place.origin, place.scale));
         Ok(log)
     }
 
@@ -127,7 +73,9 @@ impl Prop {
         if each * ears.keys.len() as u32 * 3 != mesh.positions.length() {
             return Err(RenderError::Malformed("individuals of different size"));
         }
-        Self::new(gpu, place, mesh, |vertex| ears.painted(vertex, each.max(1)))
+        let mut colony = Self::new(gpu, place, mesh, |vertex| ears.painted(vertex, each.max(1)))?;
+        colony.closed = ears.is_closed(each);
+        Ok(colony)
     }
 
     fn new(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, painted: impl Fn(u32) -> u32) -> Result<Self, RenderError> {
@@ -168,7 +116,7 @@ impl Prop {
         if index_count > 0 && (highest >= vertices || !(high - low).is_finite()) {
             return Err(RenderError::Malformed("an index or a coordinate that is none"));
         }
-        Ok(Self { positions, normals, painted: colors, coords: None, indices, index_count, low, high })
+        Ok(Self { positions, normals, painted: colors, indices, index_count, axis: None, closed: false, low, high })
     }
 
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
@@ -179,9 +127,6 @@ impl Prop {
         pass.set_vertex_buffer(0, self.positions.slice(..));
         pass.set_vertex_buffer(1, self.painted.slice(..));
         pass.set_vertex_buffer(2, self.normals.slice(..));
-        if let Some(coords) = &self.coords {
-            pass.set_vertex_buffer(3, coords.slice(..));
-        }
         pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
         pass.draw_indexed(0..self.index_count, 0, 0..1);
     }
@@ -197,14 +142,25 @@ pub(crate) struct Props {
 }
 
 impl Props {
-    pub(crate) fn set_log(&mut self, log: Option<Prop>) {
-        self.log = log;
+    /// Replaces the colony, and where there is a new `log`, that.
+    pub(crate) fn set(&mut self, log: Option<Prop>, colony: Prop) {
+        self.log = log.or(self.log.take());
+        self.colony = Some(colony);
         self.number += 1;
     }
 
-    pub(crate) fn set_colony(&mut self, colony: Option<Prop>) {
-        self.colony = colony;
-        self.number += 1;
+    pub(crate) fn clear(&mut self) {
+        *self = Self { number: self.number + 1, ..Self::default() };
+    }
+
+    /// Whether the wood ears are closed bodies.
+    pub(crate) fn is_closed(&self) -> bool {
+        self.colony.as_ref().is_some_and(|colony| colony.closed)
+    }
+
+    /// Of the log, if there is one.
+    pub(crate) fn axis(&self) -> Option<&Axis> {
+        self.log.as_ref().and_then(|log| log.axis.as_ref())
     }
 
     /// The log, then the colony, each with its pipeline.

@@ -177,6 +177,10 @@ impl Scene {
         self.radius = (high - low).length() * 0.5;
         let mut uniforms = field_uniforms(sun, self.image, low, high, MapSets::side(gpu) as f32);
         uniforms.size[2] = self.high.z.max(1.0);
+        if let Some(axis) = props.axis() {
+            uniforms.log = [axis.middle, axis.half, axis.radius, axis.height];
+            uniforms.bow = axis.bow;
+        }
         gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
     }
 
@@ -398,5 +402,7 @@ fn field_uniforms(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) 
         map: [corner.x, corner.y, scale.x, scale.y],
         size: [image[0], image[1], high.z.max(1.0), high.z.max(1.0)],
         ground: [0.36 * image[0].max(image[1]), texel, 0.0, 0.0],
+        log: [0.0; 4],
+        bow: [0.0; 4],
     }
 }

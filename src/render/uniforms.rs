@@ -31,7 +31,7 @@ pub(crate) struct Globals {
     pub(crate) flesh: [f32; 4],
 }
 
-/// Once per field. Size 128 B.
+/// Once per field. Size 160 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FieldUniforms {
@@ -44,4 +44,8 @@ pub(crate) struct FieldUniforms {
     pub(crate) size: [f32; 4],
     /// x width of the soil's fade, y one texel of the height map, px.
     pub(crate) ground: [f32; 4],
+    /// x the middle of the log's reach along x, y half of it (0: no log), z its radius, w the height of its axis, px.
+    pub(crate) log: [f32; 4],
+    /// y of its axis, px: a polynomial in t, −1…1 from end to end.
+    pub(crate) bow: [f32; 4],
 }

@@ -169,7 +169,7 @@ impl View {
                         scene.draw_rocks(&mut pass, both);
                     }
                     if !props.is_empty() {
-                        props.draw(&mut pass, gpu.pipelines.wood(&gpu.device).each_ref());
+                        props.draw(&mut pass, gpu.pipelines.wood(&gpu.device, props.is_closed()));
                     }
                     // The backdrop, and the ground; last, so that only what shows of it is drawn.
                     pass.set_pipeline(ground);

@@ -1,4 +1,4 @@
-/** The two renderer artefacts: what they export (`src/bindings/renderer.rs`), and how one is fetched and started. */
+/** The two renderer artefacts: what they export (`src/bindings/renderer.rs`, `renderer_wood.rs`), and how one is fetched and started. */
 
 import type { GpuBackend } from './device.ts';
 
@@ -24,10 +24,8 @@ export interface RawRenderer {
     normals: Float32Array,
     indices: Uint32Array,
     kinds: Uint8Array,
-    coords: Float32Array,
     place: Float32Array,
   ): void;
-  clearLog(): void;
   setColony(
     positions: Float32Array,
     normals: Float32Array,
@@ -37,7 +35,7 @@ export interface RawRenderer {
     meridians: number,
     place: Float32Array,
   ): void;
-  clearColony(): void;
+  clearWood(): void;
   needsEdges(): boolean;
   setEdges(indices: Uint32Array): void;
   needsPlan(): boolean;

@@ -107,10 +107,7 @@ export class GpuRenderer implements SceneRenderer {
   setWood(wood: Wood | null): void {
     this.#guard(() => {
       if (wood) this.#upload(wood);
-      else if (this.#wood) {
-        this.#raw.clearColony();
-        this.#raw.clearLog();
-      }
+      else if (this.#wood) this.#raw.clearWood();
       this.#wood = wood;
     });
   }
@@ -120,8 +117,9 @@ export class GpuRenderer implements SceneRenderer {
     const at = Float32Array.from(place);
     const old = this.#wood;
     const isOld = old !== null && old.colony.log === log && old.place.every((value, k) => value === place[k]);
+    // Shown with the colony, or, where that fails, not.
+    if (!isOld) this.#raw.setLog(log.positions, log.normals, log.indices, log.kinds, at);
     this.#raw.setColony(colony.positions, colony.normals, colony.indices, colony.foot, rings, meridians, at);
-    if (!isOld) this.#raw.setLog(log.positions, log.normals, log.indices, log.kinds, log.coords, at);
   }
 
   setStyle({ view, color, dark }: SceneStyle): void {

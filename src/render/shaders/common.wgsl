@@ -29,7 +29,7 @@ struct Globals {
 }
 
 // Group 1, once per field.
-// size 128 B, align 16; mirrored by FieldUniforms in uniforms.rs
+// size 160 B, align 16; mirrored by FieldUniforms in uniforms.rs
 struct FieldUniforms {
   // World to the sun's clip space, depth 0…1
   sun_from_world: mat4x4f,
@@ -41,6 +41,10 @@ struct FieldUniforms {
   size: vec4f,
   // x width over which the soil fades outside the image, y one texel of the height map in px, zw unused
   ground: vec4f,
+  // x the middle of the log's reach along x, y half of it (0: no log), z its radius, w the height of its axis, px
+  log: vec4f,
+  // y of its axis, px: a polynomial in t, -1…1 from end to end
+  bow: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> globals: Globals;

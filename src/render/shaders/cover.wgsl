@@ -9,6 +9,8 @@ var<private> cover_open: f32;
 // Height of the highest stone so far, and of the highest whose shadow falls here, px
 var<private> cover_top: f32;
 var<private> cover_shade: f32;
+// 1 on a leaf
+var<private> cover_leaf: f32;
 
 // Linear; between the stones.
 fn soil_albedo(ground: f32) -> vec3f {
@@ -74,6 +76,57 @@ fn scatter(at: vec2f, period: f32, axis: vec2f, here: f32, own: f32, footprint: 
   cover_open = mix(cover_open, smoothstep(0.0, 0.75, dome), seen);
 }
 
+// A point as the log has it: x along its axis from its middle, y across and z up from the axis, px.
+fn about_log(at: vec3f) -> vec3f {
+  let from_middle = at.x - field.log.x;
+  let t = from_middle / max(field.log.y, 1.0);
+  let b = field.bow;
+  let aside = at.y - (b.x + t * (b.y + t * (b.z + t * b.w)));
+  let steep = (b.y + t * (2.0 * b.z + 3.0 * t * b.w)) / max(field.log.y, 1.0);
+  let lean = inverseSqrt(1.0 + steep * steep);
+  return vec3f(from_middle + aside * steep * lean * lean, aside * lean, at.z - field.log.w);
+}
+
+// Dead leaves and bits of bark of about `period`, as `scatter` lays stones.
+fn litter(at: vec2f, period: f32, axis: vec2f, here: f32, footprint: f32) {
+  let seen = shown(period * 0.5, footprint);
+  if seen <= 0.0 {
+    return;
+  }
+  let q = vec2f(dot(at, axis), dot(at, vec2f(-axis.y, axis.x))) / period;
+  let base = vec2i(floor(q - 0.5));
+  for (var i = 0; i < 4; i++) {
+    let cell = base + vec2i(i & 1, i >> 1u);
+    let h = hash3(vec3i(cell, i32(period * 64.0) + 7));
+    let r = bytes(h);
+    let s = bytes(scramble(h + 1u));
+    let turn = normalize(r.zw - 0.5013);
+    let away = q - (vec2f(cell) + 0.27 + 0.46 * r.xy);
+    let long = dot(away, turn) / (0.34 + 0.2 * s.x);
+    // Bent along its rib.
+    let wide = dot(away, vec2f(-turn.y, turn.x)) + (s.z - 0.5) * 0.12 * long * long;
+    let half = (0.1 + 0.13 * s.w) * (1.0 - long * long) * (1.0 + 0.35 * long);
+    let inside = 1.0 - abs(wide) / max(half, 0.001);
+    let high = 0.5 + 1.9 * fract(7.0 * s.x + s.z);
+    if s.y < here && abs(long) < 1.0 {
+      if abs(wide) < half + 0.05 {
+        cover_shade = max(cover_shade, (high + 0.25) * seen);
+      }
+      if inside > 0.0 && high > cover_top {
+        cover_top = high;
+        let rib = smoothstep(0.1, 0.0, abs(wide)) * 0.35 + 0.12 * sin(24.0 * (long + 1.5 * abs(wide)));
+        let hue = mix(vec3f(0.19, 0.13, 0.075), mix(vec3f(0.125, 0.06, 0.033), vec3f(0.07, 0.05, 0.038), s.w), fract(5.0 * r.x + s.z));
+        cover_albedo = mix(cover_albedo, hue * (0.8 + 0.5 * s.x) * (1.0 + rib * seen), seen);
+        // Its edges curl up.
+        let curl = (0.9 * (s.z - 0.3) * wide / max(half, 0.02)) * vec2f(-turn.y, turn.x) + 0.5 * (r.y - 0.5) * long * turn;
+        cover_slope = mix(cover_slope, curl.x * axis + curl.y * vec2f(-axis.y, axis.x), seen);
+        cover_open = mix(cover_open, 0.9, seen);
+        cover_leaf = max(cover_leaf, seen);
+      }
+    }
+  }
+}
+
 // The bare ground at a point of z = 0.
 fn ground_cover(at: vec2f, footprint: f32) {
   let ground = globals.scene.x;
@@ -83,6 +136,7 @@ fn ground_cover(at: vec2f, footprint: f32) {
   let grit = noise2(at / 0.7) * shown(0.7, footprint);
   cover_top = 0.0;
   cover_shade = 0.0;
+  cover_leaf = 0.0;
   cover_slope = vec2f(0.0);
   cover_open = 0.8;
   let warm = 0.05 * noise2(at / 47.0 + 9.0);
@@ -117,6 +171,19 @@ fn ground_cover(at: vec2f, footprint: f32) {
     if quality > 0.0 {
       scatter(at, 7.7, vec2f(0.8078, 0.5895), 0.06, 1.0, footprint);
     }
+  }
+  if field.log.y > 0.0 {
+    // What falls from a log, and what it stops, thickest along its foot.
+    let from_log = about_log(vec3f(at, 0.0));
+    let away = length(max(abs(from_log.xy) - vec2f(field.log.y, 0.45 * field.log.z), vec2f(0.0)));
+    let near = exp(-away / (0.8 * field.log.z));
+    let here = 0.7 * near + 0.16 * exp(-away / (6.0 * field.log.z)) + 0.1 * patches * near;
+    cover_albedo *= mix(vec3f(1.0), vec3f(0.66, 0.6, 0.54), near);
+    if quality > 0.0 {
+      litter(at, 2.1, vec2f(0.4384, 0.8988), here, footprint);
+    }
+    litter(at, 4.3, vec2f(-0.9165, 0.4), 0.8 * here, footprint);
+    litter(at, 7.4, vec2f(0.2198, -0.9755), 0.8 * here, footprint);
   }
 }
 

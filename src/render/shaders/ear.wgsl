@@ -58,8 +58,14 @@ fn fs_main(
   var vein = 0.0;
   if globals.scene.y > 0.0 && seen_veins > 0.0 {
     let net = noise3((at + 0.3 * broad.xyz) / 1.3);
-    vein = (1.0 - smoothstep(0.0, 0.22, abs(net.w))) * seen_veins * smoothstep(-0.25, 0.3, broad.w);
-    slope -= 0.3 * sign(net.w) * net.xyz * vein;
+    let t = clamp(net.w / 0.22, -1.0, 1.0);
+    let here = seen_veins * smoothstep(-0.25, 0.3, broad.w);
+    vein = (1.0 - t * t) * (1.0 - t * t) * here;
+    slope -= 0.3 * t * (1.0 - t * t) * here * net.xyz;
+  }
+  var fine = 0.0;
+  if globals.scene.y > 0.0 {
+    fine = noise3(at / 0.5).w * shown(0.5, footprint);
   }
   var down_hair = 0.0;
   let hair_seen = shown(0.12, footprint) * back;
@@ -69,16 +75,17 @@ fn fs_main(
     slope += 0.25 * hair.xyz;
   }
 
-  // Inside from red-brown to nearly black as it dries, outside to a pale grey; some are more yellow, some younger and paler.
-  let young = variation * (own.y - 0.4);
-  let warm = vec3f(1.0 + 0.1 * young, 1.0 + 0.45 * young, 1.0 + 0.25 * young);
-  let jelly = mix(vec3f(0.06, 0.022, 0.013), vec3f(0.115, 0.049, 0.026), own.x * own.x) * warm;
-  let inner = mix(vec3f(0.03, 0.022, 0.019), jelly, wet) * (1.0 + 0.5 * broad.w + 0.12 * vein);
-  let skin = mix(vec3f(0.17, 0.148, 0.13), vec3f(0.095, 0.056, 0.04), wet) * warm;
+  // The young are tan and the old red-brown to nearly black; thin at the rim, where it is paler. Dry, all are dark and grey.
+  let age = mix(0.5, own.y, min(2.0 * variation, 1.0));
+  let old = mix(vec3f(0.115, 0.046, 0.019), vec3f(0.04, 0.013, 0.0085), smoothstep(0.4, 1.0, age));
+  let jelly = mix(vec3f(0.2, 0.098, 0.042), old, smoothstep(0.0, 0.6, age)) * mix(0.65, 1.25, own.x * own.x);
+  let mottled = 1.0 + 0.55 * broad.w + 0.35 * fine + 0.15 * vein;
+  let inner = mix(vec3f(0.026, 0.019, 0.016), jelly, wet) * mottled;
+  let skin = mix(vec3f(0.185, 0.162, 0.142), vec3f(0.088, 0.054, 0.037), wet) * mix(1.25, 0.8, age);
   let zones = 1.0 + 0.12 * sin(own.x * 26.0 + 3.0 * broad.w) * back;
-  let outer = skin * zones * (1.0 + 0.25 * broad.w + 0.5 * down_hair);
-  var albedo = mix(inner, outer, back) * exp2(variation * (own.z - 0.5) * 1.2);
-  var rough = mix(mix(0.6, 0.2, wet), 0.85, back);
+  let outer = skin * zones * (1.0 + 0.3 * broad.w + 0.25 * fine + 0.5 * down_hair);
+  var albedo = mix(inner, outer, back) * exp2(variation * (own.z - 0.5) * 2.2);
+  var rough = mix(mix(0.62, 0.19, wet), 0.85, back);
   let relief = bumped(base, slope);
   let seen = mix(0.25, 1.0, sky_seen(world, base, pixel.xy));
   let towards = normalize(relief + to_eye * max(0.0, 0.02 - dot(relief, to_eye)));
@@ -92,6 +99,16 @@ fn fs_main(
   let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.3);
   rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
   var light = daylight(albedo, rough, world, base, towards, to_eye, seen);
+  // Water levels out what is fine, and shows the sky between the trees.
+  let film = wet * (1.0 - back);
+  if film > 0.0 {
+    let level = bumped(base, 0.35 * slope);
+    let mirrored = reflect(-to_eye, level);
+    let gaps = smoothstep(0.0, 0.45, noise3(mirrored * 2.3 + 17.0).w) * smoothstep(-0.1, 0.5, mirrored.z);
+    let grazing = 1.0 - max(dot(level, to_eye), 0.0);
+    let square = grazing * grazing;
+    light += vec3f(0.95, 1.0, 1.06) * (film * film * gaps * seen * (0.05 + 0.8 * square * square * grazing));
+  }
 
   // Light through the flesh: of the sun and the sky behind it, redder the thicker it is, and most at the rim.
   let thin = globals.flesh.z * wet * smoothstep(0.05, 1.0, own.x) * (1.0 - smoothstep(2.2, 2.9, own.w));

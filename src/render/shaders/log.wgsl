@@ -3,25 +3,19 @@
 struct Varyings {
   @builtin(position) clip: vec4f,
   @location(0) from_eye: vec3f,
-  // Place along the axis, distance from it, kind of wood
-  @location(1) wood: vec3f,
+  @location(1) kind: f32,
   @location(2) normal: vec3f,
   // As in rock.wgsl: the same point, but never outside the triangle
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
 }
 
 @vertex
-fn vs_main(
-  @location(0) position: vec3f,
-  @location(1) painted: vec4f,
-  @location(2) normal: vec2f,
-  @location(3) coords: vec2f,
-) -> Varyings {
+fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(2) normal: vec2f) -> Varyings {
   var out: Varyings;
   out.from_eye = position - globals.eye.xyz;
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
   out.inside = out.from_eye;
-  out.wood = vec3f(coords, painted.w * 255.0);
+  out.kind = painted.w * 255.0;
   // Octahedral, as scene.rs packs it.
   let z = 1.0 - abs(normal.x) - abs(normal.y);
   let fold = max(-z, 0.0);
@@ -39,7 +33,7 @@ fn fissures(noise: vec4f, wide: f32) -> vec4f {
 fn fs_main(
   @builtin(position) pixel: vec4f,
   @location(0) from_eye: vec3f,
-  @location(1) wood: vec3f,
+  @location(1) kind: f32,
   @location(2) given: vec3f,
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
 ) -> @location(0) vec4f {
@@ -55,7 +49,7 @@ fn fs_main(
   let quality = globals.scene.y;
 
   // Along the grain all is drawn out.
-  let at = vec3f(wood.x, world.yz);
+  let at = about_log(world);
   const LONG = vec3f(0.17, 1.0, 1.0);
   let broad = noise3(at * LONG / 7.0 + 3.0);
   let fiber_seen = shown(0.5, footprint);
@@ -63,8 +57,8 @@ fn fs_main(
   if quality > 0.0 && fiber_seen > 0.0 {
     fiber = noise3(at * LONG / 0.5) * fiber_seen;
   }
-  let end = smoothstep(0.35, 0.65, wood.z) * (1.0 - smoothstep(1.35, 1.65, wood.z));
-  let splinter = smoothstep(1.35, 1.65, wood.z);
+  let end = smoothstep(0.35, 0.65, kind) * (1.0 - smoothstep(1.35, 1.65, kind));
+  let splinter = smoothstep(1.35, 1.65, kind);
   let bare = end + splinter;
 
   // Bark: ridges between fissures along the axis, cut across into plates, and scaly.
@@ -74,13 +68,13 @@ fn fs_main(
   var ridge = noise3(warped * RIDGE);
   ridge = fissures(vec4f(ridge.xyz * RIDGE, ridge.w), 0.2);
   var plate = noise3(warped * PLATE + 11.0) * shown(2.0, footprint);
-  plate = fissures(vec4f(plate.xyz * PLATE, plate.w + 0.15), 0.12);
+  plate = fissures(vec4f(plate.xyz * PLATE, plate.w + 0.15), 0.2);
   // Cracks within the ridges.
   var crack = vec4f(vec3f(0.0), 1.0);
   if quality > 0.0 {
     crack = noise3(warped * RIDGE * 2.7 + 41.0) * shown(0.8, footprint);
-    crack = fissures(vec4f(crack.xyz * RIDGE * 2.7, crack.w), 0.09);
-    crack = mix(vec4f(vec3f(0.0), 1.0), crack, 0.4 * shown(0.8, footprint));
+    crack = fissures(vec4f(crack.xyz * RIDGE * 2.7, crack.w), 0.16);
+    crack = mix(vec4f(vec3f(0.0), 1.0), crack, 0.5 * shown(0.8, footprint) * smoothstep(-0.4, 0.3, broad.w));
   }
   let high = ridge.w * mix(1.0, plate.w, 0.55) * crack.w;
   var slope = 0.8 * ridge.xyz * mix(1.0, plate.w, 0.55) + (0.3 * plate.xyz + 0.22 * crack.xyz) * ridge.w;
@@ -88,43 +82,49 @@ fn fs_main(
   let scale_seen = shown(0.9, footprint);
   if quality > 0.0 && scale_seen > 0.0 {
     let scales = noise3(at * vec3f(0.6, 1.0, 1.0) / 0.7 + 7.0) * scale_seen;
-    slope += 0.45 * scales.xyz;
-    value += 0.9 * scales.w;
+    slope += 0.5 * scales.xyz * vec3f(0.6, 1.0, 1.0);
+    value += 1.0 * scales.w;
   }
   let micro_seen = shown(0.25, footprint);
   if quality > 1.0 && micro_seen > 0.0 {
-    let micro = noise3(at / 0.25) * micro_seen;
-    slope += 0.25 * micro.xyz;
-    value += 0.4 * micro.w;
+    let micro = noise3(at * vec3f(0.7, 1.0, 1.0) / 0.22) * micro_seen;
+    slope += 0.4 * micro.xyz;
+    value += 0.75 * micro.w;
   }
   value += 0.6 * fiber.w;
   slope += 0.1 * fiber.xyz * LONG / 0.5 * ridge.w;
   let hue = 0.5 + broad.x * 0.35;
-  var albedo = mix(vec3f(0.058, 0.041, 0.029), mix(vec3f(0.135, 0.098, 0.07), vec3f(0.18, 0.157, 0.13), hue), high);
+  var albedo = mix(vec3f(0.066, 0.047, 0.034), mix(vec3f(0.135, 0.098, 0.07), vec3f(0.18, 0.157, 0.13), hue), high);
   albedo *= max(1.0 + value, 0.25);
   var open = mix(0.65, 1.0, high);
   var rough = 0.9;
 
   // Lichen: pale crusts where the sky is seen, on the ridges.
   let spots = noise2(at.xy / 6.3 + 0.35 * at.z) + 0.6 * noise2(at.xz / 2.3) + 0.35 * noise2(at.xy / 0.7) * shown(0.7, footprint);
-  let lichen = smoothstep(0.62, 0.82, spots + 0.25 * base.z) * smoothstep(0.3, 0.8, high) * (1.0 - bare);
+  let lichen = smoothstep(0.66, 0.74, spots + 0.25 * base.z + 0.15 * value) * smoothstep(0.3, 0.8, high) * (1.0 - bare);
   albedo = mix(albedo, vec3f(0.27, 0.29, 0.23) * (1.0 + 0.7 * value), 0.75 * lichen);
 
   if bare > 0.0 {
-    // Growth rings, unequal, each pale first and dark at last; the heart is darker, and checks gape from it.
-    let radius = wood.y + 0.35 * broad.w;
-    let years = radius / 0.42 + 1.5 * noise2(vec2f(radius / 1.3, 0.5));
-    let late = smoothstep(0.35, 0.95, fract(years)) * (1.0 - smoothstep(0.95, 1.0, fract(years)));
+    // Growth rings, unequal, each pale first and dark at last; the heart is darker, and checks gape along the rays.
+    let radius = length(at.yz);
+    let ray = at.yz / max(radius, 0.01);
+    let grown = radius + 0.5 * broad.w + 0.4 * noise2(2.0 * ray + 5.0);
+    let years = grown / 0.46 + 2.0 * noise2(vec2f(grown / 1.3, 0.5));
+    let late = smoothstep(0.3, 0.9, fract(years)) * (1.0 - smoothstep(0.93, 1.0, fract(years)));
     let rings = late * shown(0.42, footprint);
-    let check = fissures(noise3(vec3f(0.5, world.yz / 3.7) + 23.0), 0.03);
-    var pale = mix(vec3f(0.3, 0.215, 0.135), vec3f(0.23, 0.2, 0.165), 0.5 + broad.x);
-    pale *= (1.0 - 0.35 * rings) * (1.0 + 0.3 * broad.w + 0.35 * fiber.w);
-    pale *= mix(0.7, 1.0, smoothstep(1.0, 7.0, wood.y));
-    let gap = mix(check.w, 1.0, smoothstep(0.0, 0.2, broad.w));
+    let check = fissures(noise3(vec3f(2.6 * ray, radius / 16.0 + 0.02 * at.x)), 0.05);
+    let gap = mix(check.w, 1.0, smoothstep(-0.15, 0.2, broad.w + 0.4 * noise2(3.0 * ray)) * smoothstep(1.5, 5.0, radius));
+    let rays = noise2(vec2f(23.0 * atan2(ray.y, ray.x), radius / 1.7)) * shown(0.25, footprint);
+    // Torn across, the fibres end in tufts.
+    let tuft = noise3(at * vec3f(0.25, 1.0, 1.0) / 0.55 + 3.0) * shown(0.5, footprint);
+    let stain = smoothstep(0.1, 0.6, noise2(at.yz / 4.7) + 0.5 * noise2(at.yz / 1.9));
+    var pale = mix(vec3f(0.27, 0.19, 0.115), vec3f(0.2, 0.17, 0.138), 0.5 + broad.x);
+    pale *= mix(vec3f(0.62, 0.52, 0.45), vec3f(1.0), smoothstep(0.3 * field.log.z, 0.6 * field.log.z, grown));
+    pale *= (1.0 - 0.3 * rings) * (1.0 + 0.25 * broad.w + 0.12 * rays + 0.5 * tuft.w) * (1.0 - 0.45 * stain);
     let torn = mix(vec3f(0.28, 0.19, 0.11), vec3f(0.2, 0.175, 0.15), hue) * max(1.0 + 0.9 * fiber.w + 0.3 * broad.w, 0.2);
     let grain = mix(pale * mix(0.25, 1.0, gap), torn, splinter / bare);
     albedo = mix(albedo, grain, bare);
-    slope = mix(slope, mix(0.12 * rings * base, 0.25 * fiber.xyz * LONG / 0.5, splinter / bare), bare);
+    slope = mix(slope, mix(0.28 * tuft.xyz * vec3f(0.25, 1.0, 1.0), 0.25 * fiber.xyz * LONG / 0.5, splinter / bare), bare);
     open = mix(open, mix(0.6, 1.0, gap), bare);
   }
   let relief = bumped(base, slope);
@@ -135,11 +135,21 @@ fn fs_main(
   let soiled = smoothstep(0.25, 1.0, 1.1 * exp(-max(world.z, 0.0) / 2.5) + 0.5 * loose) * (0.35 + 0.65 * globals.weather.w);
   albedo = mix(albedo, soil_albedo(globals.scene.x), 0.8 * soiled);
   var bent = relief;
-  let moss = moss_cover(world, base.z, 0.35 * world.z, 1.0 - seen + 0.35 + 0.25 * (1.0 - high), footprint) * (1.0 - 0.7 * bare);
+  // Algae where it stays damp.
+  let damp = (1.0 - smoothstep(0.0, 1.6 * field.log.z, world.z)) * smoothstep(-0.3, 0.5, noise2(at.xy / 9.0) + 0.5 * noise2(at.xz / 2.1));
+  albedo *= mix(vec3f(1.0), vec3f(0.5, 0.58, 0.42), damp);
+  var moss = moss_cover(world, base.z, 0.35 * world.z, 1.0 - seen + 0.35 + 0.25 * (1.0 - high), footprint) * (1.0 - 0.7 * bare);
   if moss > 0.0 {
-    albedo = mix(albedo, moss_albedo(world, footprint), moss);
-    bent = normalize(mix(relief, base, 0.5 * moss));
-    open = mix(open, 1.0, moss);
+    // Cushions, and the tips of their stems; each ends where it ends.
+    let cushion = noise3(world / 1.9) * shown(1.9, footprint);
+    var tips = vec4f(0.0);
+    if quality > 0.0 {
+      tips = noise3(world / vec3f(0.34, 0.34, 0.6)) * shown(0.34, footprint);
+    }
+    moss = smoothstep(0.25, 0.55, moss + 0.3 * cushion.w + 0.4 * tips.w);
+    albedo = mix(albedo, moss_albedo(world, footprint) * (1.0 + 0.5 * cushion.w + 0.7 * tips.w), moss);
+    bent = normalize(mix(relief, bumped(base, 0.35 * cushion.xyz + 0.45 * tips.xyz), moss));
+    open = mix(open, 1.0 + 0.4 * min(cushion.w + tips.w, 0.0), moss);
   }
   let wet = wet_cover(world.xy) * (1.0 - 0.5 * moss);
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);

@@ -1,0 +1,57 @@
+//! What the renderer artefacts export for a log and its wood ears: convert – call – convert.
+
+use wasm_bindgen::prelude::*;
+
+use super::renderer::{Renderer, to_js};
+use crate::render::{Ears, Place, Prop, PropMesh};
+
+#[wasm_bindgen]
+impl Renderer {
+    /// Uploads a log: a mesh in cm that lies along x, and per vertex its kind (0 bark, 1 end grain, 2 splinter). `place`: where its
+    /// origin is in px of the image, x, y, z, and px per cm. It is shown with the colony that comes next.
+    #[wasm_bindgen(js_name = setLog)]
+    pub fn set_log(
+        &mut self,
+        positions: &js_sys::Float32Array,
+        normals: &js_sys::Float32Array,
+        indices: &js_sys::Uint32Array,
+        kinds: Vec<u8>,
+        place: Vec<f32>,
+    ) -> Result<(), js_sys::Error> {
+        self.next_log = None;
+        let mesh = PropMesh { positions, normals, indices };
+        let log = Prop::log(&self.gpu, Place::new(&place), &mesh, &kinds).map_err(|error| to_js(&error))?;
+        self.next_log = Some(log);
+        Ok(())
+    }
+
+    /// Puts wood ears into the field, with the log that was set since the last ones; shown once there is a field, which may be empty.
+    /// One mesh in cm of individuals that are cut alike into `rings` and `meridians`. `keys`: per individual a number that stays its
+    /// own, as the log's vertex it stands on. `place` as of the log. On an error all stays as it was.
+    #[wasm_bindgen(js_name = setColony)]
+    #[allow(clippy::too_many_arguments, reason = "one flat buffer each")]
+    pub fn set_colony(
+        &mut self,
+        positions: &js_sys::Float32Array,
+        normals: &js_sys::Float32Array,
+        indices: &js_sys::Uint32Array,
+        keys: Vec<u32>,
+        rings: u32,
+        meridians: u32,
+        place: Vec<f32>,
+    ) -> Result<(), js_sys::Error> {
+        let log = self.next_log.take();
+        let mesh = PropMesh { positions, normals, indices };
+        let ears = Ears { rings, meridians, keys };
+        let colony = Prop::colony(&self.gpu, Place::new(&place), &mesh, &ears).map_err(|error| to_js(&error))?;
+        self.props.set(log, colony);
+        Ok(())
+    }
+
+    /// Takes the log and its wood ears away.
+    #[wasm_bindgen(js_name = clearWood)]
+    pub fn clear_wood(&mut self) {
+        self.next_log = None;
+        self.props.clear();
+    }
+}
