@@ -24,8 +24,8 @@ export const wrong = [
   <wood-ear-log collisions="never" />,
   // @ts-expect-error not a number
   <wood-ear-log density="dense" />,
-  // @ts-expect-error the log's, not the rocks'
-  <wood-ear-log image-width="800" />,
+  // @ts-expect-error the rocks', not the log's
+  <wood-ear-log imageWidth={800} />,
 ];
 
 /** And what they have to take. */
