@@ -23,3 +23,14 @@ export function tiles({ width, height, channels, data }, columns, rows) {
   }
   return { width: columns, height: rows, channels: 3, data: Uint8Array.from(sums, (sum, at) => Math.round(sum / counts[Math.floor(at / 3)])) };
 }
+
+/** A small picture to be stored: a line for each row, in hexadecimal digits. */
+export function asText({ width, height, data }) {
+  return Array.from({ length: height }, (_, row) => Buffer.from(data.subarray(3 * width * row, 3 * width * (row + 1))).toString('hex'));
+}
+
+/** And back; throws where nothing of that size was stored. */
+export function asPicture(rows, width, height) {
+  if (rows?.length !== height || rows.some(({ length }) => length !== 6 * width)) throw new Error('nothing of its kind is stored; UPDATE=1 stores it');
+  return { width, height, channels: 3, data: Buffer.from(rows.join(''), 'hex') };
+}

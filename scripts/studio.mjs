@@ -1,4 +1,4 @@
-// A page of nothing but the element, to take pictures of it.
+// A page of nothing but an element, to take pictures of it.
 //
 //   const studio = await openStudio({ backends: ['webgpu', 'webgl'] });
 //   const scene = await studio.show('webgl', { preset: 'riverbed', color: 'natural' });
@@ -7,8 +7,8 @@
 import { launch, pageOf } from '../tests/e2e/browser.mjs';
 import { Failure } from './run.mjs';
 
-const PAGE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>studio</title><link rel="icon" href="data:,">
-<style>body { margin: 0 } rock-field { width: 64px; height: 40px } rock-field[hidden] { display: none }</style><script type="module" src="./rock-field.js"></script>`;
+const pageWith = (tag) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>studio</title><link rel="icon" href="data:,">
+<style>body { margin: 0 } ${tag} { width: 64px; height: 40px } ${tag}[hidden] { display: none }</style><script type="module" src="./${tag}.js"></script>`;
 
 /** tan of half the vertical field of view, as in www/camera.ts. */
 const TAN = Math.tan(Math.PI / 10);
@@ -18,19 +18,25 @@ export function fromAbove([x, y], across) {
   return { azimuth: 0, elevation: Math.PI / 2, distance: across / 2 / TAN, target: [x, y, 0] };
 }
 
+/** What an element shows until it is asked for more: little. */
+const SMALL = {
+  'rock-field': { 'image-width': 64, 'image-height': 64 },
+  'wood-ear-log': { ground: '', density: 0 },
+};
+
 /**
- * Opens a page for each backend, in one browser.
+ * Opens a page for each backend, in one browser. `tag` is the element's.
  *
  * `show` sets attributes, takes all others away, and waits for the field; `take` draws what is shown, at the best quality. `camera` is
  * the element's, null where it frames the field by itself.
  */
-export async function openStudio({ backends, ratio = 1 }) {
-  const session = await launch({ webgpu: backends.includes('webgpu'), intercept: pageOf('studio.html', () => PAGE) });
+export async function openStudio({ backends, ratio = 1, tag = 'rock-field' }) {
+  const session = await launch({ webgpu: backends.includes('webgpu'), intercept: pageOf('studio.html', () => pageWith(tag)) });
   try {
     const opened = {};
     for (const backend of backends) {
       opened[backend] = await session.open('studio.html', { deviceScaleFactor: ratio, colorScheme: 'light' });
-      await opened[backend].page.evaluate(setUp, backend);
+      await opened[backend].page.evaluate(setUp, { tag, attributes: { backend, ...SMALL[tag] } });
     }
     const on = async (backend, work, argument) => {
       const { page, errors } = opened[backend];
@@ -69,20 +75,25 @@ export async function photograph(browser, address, { width, type = 'png', qualit
 // In the page.
 
 /** Once it has shown a picture the element is hidden: it draws those that are taken, and no frame for a screen beside them. */
-async function setUp(backend) {
-  await customElements.whenDefined('rock-field');
-  const element = document.createElement('rock-field');
-  for (const [name, value] of Object.entries({ backend, 'image-width': 64, 'image-height': 64 })) element.setAttribute(name, value);
+async function setUp({ tag, attributes }) {
+  await customElements.whenDefined(tag);
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(attributes)) element.setAttribute(name, value);
   document.body.append(element);
   await element.ready;
+  const { backend } = attributes;
   if (element.backend !== backend) throw new Error(`${element.backend} draws in the stead of ${backend}`);
   element.hidden = true;
 }
 
 async function show(attributes) {
-  const element = document.querySelector('rock-field');
+  const element = document.body.firstElementChild;
   for (const name of element.getAttributeNames()) if (!(name in attributes) && !['backend', 'hidden'].includes(name)) element.removeAttribute(name);
   for (const [name, value] of Object.entries(attributes)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
+  if (element.getColony) {
+    const { stats } = await element.getColony();
+    return { place: element.scene.place, individuals: stats.individuals, triangles: stats.triangles };
+  }
   const { imageWidth, imageHeight, layers, stats } = await element.getField();
   const middle = [imageWidth / 2, imageHeight / 2];
   // The largest rocks there are, and the one of them in the middle.
@@ -95,7 +106,7 @@ async function show(attributes) {
 }
 
 async function take({ width, height, camera }) {
-  const element = document.querySelector('rock-field');
+  const element = document.body.firstElementChild;
   element.camera = camera;
   const start = performance.now();
   const blob = await element.toBlob({ width, height });

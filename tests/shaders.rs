@@ -14,7 +14,7 @@ mod uniforms;
 const NATURAL: &[&str] = &["common", "noise", "stone", "cover", "daylight"];
 
 /// Passes with what `src/render/pipelines.rs` prepends to them.
-const PASSES: [(&str, &[&str]); 12] = [
+const PASSES: [(&str, &[&str]); 13] = [
     ("shadow", &["common"]),
     ("height", &["common"]),
     ("ground", &["common", "lighting"]),
@@ -25,6 +25,7 @@ const PASSES: [(&str, &[&str]); 12] = [
     ("ear", NATURAL),
     ("plain_wood", &["common", "lighting"]),
     ("wire", &["common"]),
+    ("wood_wire", &["common"]),
     ("plan", &["common"]),
     ("stroke", &["common"]),
 ];

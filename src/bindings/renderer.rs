@@ -73,7 +73,7 @@ impl Device {
 #[wasm_bindgen]
 pub struct Renderer {
     pub(super) gpu: Rc<Gpu>,
-    view: View,
+    pub(super) view: View,
     scene: Option<Scene>,
     pub(super) props: Props,
     /// Uploaded, and shown with the colony that comes next.

@@ -3,7 +3,7 @@
 use wasm_bindgen::prelude::*;
 
 use super::renderer::{Renderer, to_js};
-use crate::render::{Ears, Place, Prop, PropMesh};
+use crate::render::{Ears, Mode, Place, Prop, PropMesh};
 
 #[wasm_bindgen]
 impl Renderer {
@@ -46,6 +46,22 @@ impl Renderer {
         let colony = Prop::colony(&self.gpu, Place::new(&place), &mesh, &ears).map_err(|error| to_js(&error))?;
         self.props.set(log, colony);
         Ok(())
+    }
+
+    /// True if the wireframe is shown and waits for [`Renderer::set_wood_edges`].
+    #[wasm_bindgen(js_name = needsWoodEdges)]
+    pub fn needs_wood_edges(&self) -> bool {
+        self.view.mode == Mode::Wireframe && !self.props.has_edges()
+    }
+
+    /// Makes the wireframe's lines from the indices of the log and of its colony again.
+    #[wasm_bindgen(js_name = setWoodEdges)]
+    pub fn set_wood_edges(
+        &mut self,
+        log: &js_sys::Uint32Array,
+        colony: &js_sys::Uint32Array,
+    ) -> Result<(), js_sys::Error> {
+        self.props.set_edges(&self.gpu, log, colony).map_err(|error| to_js(&error))
     }
 
     /// Takes the log and its wood ears away.

@@ -9,7 +9,7 @@
 //! ```
 //!
 //! One frame: if the field is new, its shadow and height maps; then one multisampled pass:
-//! backdrop and ground, then all rocks at once (outsides, insides; edges in the wireframe view),
+//! backdrop and ground, then all rocks at once (outsides, insides; edges in the wireframe view), and the props,
 //! or the fills and strokes of a plan. Nothing is drawn unless asked for.
 //! In natural colours the rocks come first and the ground last, as a surface that hides what is below it.
 //!

@@ -89,6 +89,7 @@ pub(crate) struct Pipelines {
     ears: [OnceCell<wgpu::RenderPipeline>; 2],
     plain_wood: OnceCell<wgpu::RenderPipeline>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
+    wood_wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     plan: OnceCell<[wgpu::RenderPipeline; 2]>,
 }
 
@@ -181,6 +182,7 @@ impl Pipelines {
             ears: [OnceCell::new(), OnceCell::new()],
             plain_wood: OnceCell::new(),
             wire: OnceCell::new(),
+            wood_wire: OnceCell::new(),
             plan: OnceCell::new(),
         }
     }
@@ -242,10 +244,21 @@ impl Pipelines {
 
     /// A log and wood ears in the papers' style: as one, matte.
     pub(crate) fn plain_wood(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        self.plain_wood.get_or_init(|| {
-            let source = include_str!("shaders/plain_wood.wgsl");
-            let buffers = [Some(POSITION), Some(COLOR), Some(NORMAL)];
-            self.make(device, wood_pass("rock-field/plain-wood/pipeline", source, LIGHTING, &buffers))
+        self.plain_wood.get_or_init(|| self.make(device, plain_wood_pass(Depth::Test)))
+    }
+
+    /// Of a log and wood ears the fill pushed back, and the edges.
+    pub(crate) fn wood_wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
+        self.wood_wire.get_or_init(|| {
+            let edges = Pass {
+                label: "rock-field/wood-wire/pipeline",
+                source: include_str!("shaders/wood_wire.wgsl"),
+                before: &[],
+                topology: wgpu::PrimitiveTopology::LineList,
+                buffers: &[Some(POSITION), Some(COLOR)],
+                ..plain_wood_pass(Depth::Test)
+            };
+            [self.make(device, plain_wood_pass(Depth::TestBehind)), self.make(device, edges)]
         })
     }
 
@@ -305,6 +318,12 @@ fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {
         depth,
         target: Target::View { blend: false },
     }
+}
+
+fn plain_wood_pass(depth: Depth) -> Pass<'static> {
+    let source = include_str!("shaders/plain_wood.wgsl");
+    let buffers = &[Some(POSITION), Some(COLOR), Some(NORMAL)];
+    Pass { depth, ..wood_pass("rock-field/plain-wood/pipeline", source, LIGHTING, buffers) }
 }
 
 /// Both sides: a wood ear may be a single sheet.

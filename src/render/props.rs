@@ -43,6 +43,8 @@ pub(crate) struct Prop {
     closed: bool,
     indices: wgpu::Buffer,
     index_count: u32,
+    /// Made when the wireframe is first shown.
+    edges: Option<wgpu::Buffer>,
     low: Vec3,
     high: Vec3,
 }
@@ -51,7 +53,7 @@ impl Drop for Prop {
     /// Not left to JavaScript's collector.
     fn drop(&mut self) {
         let buffers = [&self.positions, &self.normals, &self.painted, &self.indices];
-        buffers.into_iter().for_each(wgpu::Buffer::destroy);
+        buffers.into_iter().chain(&self.edges).for_each(wgpu::Buffer::destroy);
     }
 }
 
@@ -116,19 +118,45 @@ impl Prop {
         if index_count > 0 && (highest >= vertices || !(high - low).is_finite()) {
             return Err(RenderError::Malformed("an index or a coordinate that is none"));
         }
-        Ok(Self { positions, normals, painted: colors, indices, index_count, axis: None, closed: false, low, high })
+        Ok(Self {
+            positions,
+            normals,
+            painted: colors,
+            indices,
+            index_count,
+            edges: None,
+            axis: None,
+            closed: false,
+            low,
+            high,
+        })
     }
 
-    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        if self.index_count == 0 {
+    /// `indices` as given when it was made.
+    fn set_edges(&mut self, gpu: &Gpu, indices: &js_sys::Uint32Array) -> Result<(), RenderError> {
+        if indices.length() / 3 * 3 != self.index_count {
+            return Err(RenderError::Malformed("edges of another log or colony"));
+        }
+        self.edges = Some(upload::edges(gpu, indices)?);
+        Ok(())
+    }
+
+    fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        indices: &wgpu::Buffer,
+        count: u32,
+    ) {
+        if count == 0 {
             return;
         }
         pass.set_pipeline(pipeline);
         pass.set_vertex_buffer(0, self.positions.slice(..));
         pass.set_vertex_buffer(1, self.painted.slice(..));
         pass.set_vertex_buffer(2, self.normals.slice(..));
-        pass.set_index_buffer(self.indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..self.index_count, 0, 0..1);
+        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
+        pass.draw_indexed(0..count, 0, 0..1);
     }
 }
 
@@ -167,9 +195,37 @@ impl Props {
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, [log, ear]: [&wgpu::RenderPipeline; 2]) {
         for (prop, pipeline) in [(&self.log, log), (&self.colony, ear)] {
             if let Some(prop) = prop {
-                prop.draw(pass, pipeline);
+                prop.draw(pass, pipeline, &prop.indices, prop.index_count);
             }
         }
+    }
+
+    /// All edges of both; nothing before [`Props::set_edges`].
+    pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
+        for prop in self.log.iter().chain(&self.colony) {
+            if let Some(edges) = &prop.edges {
+                prop.draw(pass, pipeline, edges, 2 * prop.index_count);
+            }
+        }
+    }
+
+    pub(crate) fn has_edges(&self) -> bool {
+        self.log.iter().chain(&self.colony).all(|prop| prop.edges.is_some())
+    }
+
+    /// Makes the line lists of those that have none; indices as of the meshes.
+    pub(crate) fn set_edges(
+        &mut self,
+        gpu: &Gpu,
+        log: &js_sys::Uint32Array,
+        colony: &js_sys::Uint32Array,
+    ) -> Result<(), RenderError> {
+        for (prop, indices) in [(&mut self.log, log), (&mut self.colony, colony)] {
+            if let Some(prop) = prop.as_mut().filter(|prop| prop.edges.is_none()) {
+                prop.set_edges(gpu, indices)?;
+            }
+        }
+        Ok(())
     }
 
     pub(crate) fn is_empty(&self) -> bool {

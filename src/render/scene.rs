@@ -235,26 +235,7 @@ impl Scene {
         if indices.length() / 3 * 3 != self.index_count {
             return Err(RenderError::Malformed("edges of another field"));
         }
-        let buffer = upload::buffer(
-            &gpu.device,
-            "rock-field/wire/edges",
-            "edges",
-            8 * u64::from(self.index_count),
-            wgpu::BufferUsages::INDEX,
-        )?;
-        // Two line ends per corner; inner edges come twice, from either side, which costs less than
-        // finding out.
-        let mut corners = Vec::new();
-        upload::write::<u32>(&gpu.queue, &buffer, 2 * self.index_count, |start, slice| {
-            corners.resize(slice.len() / 2, 0);
-            indices.subarray(start / 2, start / 2 + corners.len() as u32).copy_to(&mut corners);
-            for (triangle, edges) in corners.chunks_exact(3).zip(slice.chunks_exact_mut(6)) {
-                if let &[a, b, c] = triangle {
-                    edges.copy_from_slice(&[a, b, b, c, c, a]);
-                }
-            }
-        });
-        self.edges = Some(buffer);
+        self.edges = Some(upload::edges(gpu, indices)?);
         Ok(())
     }
 

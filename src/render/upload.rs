@@ -1,6 +1,6 @@
 //! Typed arrays to GPU buffers a slice at a time: wasm memory never holds a whole field.
 
-use super::RenderError;
+use super::{Gpu, RenderError};
 
 /// 4-byte elements per slice, 384 KiB of scratch; a multiple of 6, so that neither a vertex nor a
 /// triangle nor its edges are cut in two.
@@ -47,4 +47,23 @@ pub(crate) fn write<T: bytemuck::Pod>(
         }
         start += count;
     }
+}
+
+/// The line list of every triangle's edges.
+pub(crate) fn edges(gpu: &Gpu, indices: &js_sys::Uint32Array) -> Result<wgpu::Buffer, RenderError> {
+    let count = indices.length() / 3 * 6;
+    let edges = buffer(&gpu.device, "rock-field/wire/edges", "edges", 4 * u64::from(count), wgpu::BufferUsages::INDEX)?;
+    // Two line ends per corner; inner edges come twice, from either side, which costs less than
+    // finding out.
+    let mut corners = Vec::new();
+    write::<u32>(&gpu.queue, &edges, count, |start, slice| {
+        corners.resize(slice.len() / 2, 0);
+        indices.subarray(start / 2, start / 2 + corners.len() as u32).copy_to(&mut corners);
+        for (triangle, edges) in corners.chunks_exact(3).zip(slice.chunks_exact_mut(6)) {
+            if let &[a, b, c] = triangle {
+                edges.copy_from_slice(&[a, b, b, c, c, a]);
+            }
+        }
+    });
+    Ok(edges)
 }

@@ -181,7 +181,9 @@ impl View {
                     for sides in &gpu.pipelines.rock {
                         scene.draw_rocks(&mut pass, sides);
                     }
-                    self.draw_plain(gpu, props, &mut pass);
+                    if !props.is_empty() {
+                        props.draw(&mut pass, [gpu.pipelines.plain_wood(&gpu.device); 2]);
+                    }
                 }
                 (Mode::Wireframe, _) => {
                     let [fill, edges] = gpu.pipelines.wire(&gpu.device);
@@ -189,7 +191,11 @@ impl View {
                     pass.draw(0..3, 0..1);
                     scene.draw_rocks(&mut pass, fill);
                     scene.draw_edges(&mut pass, edges);
-                    self.draw_plain(gpu, props, &mut pass);
+                    if !props.is_empty() {
+                        let [fill, edges] = gpu.pipelines.wood_wire(&gpu.device);
+                        props.draw(&mut pass, [fill; 2]);
+                        props.draw_edges(&mut pass, edges);
+                    }
                 }
                 (_, Some(plan)) => plan.draw(&mut pass, gpu.pipelines.plan(&gpu.device)),
                 (_, None) => {}
@@ -198,13 +204,6 @@ impl View {
         drop(pass);
         gpu.queue.submit([encoder.finish()]);
         gpu.queue.present(texture);
-    }
-
-    /// In the papers' style.
-    fn draw_plain(&self, gpu: &Gpu, props: &Props, pass: &mut wgpu::RenderPass<'_>) {
-        if !props.is_empty() {
-            props.draw(pass, [gpu.pipelines.plain_wood(&gpu.device); 2]);
-        }
     }
 
     fn is_solid(&self) -> bool {

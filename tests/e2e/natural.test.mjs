@@ -5,7 +5,7 @@
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { meanDifference, tiles } from '../../scripts/pixels.mjs';
+import { asPicture, asText, meanDifference, tiles } from '../../scripts/pixels.mjs';
 import { openStudio } from '../../scripts/studio.mjs';
 import { tables } from '../../scripts/tables.mjs';
 import { decodePng } from '../engines/png.mjs';
@@ -47,7 +47,7 @@ for (const preset of names) {
     const between = meanDifference(...pictures);
     const seen = pictures.map((picture) => tiles(picture, ...TILES));
     found[preset] = asText(seen[0]);
-    const errors = process.env.UPDATE ? [] : seen.map((picture) => meanDifference(picture, asPicture(stored[preset])));
+    const errors = process.env.UPDATE ? [] : seen.map((picture) => meanDifference(picture, asPicture(stored[preset], ...TILES)));
     console.log(`${preset}: backends ${between.toFixed(3)} % apart, ${errors.map((error) => error.toFixed(3)).join(' and ')} % from what is stored`);
     assert(between < MOST.backends, `WebGPU and WebGL2 are ${between.toFixed(2)} % apart`);
     errors.forEach((error, index) => assert(error < MOST.stored, `on ${BACKENDS[index]} it is ${error.toFixed(2)} % from what is stored; if it is right, UPDATE=1 stores it`));
@@ -57,14 +57,3 @@ for (const preset of names) {
 test('every natural preset is stored, and nothing else', { skip: Boolean(process.env.UPDATE) }, () => {
   assert.deepEqual(Object.keys(stored).sort(), [...names].sort());
 });
-
-/** A line for each row of tiles, in hexadecimal digits. */
-function asText({ width, height, data }) {
-  return Array.from({ length: height }, (_, row) => Buffer.from(data.subarray(3 * width * row, 3 * width * (row + 1))).toString('hex'));
-}
-
-function asPicture(rows = []) {
-  const [width, height] = TILES;
-  assert(rows.length === height && rows.every(({ length }) => length === 6 * width), 'nothing of its kind is stored; UPDATE=1 stores it');
-  return { width, height, channels: 3, data: Buffer.from(rows.join(''), 'hex') };
-}

@@ -36,6 +36,8 @@ export interface RawRenderer {
     place: Float32Array,
   ): void;
   clearWood(): void;
+  needsWoodEdges(): boolean;
+  setWoodEdges(log: Uint32Array, colony: Uint32Array): void;
   needsEdges(): boolean;
   setEdges(indices: Uint32Array): void;
   needsPlan(): boolean;

@@ -109,6 +109,7 @@ export class GpuRenderer implements SceneRenderer {
       if (wood) this.#upload(wood);
       else if (this.#wood) this.#raw.clearWood();
       this.#wood = wood;
+      this.#prepare();
     });
   }
 
@@ -183,6 +184,8 @@ export class GpuRenderer implements SceneRenderer {
 
   /** Makes what the shown view lacks: edges for the wireframe, strokes and fills for a plan. */
   #prepare(): void {
+    const colony = this.#wood?.colony;
+    if (colony && this.#raw.needsWoodEdges()) this.#raw.setWoodEdges(colony.log.indices, colony.indices);
     const field = this.#field;
     if (!field) return;
     if (this.#raw.needsEdges()) this.#raw.setEdges(field.indices);

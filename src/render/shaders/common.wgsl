@@ -88,3 +88,12 @@ fn kind_of(painted: vec4f) -> f32 {
   let byte = floor(painted.w * 255.0 + 0.5);
   return byte - 8.0 * floor(byte / 8.0);
 }
+
+// Of a log and of wood ears in the papers' style; see wood.rs for what is painted.
+fn wood_color(painted: vec4f) -> vec3f {
+  let kind = painted.w * 255.0;
+  let wood = mix(vec3f(0.2, 0.16, 0.125), vec3f(0.42, 0.33, 0.23), min(kind, 1.0));
+  let flesh = mix(vec3f(0.2, 0.085, 0.06), vec3f(0.27, 0.21, 0.18), smoothstep(1.2, 1.8, kind));
+  // A log has no random bytes; of wood ears one in 65536.
+  return select(flesh, wood, all(painted.yz == vec2f(0.0)));
+}

@@ -81,7 +81,7 @@ fn fs_main(
   let jelly = mix(vec3f(0.2, 0.098, 0.042), old, smoothstep(0.0, 0.6, age)) * mix(0.65, 1.25, own.x * own.x);
   let mottled = 1.0 + 0.55 * broad.w + 0.35 * fine + 0.15 * vein;
   let inner = mix(vec3f(0.026, 0.019, 0.016), jelly, wet) * mottled;
-  let skin = mix(vec3f(0.185, 0.162, 0.142), vec3f(0.088, 0.054, 0.037), wet) * mix(1.25, 0.8, age);
+  let skin = mix(vec3f(0.185, 0.162, 0.142), vec3f(0.086, 0.058, 0.041), wet) * mix(1.3, 0.75, age) * mix(0.7, 1.1, own.x);
   let zones = 1.0 + 0.12 * sin(own.x * 26.0 + 3.0 * broad.w) * back;
   let outer = skin * zones * (1.0 + 0.3 * broad.w + 0.25 * fine + 0.5 * down_hair);
   var albedo = mix(inner, outer, back) * exp2(variation * (own.z - 0.5) * 2.2);

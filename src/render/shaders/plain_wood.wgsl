@@ -12,11 +12,7 @@ fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(
   var out: Varyings;
   out.from_eye = position - globals.eye.xyz;
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
-  let kind = painted.w * 255.0;
-  let wood = mix(vec3f(0.2, 0.16, 0.125), vec3f(0.42, 0.33, 0.23), min(kind, 1.0));
-  let flesh = mix(vec3f(0.2, 0.085, 0.06), vec3f(0.27, 0.21, 0.18), smoothstep(1.2, 1.8, kind));
-  // A log has no random bytes; of wood ears one in 65536.
-  out.color = select(flesh, wood, all(painted.yz == vec2f(0.0)));
+  out.color = wood_color(painted);
   let z = 1.0 - abs(normal.x) - abs(normal.y);
   let fold = max(-z, 0.0);
   out.normal = vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z);
