@@ -27,19 +27,22 @@ const DOCS = { entryPoints: ['www/docs/docs.ts', 'www/styles/docs.css'], entryNa
 const SERVICE_WORKER = 'www/service-worker.ts';
 const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg'];
 const PAGE = 'index.html';
-/** The pages that are made of it, each with its script and what it says of itself where that is not the first's. */
+/** The pages that are made of it, each with its script, what a visit needs beside it, and what it says of itself where that is not the first's. */
 const PAGES = [
-  { name: PAGE, script: 'www/main.ts' },
+  { name: PAGE, script: 'www/main.ts', workers: ['worker'], wasm: ['generator_bg.wasm'] },
   {
     name: 'wood-ear.html',
     script: 'www/wood-ear.ts',
+    // The log lies on rocks.
+    workers: ['wood-ear-worker', 'worker'],
+    wasm: ['wood-ear_bg.wasm', 'generator_bg.wasm'],
     title: 'rock-field – wood ears on a fallen log',
     description: 'A colony of wood-ear fungus on a fallen log, grown in the browser from one seed. Place it, let it dry, wrinkle and curl, share the link.',
   },
 ];
 
 // What a visit needs beside its scripts. Of the two renderers it needs one: that is kept when the page has used it.
-const ALWAYS_NEEDED = ['page.css', 'generator_bg.wasm', ...COPIED.map((file) => path.basename(file))];
+const ALWAYS_NEEDED = ['page.css', ...COPIED.map((file) => path.basename(file))];
 
 const common = { absWorkingDir: root, bundle: true, minify: true, format: 'esm', target: 'es2022', sourcemap: true, legalComments: 'none', logLevel: 'warning' };
 
@@ -112,13 +115,16 @@ async function finish(staging, meta) {
     if (description) written = written.replace(/(?<=<meta name="description" content=")[^"]*/, description);
     writeFileSync(path.join(staging, name), written);
   }
-  const scripts = ['main.js', 'worker.js'].flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
-  const precache = [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...ALWAYS_NEEDED])];
+  const needed = ({ script, workers, wasm }) => {
+    const scripts = [path.basename(script, '.ts'), ...workers].flatMap((entry) => scriptsOf(meta, `${entry}.js`, { dynamic: true }));
+    return [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...wasm, ...ALWAYS_NEEDED])];
+  };
+  const pages = Object.fromEntries(PAGES.map((page) => [page.name, needed(page)]));
   await bundle({
     entryPoints: { sw: SERVICE_WORKER },
     outdir: staging,
     sourcemap: false,
-    define: { __BUILD__: JSON.stringify(build), __FILES__: JSON.stringify(files), __PRECACHE__: JSON.stringify(precache) },
+    define: { __BUILD__: JSON.stringify(build), __FILES__: JSON.stringify(files), __PAGES__: JSON.stringify(pages) },
   });
 }
 

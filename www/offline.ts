@@ -10,7 +10,7 @@ export async function keepOffline(): Promise<void> {
   try {
     await navigator.serviceWorker?.register(new URL('./sw.js', document.baseURI));
     const registration = await navigator.serviceWorker?.ready;
-    const urls = performance.getEntriesByType('resource').map((entry) => entry.name);
+    const urls = [location.href, ...performance.getEntriesByType('resource').map((entry) => entry.name)];
     registration?.active?.postMessage({ type: 'keep', urls } satisfies KeepMessage);
   } catch (error) {
     console.info('rock-field: not available offline:', error);

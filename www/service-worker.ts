@@ -7,10 +7,10 @@
  * so a cache holds the files of one build and nothing else.
  */
 
-/** Written in by scripts/web.mjs: the build's id, each file's `sha256-…`, and the files every visitor needs. */
+/** Written in by scripts/web.mjs: the build's id, each file's `sha256-…`, and by page the files that every visitor of it needs. */
 declare const __BUILD__: string;
 declare const __FILES__: Record<string, string>;
-declare const __PRECACHE__: string[];
+declare const __PAGES__: Record<string, string[]>;
 
 /** From the page: files it fetched before this worker was there to see it, such as its renderer. */
 export interface KeepMessage {
@@ -27,7 +27,7 @@ const PAGE = 'index.html';
 const ours = new Set<string>();
 
 worker.addEventListener('install', (event) => {
-  event.waitUntil(Promise.all([PAGE, ...__PRECACHE__].map(take)));
+  event.waitUntil(Promise.all([PAGE, ...(__PAGES__[PAGE] ?? [])].map(take)));
 });
 
 worker.addEventListener('activate', (event) => {
@@ -38,7 +38,9 @@ worker.addEventListener('message', (event) => {
   const message = event.data as KeepMessage | undefined;
   if (message?.type !== 'keep' || !Array.isArray(message.urls)) return;
   const names = message.urls.map((url) => nameOf(String(url))).filter((name) => name !== undefined);
-  event.waitUntil(Promise.allSettled(names.map(fromCacheOrTake)));
+  // Of another page than the first one, all that a visit needs.
+  const visited = names.flatMap((name) => (name === PAGE ? [] : (__PAGES__[name] ?? [])));
+  event.waitUntil(Promise.allSettled([...new Set([...names, ...visited])].map(fromCacheOrTake)));
 });
 
 worker.addEventListener('fetch', (event) => {
@@ -46,18 +48,18 @@ worker.addEventListener('fetch', (event) => {
   const name = nameOf(request.url);
   if (request.method !== 'GET' || name === undefined) return;
   // The documentation's pages have no build id: they are the network's, and without one what was read before.
-  if (request.mode === 'navigate' && name === PAGE) event.respondWith(navigate(request, event.resultingClientId));
+  if (request.mode === 'navigate' && name in __PAGES__) event.respondWith(navigate(request, name, event.resultingClientId));
   else if (ours.has(event.clientId)) event.respondWith(fromCacheOrTake(name).catch(() => fetch(request)));
   else event.respondWith(networkFirst(request, name));
 });
 
 /** The network's page, or ours when there is no network. */
-async function navigate(request: Request, client: string): Promise<Response> {
+async function navigate(request: Request, name: string, client: string): Promise<Response> {
   let response: Response;
   try {
     response = await fetch(request);
   } catch (error) {
-    const kept = await cached(PAGE);
+    const kept = await cached(name);
     if (!kept) throw error;
     ours.add(client);
     return kept;
@@ -87,7 +89,7 @@ async function take(name: string): Promise<Response> {
   const response = await fetch(urlOf(name), { cache: 'no-cache', ...(integrity ? { integrity } : {}) });
   if (!response.ok) throw new Error(`${name}: ${response.status}`);
   // Hosts may add to a page, so it is known by its build id instead of its hash.
-  if (name === PAGE && !isOfThisBuild(await response.clone().text())) throw new Error(`${PAGE} is of another build`);
+  if (name in __PAGES__ && !isOfThisBuild(await response.clone().text())) throw new Error(`${name} is of another build`);
   await (await caches.open(CACHE)).put(urlOf(name), response.clone());
   return response;
 }
@@ -111,7 +113,7 @@ function nameOf(url: string): string | undefined {
   const bare = url.replace(/[?#].*$/s, '');
   if (!bare.startsWith(scope)) return undefined;
   const name = bare.slice(scope.length).replace(/(^|\/)$/, `$1${PAGE}`);
-  return name === PAGE || name in __FILES__ ? name : undefined;
+  return name in __PAGES__ || name in __FILES__ ? name : undefined;
 }
 
 function urlOf(name: string): string {

@@ -111,7 +111,7 @@ export function colonyRequest({ ground: _, mesh, ...params }: WoodEarSceneParams
 }
 
 /** Room round the log, as a share of its length and in cm. */
-const MARGIN = { share: 0.35, cm: 90 };
+const MARGIN = { share: 0.5, cm: 120 };
 /** A log of one's own has sunk so far into the soil, cm; one that is made lies on it as it is. */
 const SUNK = 2;
 

@@ -34,6 +34,18 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
+test('the second scene works offline too, after one visit', async () => {
+  const { page, close } = await session.open('wood-ear.html#preset=thesis-default&d=20&r=25', { serviceWorkers: 'allow' });
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await keptRenderer(page);
+  await until(page, async () => Boolean(await caches.match(new URL('wood-ear_bg.wasm', document.baseURI).href)));
+  down = true;
+  await page.reload({ waitUntil: 'load' });
+  await page.waitForFunction(() => document.querySelector('wood-ear-log')?.scene, undefined, { polling: 100 });
+  down = false;
+  await close();
+});
+
 test('after one visit the page works without a network, and a new deploy is seen at once', async () => {
   const { page, close } = await session.open(SMALL, { serviceWorkers: 'allow' });
   await page.evaluate(() => navigator.serviceWorker.ready);

@@ -20,4 +20,13 @@ export const wrong = [
   <rock-field ongenerate={({ detail }) => detail.camera} />,
   // @ts-expect-error a camera event has no statistics
   <rock-field oncamera-change={({ detail }) => detail.stats} />,
+  // @ts-expect-error no such rule
+  <wood-ear-log collisions="never" />,
+  // @ts-expect-error not a number
+  <wood-ear-log density="dense" />,
+  // @ts-expect-error the rocks', not the log's
+  <wood-ear-log imageWidth={800} />,
 ];
+
+/** And what they have to take. */
+export const right = <wood-ear-log preset="wet-colony" density={40} log-length="120" bases="0 -15 20" ground="shingle" editable onchange={({ detail }) => detail.params.bases} />;
