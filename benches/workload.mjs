@@ -2,7 +2,7 @@
 //
 // Ours is the shipped wasm driven by the shipped session, so slices, cache and copying the buffers out are all included.
 import { flatRequest, presetParams } from '../www/params-flat.ts';
-import { Session } from '../www/generator/session.ts';
+import { fieldSession } from '../www/generator/field-session.ts';
 import { npmStack } from './npm-stack.mjs';
 
 const WARM_UP = 3;
@@ -71,8 +71,8 @@ async function measureFig1(open, rounds) {
 class Editor {
   static async open(glue) {
     const editor = new Editor();
-    editor.shapes = new Session(new glue.Generator());
-    editor.selections = new Session(new glue.Generator());
+    editor.shapes = fieldSession(new glue.Generator());
+    editor.selections = fieldSession(new glue.Generator());
     await editor.shapes.run(request(fig1(0)));
     return editor;
   }
@@ -129,7 +129,7 @@ function request(params) {
 
 /** A full run with an empty cache. */
 async function generate(glue, params) {
-  const session = new Session(new glue.Generator());
+  const session = fieldSession(new glue.Generator());
   try {
     return await session.run(request(params));
   } finally {
