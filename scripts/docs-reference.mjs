@@ -7,7 +7,7 @@ import { root } from './env.mjs';
 import { manifest } from './package-manifest.mjs';
 import { tables } from './tables.mjs';
 
-const { encodeLink, presetLabel, presetName, presetParams, translate, word, LAYER_ROWS, PAPERS, PRESETS } = await tables();
+const { ERRORS, encodeLink, presetLabel, presetName, presetParams, translate, word, LAYER_ROWS, PAPERS, PRESETS } = await tables();
 
 /** How attributes are told apart; what stands in none of these is of the last. */
 const GROUPS = [
@@ -22,7 +22,7 @@ const KIND_GROUPS = { slot: 'Slots', part: 'CSS parts', 'css-property': 'CSS cus
 /** Where the types are written; those that are exported and shown, in this order. */
 const TYPE_SOURCES = ['www/params.ts', 'www/params-flat.ts', 'www/field.ts', 'www/renderer/renderer.ts', 'www/picture.ts', 'www/generator/protocol.ts', 'www/errors.ts', 'www/generator/headless.ts'];
 const TYPES = [
-  { name: 'Of the element', types: ['Params', 'Layer', 'CameraState', 'PictureOptions', 'Progress', 'ErrorInfo'] },
+  { name: 'Of the element', types: ['Params', 'Layer', 'CameraState', 'PictureOptions', 'Progress', 'ErrorInfo', 'ErrorName'] },
   { name: 'Of a field', types: ['Field', 'FieldLayer', 'FieldStats', 'StageTimes'] },
   { name: 'Of rock-field/core', types: ['FieldRequest', 'LayerRequest', 'FieldGenerator', 'GenerateOptions', 'GeneratorOptions'] },
 ];
@@ -187,6 +187,8 @@ export async function types() {
       found.set(statement.name.text, text.slice(statement.getStart(source, true), statement.end).replace(/^export /m, ''));
     }
   }
+  // Written out: in the source it is the keys of a list.
+  found.set('ErrorName', `/** Every name of an error; see Troubleshooting. */\ntype ErrorName =\n${Object.keys(ERRORS).map((name) => `  | '${name}'`).join('\n')};`);
   const missing = [...LINKED].filter((name) => !found.has(name));
   if (missing.length > 0) throw new Error(`scripts/docs-reference.mjs shows types that are not in its sources: ${missing.join(', ')}`);
   const html = TYPES.map(({ name, types: names }) => `<h2 class="group">${name}</h2>${names.map((type) => `${heading(3, type, `<code>${type}</code>`, type)}${codeBlock(found.get(type), 'ts')}`).join('')}`);

@@ -2,6 +2,7 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { root } from './env.mjs';
+import { errorNames, troubleshooting } from './docs-errors.mjs';
 import { frame, markdown } from './docs-html.mjs';
 import { members } from './docs-members.mjs';
 import { elementTables, gallery, overview, sections, types } from './docs-reference.mjs';
@@ -13,6 +14,7 @@ const PAGES = [
   { file: 'index.html', title: 'Start', prose: 'start', className: 'prose start', description: 'A custom element that grows a field of rocks from one seed: how to put it on a page.' },
   { file: 'recipes.html', title: 'Recipes', prose: 'recipes', description: 'rock-field in plain HTML, from a CDN, under a strict policy, in React, Vue, Svelte, Next, with bundlers, in Node and with three.js.' },
   { file: 'concepts.html', title: 'Concepts', prose: 'concepts', description: 'Links and seeds, gestures and accessibility, performance and many elements, errors.' },
+  { file: 'troubleshooting.html', title: 'Troubleshooting', make: troubleshooting, description: 'Every message of rock-field: errors by name, and notices of links and attributes, with cause and remedy.' },
   { file: 'gallery.html', title: 'Gallery', make: gallery, className: 'wide', description: 'All presets, live: natural grounds, and the figures of the two papers.' },
   { file: 'reference.html', title: 'Everything at a glance', group: 'Reference', make: overview, description: 'Every attribute, property, method, event, slot, CSS part and custom property of <rock-field>.' },
   { file: 'attributes.html', title: 'Attributes', kinds: ['attribute'], description: 'Every attribute of <rock-field>, and the property that goes with it, beside a live example.' },
@@ -44,7 +46,8 @@ async function render(page, all) {
 }
 
 function readProse(name) {
-  return markdown(readFileSync(path.join(SOURCES, 'pages', `${name}.md`), 'utf8'));
+  const { html, headings } = markdown(readFileSync(path.join(SOURCES, 'pages', `${name}.md`), 'utf8'));
+  return { html: html.replace('<!-- errors -->', errorNames), headings };
 }
 
 function decoded(html) {

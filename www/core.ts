@@ -16,6 +16,7 @@ import type { FieldRequest } from './params-flat.ts';
 import type { WoodEarRequest } from './wood-ear-flat.ts';
 
 export { RockFieldError } from './errors.ts';
+export type { ErrorInfo, ErrorName } from './errors.ts';
 export { presets, schema } from './generator/catalogue.ts';
 export { woodEarPresets, woodEarSchema } from './generator/wood-ear-catalogue.ts';
 export type { Field, FieldLayer, FieldStats, StageTimes } from './field.ts';

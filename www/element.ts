@@ -2,7 +2,7 @@
 
 export { RockFieldElement } from './rock-field-element.ts';
 export type { RockFieldEventMap } from './rock-field-element.ts';
-export type { ErrorInfo } from './errors.ts';
+export type { ErrorInfo, ErrorName } from './errors.ts';
 export type { Field, FieldLayer, FieldStats, StageTimes } from './field.ts';
 export type { Progress } from './generator/protocol.ts';
 export type { Layer, Params, PresetName } from './params.ts';

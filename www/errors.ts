@@ -1,16 +1,15 @@
 /** The one error class of the package, and its flat form for the way between worker and page. */
 
+import type { ErrorName } from './error-list.ts';
+
+export type { ErrorName };
+
 /**
  * What went wrong, as plain data: `structuredClone` keeps neither the name nor the properties of an Error.
- *
- * Names that the caller can mend: `OutOfRange`, `NotAnInteger`, `TooManyLayers`, `DuplicateLayerId`, `UnknownPreset`,
- * `MalformedRequest`, `OverBudget` (all of them also thrown by Rust), `UnknownKey`, `WrongType` (TypeScript only); of a log of one's own
- * `LogNotInThrees`, `LogTooLarge`, `LogBadPosition`, `LogBadIndex`, `LogNoArea`.
- * Names that it cannot: `WasmUnavailable`, `WorkerUnavailable`, `WorkerLost`, `Internal`.
  */
 export interface ErrorInfo {
-  /** Machine-readable code, stable across versions. */
-  name: string;
+  /** Machine-readable code, stable across versions: one of a closed list. */
+  name: ErrorName;
   /** For people, in English. */
   message: string;
   /** The parameter at fault, where there is one. */
@@ -23,6 +22,7 @@ export interface ErrorInfo {
 }
 
 export class RockFieldError extends Error {
+  override readonly name: ErrorName;
   readonly key: string | undefined;
   readonly layer: number | undefined;
   readonly value: unknown;

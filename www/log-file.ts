@@ -3,6 +3,7 @@
 import { WebIO } from '@gltf-transform/core';
 import { OBJLoader } from '@loaders.gl/obj';
 import { RockFieldError } from './errors.ts';
+import type { ErrorName } from './errors.ts';
 import type { LogMesh } from './wood-ear-flat.ts';
 
 /** What is larger is refused unread: a log of 100,000 triangles has a tenth of it as text. */
@@ -151,6 +152,6 @@ function box(positions: Float32Array): [number[], number[]] {
   return [low, high];
 }
 
-function refused(name: string, message: string, cause?: unknown): RockFieldError {
+function refused(name: ErrorName, message: string, cause?: unknown): RockFieldError {
   return new RockFieldError({ name, key: 'log', message }, { cause });
 }

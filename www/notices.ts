@@ -4,7 +4,7 @@ import { filled } from './filled.ts';
 import type { Notice } from './link.ts';
 
 /** `{key}` names what is wrong. */
-const NOTICES: Record<Notice['code'], string> = {
+export const NOTICES: Record<Notice['code'], string> = {
   'too-long': 'The link has {given} characters; only the first {used} were read.',
   'unknown-key': 'The link has something unknown in it, which was ignored: {key}.',
   'unknown-version': 'The link is of version {given}, which this page does not know; it was read as version {used}.',

@@ -1,6 +1,6 @@
 /** The sentences of what comes later: errors, the statistics, the presets to choose from, the keys. As in `strings.ts`. */
 
-import type { ErrorInfo } from './errors.ts';
+import type { ErrorInfo, ErrorName } from './errors.ts';
 import { filled } from './filled.ts';
 import type { Slots } from './filled.ts';
 import { figureOf } from './strings.ts';
@@ -54,7 +54,7 @@ export function later(language: Language, key: LaterKey, slots: Slots = {}): str
 }
 
 /** Errors of the element that a person at the page can read and act on; any other shows its own English message. */
-const ERRORS: Record<string, Words> = {
+const ERRORS: Partial<Record<ErrorName, Words>> = {
   OutOfRange: { en: '{value} is not allowed; it has to lie in {min} to {max}.', ja: '{value} は使えません。{min} 〜 {max} の範囲で指定してください。' },
   NotAnInteger: { en: '{value} has to be a whole number.', ja: '{value} は整数でなければなりません。' },
   TooManyLayers: { en: 'At most {max} layers.', ja: '層は {max} 個までです。' },

@@ -4,6 +4,7 @@ import { WoodEarLogElement } from './wood-ear-log-element.ts';
 
 export { WoodEarLogElement };
 export type { WoodEarLogEventMap } from './wood-ear-log-element.ts';
+export type { ErrorInfo, ErrorName } from './errors.ts';
 export type { WoodEarColony, WoodEarLog, WoodEarStats, WoodEarTimes } from './colony.ts';
 export type { WoodEarBase, WoodEarLogShape, WoodEarParams, WoodEarPresetName } from './wood-ear-flat.ts';
 export type { WoodEarSceneParams } from './wood-ears.ts';

@@ -2,6 +2,7 @@
 
 import type { WoodEarColony, WoodEarLog } from '../colony.ts';
 import { RockFieldError } from '../errors.ts';
+import type { ErrorName } from '../errors.ts';
 import type { FlatColony, LogMesh } from '../wood-ear-flat.ts';
 import type { LoopCraft } from './loop.ts';
 import { Session } from './session.ts';
@@ -117,7 +118,7 @@ function setLog(generator: RawWoodEarGenerator, { positions, indices }: LogMesh)
     generator.set_log(positions, indices);
   } catch (thrown) {
     if (!(thrown instanceof Error && thrown.name.startsWith('Log'))) throw thrown;
-    throw new RockFieldError({ name: thrown.name, key: 'log', message: thrown.message }, { cause: thrown });
+    throw new RockFieldError({ name: thrown.name as ErrorName, key: 'log', message: thrown.message }, { cause: thrown });
   }
 }
 

@@ -1,0 +1,241 @@
+/**
+ * Every error that the package can give, by its `name`. The type `ErrorName` and the documentation's tables are made from this list, and a
+ * test compares it with what is thrown. Import its types alone from code that is shipped: its sentences are for the documentation.
+ *
+ * To add an error, add a row here, then throw it.
+ */
+
+export interface ErrorEntry {
+  group: ErrorGroup;
+  /** The message as people meet it; what stands in `{…}` differs. */
+  message: string;
+  cause: string;
+  /** What the reader can do about it. Markdown within a line, as is `cause`. */
+  remedy: string;
+}
+
+/** What the errors of one group have in common, in the order of the documentation. */
+export const ERROR_GROUPS = {
+  request: { title: 'Parameters', means: 'a value that is not allowed; `key` names it, and nothing has changed' },
+  log: { title: 'Logs from files and meshes', means: 'a log that cannot be read or grown on; the old log stays' },
+  element: { title: 'Element and picture', means: 'the element is in no document, or there is no picture to take' },
+  graphics: { title: 'Graphics', means: 'this device or browser cannot draw the picture' },
+  loading: { title: 'Loading', means: 'a file did not arrive, or a policy forbids it' },
+  internal: { title: 'Faults of rock-field', means: 'our fault; please report it with the link' },
+} as const;
+
+export type ErrorGroup = keyof typeof ERROR_GROUPS;
+
+/** Keeps the names apart from one another in the declarations, without their sentences. */
+function listed<Name extends string>(entries: Record<Name, ErrorEntry>): Record<Name, ErrorEntry> {
+  return entries;
+}
+
+export const ERRORS = /* @__PURE__ */ listed({
+  OutOfRange: {
+    group: 'request',
+    message: '{key} is {value}; it has to lie in {min} to {max}',
+    cause: 'A number outside its bounds, NaN, or a word that is not among the choices.',
+    remedy: 'Pass a value between `min` and `max` of the error, or one of the words in its message. [Attributes](attributes.html) lists all bounds.',
+  },
+  NotAnInteger: {
+    group: 'request',
+    message: '{key} is {value}; it has to be a whole number',
+    cause: 'A fraction where only whole numbers mean something: `seed`, `imageWidth`, `cellCount`.',
+    remedy: 'Round it before you pass it.',
+  },
+  WrongType: {
+    group: 'request',
+    message: '{key} is {value}; it has to be a number',
+    cause: 'Text where a number is expected, a number where a list is expected, a hole in a list, and the like.',
+    remedy: 'Pass the type that the message names. Numbers from form fields are text: use `valueAsNumber` or `Number(…)`.',
+  },
+  UnknownKey: {
+    group: 'request',
+    message: 'there is no parameter called "{key}"',
+    cause: 'A key that no parameter has, often a misspelt one.',
+    remedy: 'Compare with the [types](types.html). TypeScript finds these before they run.',
+  },
+  UnknownPreset: {
+    group: 'request',
+    message: 'there is no preset called "{value}"',
+    cause: 'A preset that does not exist, or one of the other element.',
+    remedy: 'Take a name from the [gallery](gallery.html), or from `presets` of `rock-field/core`.',
+  },
+  TooManyLayers: {
+    group: 'request',
+    message: '{value} layers; at most {max}',
+    cause: 'More entries in `layers` than are allowed.',
+    remedy: 'Leave the surplus layers out, or merge layers of similar radius.',
+  },
+  DuplicateLayerId: {
+    group: 'request',
+    message: 'two layers have the id {value}',
+    cause: 'Two entries of `layers` with the same `id`, so both would make the same random choices.',
+    remedy: 'Give each layer an `id` of its own, or leave `id` out.',
+  },
+  MalformedRequest: {
+    group: 'request',
+    message: 'the request is {value}; it has to be an object',
+    cause: 'Parameters that are not an object, `base` together with `bases`, or a page and a worker that belong to different releases.',
+    remedy: 'Pass one object as in the [types](types.html). On a server of your own, deploy all files of one release together.',
+  },
+  OverBudget: {
+    group: 'request',
+    message: 'this field would need about {value} MiB and the budget is {max} MiB; change {key}',
+    cause: 'The run would need more memory than `maxBytes`: 1.5 GiB by default, 512 MiB on small devices. Nothing was allocated.',
+    remedy: 'Change the parameter that the message names: larger radii and a smaller image need less. Where there is more memory, pass a larger `maxBytes` to `rock-field/core`.',
+  },
+
+  LogNotInThrees: {
+    group: 'log',
+    message: 'the log’s positions and indices have to come in threes',
+    cause: 'The length of `positions` or `indices` is not a multiple of three.',
+    remedy: 'Pass x, y, z for each vertex and three indices for each triangle.',
+  },
+  LogTooLarge: {
+    group: 'log',
+    message: 'the log has {value} vertices or triangles; at most {max}',
+    cause: 'A mesh that is finer than a log may be.',
+    remedy: 'Decimate the mesh in your modelling program; wood ears hide what is lost.',
+  },
+  LogBadPosition: {
+    group: 'log',
+    message: 'vertex {n} of the log is not finite, or over 100 m from the origin',
+    cause: 'A coordinate that is NaN or infinite, or a mesh far away from its origin.',
+    remedy: 'Move the mesh to the origin, and check its units: `positions` are centimetres.',
+  },
+  LogBadIndex: {
+    group: 'log',
+    message: 'triangle {n} of the log names a vertex that is not there',
+    cause: 'An index that is negative, a fraction, or past the last vertex.',
+    remedy: 'Count vertices from 0, and export the mesh anew.',
+  },
+  LogNoArea: {
+    group: 'log',
+    message: 'no triangle of the log has an area',
+    cause: 'All triangles are points or lines.',
+    remedy: 'Check that the mesh has faces, and that it is not scaled to zero.',
+  },
+  LogFileTooLarge: {
+    group: 'log',
+    message: '{file} has {n} MB; a log may have {max}',
+    cause: 'A file that is larger than any log has to be.',
+    remedy: 'Decimate the mesh, and leave textures out of the file.',
+  },
+  LogFileUnknown: {
+    group: 'log',
+    message: '{file} is neither a GLB nor an OBJ file',
+    cause: 'Another format, or a file whose beginning is damaged.',
+    remedy: 'Export the mesh as GLB (binary glTF) or OBJ.',
+  },
+  LogFileUnsupported: {
+    group: 'log',
+    message: '{file} is compressed in a way that is not read',
+    cause: 'The positions of the mesh need an extension that is not read here.',
+    remedy: 'Export the file without that compression.',
+  },
+  LogFileBroken: {
+    group: 'log',
+    message: '{file} is no whole GLB file',
+    cause: 'A file that was cut short, or whose numbers contradict each other.',
+    remedy: 'Export the mesh anew, and check that it opens in another program.',
+  },
+  LogFileNoMesh: {
+    group: 'log',
+    message: '{file} has no triangles',
+    cause: 'A file with points, lines, cameras or lights alone.',
+    remedy: 'Select the mesh when you export it.',
+  },
+
+  NotConnected: {
+    group: 'element',
+    message: 'put the element into the document first',
+    cause: '`generate()`, `getField()` and the like of an element that stands in no document.',
+    remedy: 'Append the element, or use `rock-field/core`, which needs no document.',
+  },
+  NoPicture: {
+    group: 'element',
+    message: 'there is no picture',
+    cause: '`toBlob()` of an element that has no renderer or no size, or a browser that makes no file of the type asked for.',
+    remedy: 'Wait for `ready`, give the element a size, and ask for `image/png`.',
+  },
+
+  NoRenderer: {
+    group: 'graphics',
+    message: 'The rocks cannot be drawn here. {reasons}',
+    cause: 'Neither WebGPU nor WebGL2 nor a 2D canvas could be opened, or the renderer’s file did not arrive. The message says why for each.',
+    remedy: 'Check the connection, switch hardware acceleration on, and update browser and graphics driver.',
+  },
+  RendererFailed: {
+    group: 'graphics',
+    message: 'the picture could not be made: {reason}',
+    cause: 'The renderer refused this field, mostly because a buffer of it is larger than the graphics device takes.',
+    remedy: 'Make the image smaller or the radii larger. The old picture stays until then.',
+  },
+  DeviceLost: {
+    group: 'graphics',
+    message: 'the graphics device was lost {n} times: {reason}',
+    cause: 'The browser or the driver took the graphics device away several times in a row; a plan without 3D is shown.',
+    remedy: 'Close other pages that use the GPU, then reload.',
+  },
+  NoAdapter: {
+    group: 'graphics',
+    message: 'no graphics adapter: {reason}',
+    cause: 'The browser offers WebGPU or WebGL2, but no graphics device for it. Part of the message of `NoRenderer`.',
+    remedy: 'Switch hardware acceleration on, and update the graphics driver.',
+  },
+  NoDevice: {
+    group: 'graphics',
+    message: 'the graphics adapter refused a device: {reason}',
+    cause: 'The graphics device is busy, or too small. Part of the message of `NoRenderer`.',
+    remedy: 'Close other pages that use the GPU, then reload.',
+  },
+  NoSurface: {
+    group: 'graphics',
+    message: 'the canvas cannot be drawn to: {reason}',
+    cause: 'The canvas was lost or taken by another context. `toBlob()` rejects with it; elsewhere it is part of `RendererFailed`.',
+    remedy: 'Try again once the picture is back.',
+  },
+  FieldTooLarge: {
+    group: 'graphics',
+    message: 'the {buffer} of this field need {value} bytes in one buffer, this graphics device takes {max}: make the image smaller or the discs larger',
+    cause: 'A field with so many triangles that one of its buffers does not fit this graphics device. Part of the message of `RendererFailed`.',
+    remedy: 'Make the image smaller or the radii larger.',
+  },
+  MalformedField: {
+    group: 'internal',
+    message: 'the field is malformed: {reason}',
+    cause: 'The buffers of a result contradict each other. Part of the message of `RendererFailed`.',
+    remedy: 'Please report it with the link.',
+  },
+
+  WasmUnavailable: {
+    group: 'loading',
+    message: 'the generator could not be loaded: {reason}',
+    cause: 'The `.wasm` file did not arrive, arrived damaged, or a policy forbids to compile it.',
+    remedy: 'Look at the browser’s network panel; allow `wasm-unsafe-eval`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
+  },
+  WorkerUnavailable: {
+    group: 'loading',
+    message: 'the generator’s worker could not be started',
+    cause: 'The worker’s file is missing on the server, or a policy forbids workers.',
+    remedy: 'Serve all files of the package together, and allow `worker-src`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
+  },
+
+  WorkerLost: {
+    group: 'internal',
+    message: 'the generator stopped without an answer, twice; try smaller settings',
+    cause: 'The worker ended twice while it worked on the same request, mostly for want of memory. Another worker has taken its place.',
+    remedy: 'Try smaller settings. If those fail too, please report it with the link.',
+  },
+  Internal: {
+    group: 'internal',
+    message: 'the generator failed ({reason}); please report this with its link',
+    cause: 'A fault of ours; the worker has been replaced, and the next run starts afresh.',
+    remedy: 'Please report it with the link.',
+  },
+});
+
+/** A name of the list. */
+export type ErrorName = keyof typeof ERRORS;
