@@ -3,6 +3,9 @@
 // The first field is timed beside a bare page that does what cannot be avoided: it fetches and compiles the same wasm files, makes
 // the device, clears a canvas and generates once. Both wait until the device has done its work. The GPU is software here, which
 // draws the rocks slowly: on a real one the ratio is smaller.
+import { readdirSync } from 'node:fs';
+import { dist } from '../scripts/env.mjs';
+import { plainName } from '../scripts/hashed-names.mjs';
 import { launch } from '../tests/e2e/browser.mjs';
 
 const SIZE = 'width: 400px; height: 300px';
@@ -15,7 +18,7 @@ const ELEMENT = `${head}<rock-field style="${SIZE}"></rock-field><script type="m
 const BARE = `${head}<canvas style="${SIZE}"></canvas><script type="module">
   import { generate } from '/core.js';
   const adapter = navigator.gpu.requestAdapter();
-  const module = WebAssembly.compileStreaming(fetch('/renderer-webgpu_bg.wasm'));
+  const module = WebAssembly.compileStreaming(fetch('/${readdirSync(dist).find((name) => plainName(name) === 'renderer-webgpu_bg.wasm')}'));
   const field = generate({ preset: 'journal-fig1' });
   const device = await (await adapter).requestDevice();
   const context = document.querySelector('canvas').getContext('webgpu');

@@ -67,7 +67,8 @@ function importEach(outside, exports) {
 
 /** What browsers get holds no module of Node, and asks for nothing that is not there; the package holds nothing that nobody asks for. */
 async function graph(folder, exports) {
-  const entryPoints = [...filesFor(exports, 'browser'), './dist/worker.js', './dist/wood-ear-worker.js'];
+  const workers = readdirSync(path.join(folder, 'dist')).filter((name) => /worker-\w+\.js$/.test(name)).map((name) => `./dist/${name}`);
+  const entryPoints = [...filesFor(exports, 'browser'), ...workers];
   const bundled = async (options) => {
     try {
       const { metafile } = await esbuild.build({ absWorkingDir: folder, bundle: true, write: false, metafile: true, format: 'esm', outdir: 'out', logLevel: 'error', ...options });

@@ -21,7 +21,7 @@ export async function measure() {
   const meta = path.join(pkg, 'web.meta.json');
   if (!existsSync(meta)) throw new Failure('there is no build to measure. Make one with: npm run build');
   const { scriptsOf } = await import('./web.mjs');
-  const scripts = scriptsOf(JSON.parse(readFileSync(meta, 'utf8')), 'main.js');
+  const scripts = scriptsOf(JSON.parse(readFileSync(meta, 'utf8')), 'www/main.ts');
   return {
     generator: await artefact('generator'),
     woodEar: await artefact('wood-ear'),

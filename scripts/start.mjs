@@ -44,7 +44,8 @@ function rebuildOnChange() {
     while (wanted) {
       wanted = false;
       await new Promise((resolve) => setTimeout(resolve, 100)); // editors write a file in several steps
-      await build().then(() => say('✓ rebuilt; reload the page'), (error) => say(`✗ ${error.message}`));
+      // Pages that are open still ask for files of the build they came from.
+      await build({ keep: true }).then(() => say('✓ rebuilt; reload the page'), (error) => say(`✗ ${error.message}`));
     }
     building = false;
   };

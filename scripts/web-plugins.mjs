@@ -3,13 +3,18 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 
-/** Whoever loads the panel asks for panel.js, which lies beside every chunk. */
-export const panelApart = {
-  name: 'panel-apart',
-  setup(build) {
-    build.onResolve({ filter: /\/(wood-ear-)?panel\.ts$/ }, ({ kind, path: file }) => (kind === 'dynamic-import' ? { path: file.replace(/^.*\/(.*)\.ts$/, './$1.js'), external: true } : undefined));
-  },
-};
+/** Whoever loads the panel asks for panel.js, which lies beside every chunk; `names` says what it is really called. */
+export function panelApart(names = new Map()) {
+  return {
+    name: 'panel-apart',
+    setup(build) {
+      build.onResolve({ filter: /\/(wood-ear-)?panel\.ts$/ }, ({ kind, path: file }) => {
+        const name = file.replace(/^.*\/(.*)\.ts$/, '$1.js');
+        return kind === 'dynamic-import' ? { path: `./${names.get(name) ?? name}`, external: true } : undefined;
+      });
+    },
+  };
+}
 
 /** Some packages have a class for Node beside the one for browsers, of which nothing is left; scripts/check-deps.mjs sees to it. */
 export const nodeless = {

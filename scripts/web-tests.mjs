@@ -30,7 +30,7 @@ export async function bundleWebTests() {
     sourcemap: 'inline',
     logLevel: 'warning',
     // In one bundle, importing the element would import Lit with the panel.
-    plugins: [sourceUrls, panelApart],
+    plugins: [sourceUrls, panelApart()],
   });
   return tests.map((name) => path.join(outdir, name.replace(/\.(ts|mjs)$/, '.mjs')));
 }

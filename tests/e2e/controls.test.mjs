@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
+import { plainName } from '../../scripts/hashed-names.mjs';
 import { serve } from '../../scripts/serve.mjs';
 import { violations } from './axe.mjs';
 import { launch, pageOf, screenshotPath } from './browser.mjs';
@@ -20,7 +21,7 @@ before(async () => {
     args: ['--js-flags=--expose-gc'],
     async intercept(request, response) {
       if (request.url.startsWith('/controls.html')) for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
-      if (request.url.startsWith('/panel.js') && panelFile) return panelFile(response);
+      if (plainName(request.url).startsWith('/panel.js') && panelFile) return panelFile(response);
       return page(request, response);
     },
   });
@@ -40,7 +41,7 @@ async function open(body = `<rock-field controls ${SMALL}></rock-field>`, { lang
     colorScheme: 'light',
     ...options,
     prepare: async (page) => {
-      page.on('request', (request) => requests.push(new URL(request.url()).pathname.slice(1)));
+      page.on('request', (request) => requests.push(plainName(new URL(request.url()).pathname.slice(1))));
       await page.route('**/host.css', (route) => route.fulfill({ contentType: 'text/css', body: `html { font-size: 62.5%; color-scheme: light dark } body { margin: 0; font: 16px sans-serif } button { text-transform: uppercase } rock-field { width: ${width}px; height: ${height}px }` }));
       await page.route('**/host.js', (route) => route.fulfill({ contentType: 'text/javascript', body: HOST }));
     },
@@ -55,7 +56,7 @@ const HOST = `
     const [add, remove] = [target.addEventListener, target.removeEventListener];
     target.addEventListener = (type, listener, options) => {
       // The driver of the browser listens too.
-      if (/chunk-|panel\\.js/.test(new Error().stack)) listeners.set(listener, type);
+      if (/chunk-|panel-\\w+\\.js/.test(new Error().stack)) listeners.set(listener, type);
       options?.signal?.addEventListener('abort', () => listeners.delete(listener));
       add.call(target, type, listener, options);
     };
@@ -410,7 +411,7 @@ test('under a strict policy, and from another origin as a classic script, the pa
     const address = elsewhere.url.replace('localhost', '127.0.0.1');
     const foreign = await open(undefined, { script: `${address}cdn.js`, kind: '' });
     const asked = [];
-    foreign.page.on('request', (request) => asked.push(request.url()));
+    foreign.page.on('request', (request) => asked.push(plainName(request.url())));
     await openPanel(foreign.page);
     assert.deepEqual(asked, [`${address}panel.js`]);
     await closeClean(foreign);

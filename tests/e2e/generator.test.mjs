@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { after, before, test } from 'node:test';
 import { createGenerator, presets } from 'rock-field/core';
+import { plainName } from '../../scripts/hashed-names.mjs';
 import { launch } from './browser.mjs';
 
 /** A page with nothing but the element, and what its events said. `null` draws nothing: these tests are about the generator. */
@@ -30,7 +31,7 @@ before(async () => {
   session = await launch({
     intercept(request, response) {
       const { pathname } = new URL(request.url, 'http://localhost');
-      const answer = broken[pathname] ?? (pathname === '/element.html' ? [200, 'text/html', HTML] : undefined);
+      const answer = broken[plainName(pathname)] ?? (pathname === '/element.html' ? [200, 'text/html', HTML] : undefined);
       if (!answer) return false;
       response.writeHead(answer[0], { 'content-type': answer[1] }).end(answer[2]);
       return true;
@@ -188,8 +189,8 @@ test('a worker that is killed, idle or in a run, is replaced and the page goes o
 });
 
 for (const [what, files, wanted] of [
-  ['wasm that is missing', { '/generator_bg.wasm': [404, 'text/plain', 'no'] }, /generator_bg\.wasm could not be fetched: the server answered 404/],
-  ['wasm served as a page', { '/generator_bg.wasm': [200, 'text/html', '<!doctype html>'] }, /generator_bg\.wasm is no wasm file: the server sent text\/html/],
+  ['wasm that is missing', { '/generator_bg.wasm': [404, 'text/plain', 'no'] }, /generator_bg-\w+\.wasm could not be fetched: the server answered 404/],
+  ['wasm served as a page', { '/generator_bg.wasm': [200, 'text/html', '<!doctype html>'] }, /generator_bg-\w+\.wasm is no wasm file: the server sent text\/html/],
   ['damaged wasm', { '/generator_bg.wasm': [200, 'application/wasm', '\0asm\x01\0\0\0junk'] }, /wasm could not be started/],
   ['a worker script that is missing', { '/worker.js': [404, 'text/plain', 'no'] }, /worker could not be started/],
   ['a worker script served as a page', { '/worker.js': [200, 'text/html', '<!doctype html>'] }, /worker could not be started/],

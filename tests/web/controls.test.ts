@@ -183,9 +183,9 @@ test('the embed code is safe HTML', () => {
   assert.match(code, /src="#v=1&amp;preset=journal-fig1&amp;seed=3"/);
 });
 
-test('a script to embed is known beside panel.js on a server, and nowhere that a bundler put it', () => {
-  assert.match(embedCode('rock-field', '', panelAddress('https://example.org/a/panel.js')!), /"https:\/\/example\.org\/a\/cdn\.js"/);
-  for (const address of ['https://example.org/assets/panel-a1b2.js', 'file:///home/me/node_modules/rock-field/dist/panel.js']) assert.equal(panelAddress(address), null);
+test('a script to embed is known beside the panel on a server, and nowhere that a bundler put it', () => {
+  assert.match(embedCode('rock-field', '', panelAddress('https://example.org/a/panel-7GQ2XW3B.js')!), /"https:\/\/example\.org\/a\/cdn\.js"/);
+  for (const address of ['https://example.org/assets/panel-7GQ2XW3B-a1b2.js', 'file:///home/me/node_modules/rock-field/dist/panel-7GQ2XW3B.js']) assert.equal(panelAddress(address), null);
 });
 
 test('a store on the history of an element makes its steps there, and sees those of others', () => {

@@ -36,7 +36,7 @@ const CDN: Readonly<Record<string, string>> = { 'rock-field': 'cdn.js', 'wood-ea
 /** The address of a panel's file, if its classic script lies beside it. Null where a bundler has taken the panel elsewhere. */
 export function panelAddress(panel: string): string | null {
   // Some bundlers write the path on the disk they were run on.
-  return /^https?:.*panel\.js$/.test(panel) ? panel : null;
+  return /^https?:.*panel-[A-Z0-9]{8}\.js$/.test(panel) ? panel : null;
 }
 
 /** Two lines of HTML that show the scene of `link` on any page. `page`: an address that the classic scripts lie beside. */
