@@ -12,16 +12,16 @@ const WORKERS = { worker: 'workerAddress', 'wood-ear-worker': 'woodEarWorkerAddr
 
 /** The forms that bundlers recognise, and ours are written in. */
 const WASM = /new URL\('\.\/([\w-]+)_bg\.wasm', import\.meta\.url\)/g;
-const WORKER_ADDRESS = /new URL\('\.\/([\w-]*worker)\.js', import\.meta\.url\)/g;
+const WORKER_ADDRESS = /new URL\('\.\/([\w-]*worker)\.js', import\.meta\.url\), \{ type: 'module' \}/g;
 
 // The glue names its wasm too, in a branch that is never taken. There is no import.meta in a classic script.
 const common = { define: { 'import.meta.url': 'undefined' }, platform: 'browser', sourcemap: false };
 
-export async function buildInline() {
-  const outdir = path.join(dist, 'inline');
+export async function buildInline(outdir = path.join(dist, 'inline')) {
   rmSync(outdir, { recursive: true, force: true });
   const entryPoints = Object.keys(WORKERS).map((name) => `www/generator/${name}.ts`);
-  const { outputFiles } = await bundle({ ...common, entryPoints, outdir, entryNames: '[name]', write: false, inject: ['www/inline.ts'], plugins: [inline()] });
+  // Classic scripts, since a page without an origin (`<iframe sandbox>`) starts no module from a blob in Chromium.
+  const { outputFiles } = await bundle({ ...common, format: 'iife', entryPoints, outdir, entryNames: '[name]', write: false, inject: ['www/inline.ts'], plugins: [inline()] });
   const workers = new Map(outputFiles.map(({ path: file, text }) => [path.basename(file, '.js'), text]));
   await bundle({
     ...common,

@@ -235,7 +235,7 @@ test('the embed code shows the same rocks', async () => {
   }, source);
   assert.deepEqual(shown, await params(page));
   assert.equal(await hash(page), expected);
-  assert.match(code, /<script async src="http:\/\/[^"]+\/cdn\.js"><\/script>/);
+  assert.match(code, /<script async crossorigin src="http:\/\/[^"]+\/cdn\.js"><\/script>/);
   await closeClean(opened);
 });
 

@@ -200,7 +200,7 @@ test('the embed code shows the same log on another page', async () => {
     await page.getByRole('button', { name: 'Copy embed code' }).click();
     await page.waitForSelector('.toast.is-shown');
     html = `<!doctype html><title>Elsewhere</title><link rel="icon" href="data:,">${await page.evaluate(() => navigator.clipboard.readText())}`;
-    assert.match(html, /<script async src="http:\/\/[^"]+\/wood-ear-cdn\.js"><\/script>\n<wood-ear-log src="#v=1&amp;preset=thesis-default/);
+    assert.match(html, /<script async crossorigin src="http:\/\/[^"]+\/wood-ear-cdn\.js"><\/script>\n<wood-ear-log src="#v=1&amp;preset=thesis-default/);
     const expected = await hash(page);
     const there = await other.open('elsewhere.html', { viewport: { width: 500, height: 400 } });
     await there.page.waitForFunction(() => document.querySelector('wood-ear-log')?.scene, undefined, { polling: 100 });

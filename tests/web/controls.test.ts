@@ -179,7 +179,7 @@ test('a cancelled run gives the look back that it was begun with', () => {
 
 test('the embed code is safe HTML', () => {
   const code = embedCode('rock-field', 'v=1&preset=journal-fig1&seed=3', 'https://example.org/rocks/?x="><script>#seed=1');
-  assert.match(code, /<script async src="https:\/\/example\.org\/rocks\/cdn\.js"><\/script>/);
+  assert.match(code, /<script async crossorigin src="https:\/\/example\.org\/rocks\/cdn\.js"><\/script>/);
   assert.match(code, /src="#v=1&amp;preset=journal-fig1&amp;seed=3"/);
 });
 

@@ -43,7 +43,7 @@ export function panelAddress(panel: string): string | null {
 export function embedCode(element: string, link: string, page: string): string {
   const script = new URL(CDN[element] ?? '', page.replace(/[?#].*$/s, '')).href;
   return [
-    `<script async src="${escaped(script)}"></script>`,
+    `<script async crossorigin src="${escaped(script)}"></script>`,
     `<${element} src="${escaped(`#${link}`)}" style="width: 100%; height: 60vh"></${element}>`,
   ].join('\n');
 }

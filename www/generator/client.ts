@@ -4,6 +4,7 @@ import type { Field } from '../field.ts';
 import { flatRequest } from '../params-flat.ts';
 import type { Params } from '../params.ts';
 import type { FlatRequest, StageName } from './protocol.ts';
+import { startWorker } from './start-worker.ts';
 import { WorkerClient } from './worker-client.ts';
 import type { ClientOptions } from './worker-client.ts';
 import type { WorkerLike } from './pool-worker.ts';
@@ -26,5 +27,5 @@ export class GeneratorClient extends WorkerClient<FieldJob, FlatRequest, Field, 
 
 function spawnWorker(): WorkerLike {
   // This literal form is the one that bundlers recognise.
-  return new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }) as WorkerLike;
+  return startWorker(() => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }));
 }

@@ -5,6 +5,7 @@ import { RockFieldError } from '../errors.ts';
 import { flatColony } from '../wood-ear-flat.ts';
 import type { FlatColony, WoodEarRequest } from '../wood-ear-flat.ts';
 import type { WorkerLike } from './pool-worker.ts';
+import { startWorker } from './start-worker.ts';
 import { WorkerClient } from './worker-client.ts';
 import type { ClientOptions } from './worker-client.ts';
 import type { PackedColony, WoodEarStage } from './wood-ear-session.ts';
@@ -31,5 +32,5 @@ export class ColonyClient extends WorkerClient<WoodEarRequest, FlatColony, WoodE
 
 function spawnWorker(): WorkerLike {
   // This literal form is the one that bundlers recognise.
-  return new Worker(new URL('./wood-ear-worker.js', import.meta.url), { type: 'module' }) as WorkerLike;
+  return startWorker(() => new Worker(new URL('./wood-ear-worker.js', import.meta.url), { type: 'module' }));
 }
