@@ -376,7 +376,7 @@ test('a missing worker script, a blocked worker and missing wasm are readable er
   const { client, workers, worker } = setUp();
   const missing = client.generate(params(1));
   worker().dies();
-  await assert.rejects(missing, (error: Error) => isNamed('WorkerUnavailable')(error) && /worker\.js is missing or blocked/.test(error.message));
+  await assert.rejects(missing, (error: Error) => isNamed('WorkerUnavailable')(error) && /its file is missing, or blocked/.test(error.message));
   const noWasm = client.generate(params(2));
   worker().says({ type: 'failed', error: { name: 'WasmUnavailable', message: 'generator_bg.wasm: 404' } });
   await assert.rejects(noWasm, isNamed('WasmUnavailable'));

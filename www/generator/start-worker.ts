@@ -12,9 +12,8 @@ let policy: ReturnType<TrustedTypes['createPolicy']> | undefined;
 let isPolicyRefused = false;
 
 /**
- * The worker that `spawn` makes, which has to be `() => new Worker(new URL('./name.js', import.meta.url), { type: 'module' })`: bundlers
- * recognise this form alone, and put the worker's real address into it. So the address is taken from the call itself. For the length
- * of the call `Worker` is a function that starts
+ * The worker that `spawn` makes by nothing but the literal `new Worker(…)` that bundlers recognise. They put the worker's real address into
+ * it, so the address is taken from the call itself: for the length of the call `Worker` is a function that starts
  * - the address through the policy `rock-field`, since pages may require Trusted Types;
  * - an address of another origin from a script of the page's own that imports it, since browsers refuse to start it directly. A page
  *   in `<iframe sandbox>` has no origin: there every address is another's.
