@@ -76,7 +76,8 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const panel = await built({ entryPoints: PANELS, plugins: [sheetsAsText] });
     const browser = await built({ entryPoints: [...PAGE_ENTRIES, ...PUBLIC_ENTRIES], chunkNames: 'chunk-[hash]', assetNames: '[name]', splitting: true, plugins: [panelApart(names), tinyCopied] });
     withPlainNames(staging, browser, PUBLIC_ENTRIES);
-    await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node' });
+    // Read by people in stack traces.
+    await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node', minify: false });
     await bundle({ ...CDN, outdir: staging, ...marking, plugins: [hashedAddresses(names), panelByAddress] });
     // By plain names for those who import them (`rock-field/generator_bg.wasm`), and for Node.
     for (const name of wasm.filter((file) => !file.startsWith('renderer-'))) copyFileSync(path.join(pkg, name), path.join(staging, name));

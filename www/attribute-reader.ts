@@ -19,6 +19,8 @@ import type { Kind, Row, Table } from './table.ts';
 
 export const INTERACTIONS = ['cooperative', 'always', 'none'] as const;
 export type Interaction = (typeof INTERACTIONS)[number];
+export const THEMES = ['auto', 'light', 'dark'] as const;
+export type Theme = (typeof THEMES)[number];
 export const LOADINGS = ['eager', 'lazy'] as const;
 export type Loading = (typeof LOADINGS)[number];
 
@@ -36,12 +38,13 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const NONE = '-';
 
 /** Attributes of every scene that are no parameters. */
-export const SCENE_ATTRIBUTES = ['src', 'preset', 'view', 'color', 'quality', 'camera-orbit', 'interaction', 'loading', 'metres-per-pixel'] as const;
+export const SCENE_ATTRIBUTES = ['src', 'preset', 'view', 'color', 'quality', 'camera-orbit', 'interaction', 'theme', 'loading', 'metres-per-pixel'] as const;
 
 export interface SceneAttributes<K extends Kind> extends SceneLink<K> {
   /** Where the camera is while everything is framed; null: as it is framed by itself. */
   orbit: Orbit | null;
   quality: WantedQuality;
+  theme: Theme;
   interaction: Interaction;
   loading: Loading;
   metresPerPixel: number;
@@ -147,6 +150,7 @@ export class AttributeReader<K extends Kind> {
       camera: source.camera,
       orbit: this.#orbit(),
       quality: this.choice('quality', QUALITY_CHOICES, QUALITY_CHOICES[0]),
+      theme: this.choice('theme', THEMES, THEMES[0]),
       interaction: this.choice('interaction', INTERACTIONS, INTERACTIONS[0]),
       loading: this.choice('loading', LOADINGS, LOADINGS[0]),
       metresPerPixel: this.#scale(),

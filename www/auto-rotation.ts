@@ -31,6 +31,6 @@ export class AutoRotation {
 }
 
 /** What the system is set to. */
-export function prefersStillness(): boolean {
-  return matchMedia('(prefers-reduced-motion: reduce)').matches;
+export function prefersStillness(view: Window): boolean {
+  return view.matchMedia('(prefers-reduced-motion: reduce)').matches;
 }

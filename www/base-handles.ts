@@ -4,6 +4,7 @@
  * A click on the log, or Enter while the picture has the focus, places another base.
  */
 
+import { addStyles } from './document-styles.ts';
 import { project, rayThrough } from './pick.ts';
 import type { Language } from './params.ts';
 import type { CameraState } from './renderer/renderer.ts';
@@ -71,9 +72,7 @@ export class BaseHandles {
     this.#owner = owner;
     this.#box.className = 'handles';
     this.#box.setAttribute('part', 'handles');
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(STYLES);
-    root.adoptedStyleSheets.push(sheet);
+    addStyles(root, STYLES);
     owner.stage.after(this.#box);
     const { stage } = owner;
     stage.addEventListener('pointerdown', (event) => this.#press(event), { signal });

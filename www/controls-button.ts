@@ -4,6 +4,7 @@
  */
 
 import type { Edition } from './controls/scene-store.ts';
+import { addStyles } from './document-styles.ts';
 import type { History } from './history.ts';
 import type { Language } from './params.ts';
 import type { ColorMode } from './renderer/renderer.ts';
@@ -99,9 +100,6 @@ export class ControlsButton<K extends Kind> {
     icon.append(document.createElementNS(SVG, 'path'));
     icon.firstElementChild?.setAttribute('d', ICON);
     button.append(icon);
-    const sheet = new CSSStyleSheet();
-    sheet.replaceSync(STYLES);
-    owner.root.adoptedStyleSheets.push(sheet);
   }
 
   get #isLoading(): boolean {
@@ -112,6 +110,7 @@ export class ControlsButton<K extends Kind> {
   update(): void {
     const { element, root } = this.#owner;
     const attribute = element.getAttribute('controls');
+    addStyles(root, STYLES);
     this.#button.disabled = element.hasAttribute('disabled');
     if (attribute === null || this.#button.disabled) this.close();
     if (attribute === null) this.#button.remove();

@@ -7,4 +7,4 @@ export type { Field, FieldLayer, FieldStats, StageTimes } from './field.ts';
 export type { Progress } from './generator/protocol.ts';
 export type { Layer, Params, PresetName } from './params.ts';
 export type { Backend, CameraState, ColorMode, View } from './renderer/renderer.ts';
-export type { Theme } from './scene-element.ts';
+export type { Theme } from './attribute-reader.ts';

@@ -11,6 +11,8 @@ import type { Quality } from './renderer/renderer.ts';
 const REST_MS = 150;
 
 export interface PacedScene {
+  /** The window it is in; it may come into another. */
+  view(): Window;
   canDraw(): boolean;
   /** Whether the quality makes a difference to what is shown. */
   isGraded(): boolean;
@@ -71,7 +73,7 @@ export class FramePacer {
   }
 
   stop(): void {
-    cancelAnimationFrame(this.#frame);
+    this.#scene.view().cancelAnimationFrame(this.#frame);
     clearTimeout(this.#resting);
     this.#frame = 0;
     this.#auto.rest();
@@ -90,7 +92,7 @@ export class FramePacer {
   }
 
   #request(): void {
-    if (this.#frame === 0 && this.#scene.canDraw()) this.#frame = requestAnimationFrame((now) => this.#onFrame(now));
+    if (this.#frame === 0 && this.#scene.canDraw()) this.#frame = this.#scene.view().requestAnimationFrame((now) => this.#onFrame(now));
   }
 
   #onFrame(now: number): void {
@@ -139,8 +141,9 @@ export class FramePacer {
     const drawn = this.#disturbances;
     const start = performance.now();
     // The browser gives out the second one when the GPU is done with what the first one came after.
-    requestAnimationFrame(() =>
-      requestAnimationFrame(() => {
+    const view = this.#scene.view();
+    view.requestAnimationFrame(() =>
+      view.requestAnimationFrame(() => {
         if (drawn === this.#disturbances) this.#auto.stillTook(performance.now() - start);
       }),
     );

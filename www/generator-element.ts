@@ -1,9 +1,10 @@
 /** What every element of a generator shares: parameters by attribute, property and link, runs, undo, the panel. */
 
-import { checkChoice, INTERACTIONS, SCENE_ATTRIBUTES } from './attribute-reader.ts';
-import type { Interaction, SceneAttributes } from './attribute-reader.ts';
+import { checkChoice, INTERACTIONS, SCENE_ATTRIBUTES, THEMES } from './attribute-reader.ts';
+import type { Interaction, SceneAttributes, Theme } from './attribute-reader.ts';
 import { METRES_PER_PIXEL } from './camera-orbit.ts';
 import type { Edition } from './controls/scene-store.ts';
+import { CAN_SHOW } from './document-styles.ts';
 import type { ControlsButton, PanelModule } from './controls-button.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
@@ -18,7 +19,6 @@ import type { WantedQuality } from './renderer/quality.ts';
 import type { Backend, CameraState, ColorMode, Look, View } from './renderer/renderer.ts';
 import type { Runs, RunsHost } from './runs.ts';
 import { SceneElement } from './scene-element.ts';
-import type { Theme } from './scene-element.ts';
 import { isLook, isMade, presetColor, same } from './table.ts';
 import type { Kind, Row, Table } from './table.ts';
 
@@ -78,6 +78,7 @@ const PROPERTIES = ['params', 'view', 'color', 'quality', 'camera', 'theme', 'ca
 /**
  * @attribute src - A share link or its fragment, or parameters as JSON; fills everything.
  * @attribute quality - `low`, `medium` or `high`, of natural colours; `auto`: as well as motion flows, and `high` at rest.
+ * @attribute theme - `light`, `dark`, or `auto`: as the system is set.
  * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
  * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
  * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
@@ -246,13 +247,15 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.setAttribute('quality', checkChoice('quality', quality ?? QUALITY_CHOICES[0], QUALITY_CHOICES));
   }
 
-  override get theme(): Theme {
-    return super.theme;
+  /** Of the picture and the panel: see the attribute. */
+  get theme(): Theme {
+    this.#readAttributes();
+    return this.sceneTheme;
   }
 
-  override set theme(theme: Theme) {
-    super.theme = theme;
-    this.#controls?.sync();
+  set theme(theme: Theme) {
+    this.setAttribute('theme', checkChoice('theme', theme ?? THEMES[0], THEMES));
+    this.#readAttributes();
   }
 
   /** Whether there is a button for the panel; assigning `open` opens it. */
@@ -365,6 +368,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   /** Runs now. Resolves with the result; rejects with an AbortError when a newer run supersedes it, else with a RockFieldError. */
   generate(): Promise<K['result']> {
     this.start();
+    this.forgetFailure();
     const { params } = this;
     this.#presets.set(params, this.presetInUse);
     return this.#runs.start(params);
@@ -400,6 +404,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
       return;
     }
     this.#unread.add(name);
+    if (name === 'loading' && this.isConnected) this.loadUnlessLazy();
     this.#schedule();
   }
 
@@ -424,7 +429,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
 
   protected override readManners(): void {
     super.readManners();
-    if (this.controls && !this.#controls) void this.#loadControls();
+    if (this.controls && !this.#controls && CAN_SHOW) void this.#loadControls();
     this.#controls?.update();
   }
 
@@ -474,6 +479,12 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.emit('generate', this.detailOf(result, superseded, isPreview));
   }
 
+  protected override relabel(): void {
+    super.relabel();
+    this.#controls?.sync();
+    if (this.#result) this.#describe(this.#result).catch((thrown: unknown) => console.warn(thrown));
+  }
+
   async #describe(result: K['result']): Promise<void> {
     const words = await this.#scene.describe(result, this.#metresPerPixel, this.language);
     if (this.#result === result) this.describe(words);
@@ -519,6 +530,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     if (has('camera-orbit', 'metres-per-pixel')) this.setFraming(read.orbit, read.metresPerPixel);
     if (has('camera-orbit')) super.camera = read.camera;
     this.sceneQuality = read.quality;
+    this.sceneTheme = read.theme;
     this.#interaction = read.interaction;
     this.#metresPerPixel = read.metresPerPixel;
     if (has('interaction')) this.readManners();

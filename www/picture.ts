@@ -24,7 +24,9 @@ export function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHei
     width ?? Math.round((ownWidth * (height ?? ownHeight)) / ownHeight),
     height ?? Math.round((ownHeight * (width ?? ownWidth)) / ownWidth),
   ];
-  for (const [key, value] of [['width', size[0]], ['height', size[1]]] as const) {
+  const sides = [['width', size[0]], ['height', size[1]]] as const;
+  // What follows from a wrong side is wrong too: the side that was given is named.
+  for (const [key, value] of width === undefined ? [...sides].reverse() : sides) {
     if (Number.isInteger(value) && value >= 1 && size[0] * size[1] <= MAX_PIXELS) continue;
     const message = `${key} is ${value}; a picture has whole numbers of pixels, at most ${MAX_PIXELS} together`;
     throw new RockFieldError({ name: 'OutOfRange', key, value, min: 1, max: MAX_PIXELS, message });
@@ -35,6 +37,11 @@ export function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHei
 /** Draws through `camera` at `size` and takes what is in the canvas, at once; only the encoding comes later. */
 export async function takePicture(renderer: SceneRenderer, size: [number, number], camera: CameraState, { type = 'image/png', quality }: PictureOptions): Promise<Blob> {
   renderer.resize(...size);
+  // A device has its own limit, and draws no larger.
+  for (const [key, value, drawn] of [['width', size[0], renderer.canvas.width], ['height', size[1], renderer.canvas.height]] as const) {
+    if (drawn === value) continue;
+    throw new RockFieldError({ name: 'OutOfRange', key, value, min: 1, max: drawn, message: `${key} is ${value}; this device draws at most ${drawn} pixels in a row` });
+  }
   renderer.setCamera(camera);
   renderer.render();
   const blob = await new Promise<Blob | null>((resolve) => renderer.canvas.toBlob(resolve, type, quality));

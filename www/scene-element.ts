@@ -12,7 +12,8 @@ import type { Orbit } from './camera-orbit.ts';
 import { isPlan } from './camera.ts';
 import type { Subject } from './camera.ts';
 import { RockFieldError } from './errors.ts';
-import type { Interaction } from './attribute-reader.ts';
+import type { Interaction, Theme } from './attribute-reader.ts';
+import { CAN_SHOW } from './document-styles.ts';
 import type { Field } from './field.ts';
 import { FramePacer } from './frame-pacer.ts';
 import { OrbitControls } from './orbit-controls.ts';
@@ -22,16 +23,21 @@ import { wantedBackend } from './renderer/load.ts';
 import type { WantedQuality } from './renderer/quality.ts';
 import type { Backend, CameraState, ColorMode, Look, Quality, SceneRenderer, SceneStyle, View, Wood } from './renderer/renderer.ts';
 import { SceneCamera } from './scene-camera.ts';
+import { languageOf, watchLanguage } from './scene-language.ts';
 import { SceneTree } from './scene-tree.ts';
 import type { HINTS } from './scene-hints.ts';
 import { WORDS } from './scene-words.ts';
 import { StageSize } from './stage-size.ts';
 import { Visibility } from './visibility.ts';
 
-export type Theme = 'auto' | 'light' | 'dark';
-
 /** How long an element may be out of the document before its worker, device and buffers go. */
 export const IDLE_TIMEOUT_MS = 1000;
+
+/** Of a picture that has no place on the screen, px. */
+const UNSEEN_SIZE: [number, number] = [300, 150];
+
+/** How long `toBlob` waits for a picture. */
+const PICTURE_TIMEOUT_MS = 120_000;
 
 /** On a server there is no HTMLElement; importing must be silent there, and nobody makes an element. */
 const Base = (globalThis.HTMLElement ?? class {}) as typeof HTMLElement;
@@ -59,6 +65,8 @@ export abstract class SceneElement extends Base {
   #closing: ReturnType<typeof setTimeout> | undefined;
   /** Ends every listener and observer of the cycle. */
   #listening: AbortController | undefined;
+  #speaking: AbortController | undefined;
+  #spoken: 'en' | 'ja' | undefined;
   #controls: OrbitControls | undefined;
   #readiness!: { promise: Promise<void>; resolve: () => void };
 
@@ -71,11 +79,17 @@ export abstract class SceneElement extends Base {
   });
   #painted = false;
   #pacer = new FramePacer({
+    view: () => this.#view,
     canDraw: () => this.#canDraw(),
     isGraded: () => this.#style.color === 'natural' && this.#style.view === '3d' && this.backend !== 'canvas2d',
     advance: (now) => this.#camera.advance(now, this.#rotates()),
     draw: (level) => this.#draw(level),
   });
+
+  /** Why there is no picture. */
+  #failure: ErrorInfo | null = null;
+  /** Who waits for one. */
+  #waiting: ((error?: RockFieldError) => void)[] = [];
 
   #field: Field | null = null;
   #wood: Wood | null = null;
@@ -149,11 +163,11 @@ export abstract class SceneElement extends Base {
     return this.#kept.renderer?.backend ?? null;
   }
 
-  get theme(): Theme {
+  protected get sceneTheme(): Theme {
     return this.#theme;
   }
 
-  set theme(theme: Theme) {
+  protected set sceneTheme(theme: Theme) {
     this.#theme = theme;
     this.#restyle({ dark: this.#isDark() });
   }
@@ -190,22 +204,25 @@ export abstract class SceneElement extends Base {
   /** Brings the whole field into view, with a short flight unless `animate` is false or the system asks for less motion. */
   frameAll(animate = true): void {
     const to = this.defaultCamera;
-    if (!animate || !this.#canDraw() || prefersStillness()) this.#camera.current = null;
+    if (!animate || !this.#canDraw() || prefersStillness(this.#view)) this.#camera.current = null;
     else this.#camera.flyHome(performance.now());
     this.invalidate();
     this.emit('camera-change', { camera: to, framed: true });
   }
 
   /**
-   * The picture as a file, as soon as there is one.
+   * The picture as a file, as soon as there is one; also where the element cannot be seen.
    *
-   * @throws {RockFieldError} `OutOfRange` for a size that cannot be drawn, `NoPicture` where the browser gives none.
+   * @throws {RockFieldError} `OutOfRange` for a size that cannot be drawn, `NotConnected` out of the document, `NoPicture` where the
+   *   browser gives none; what the element reports where there will be no picture.
    */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
-    const [{ pictureSize, takePicture }] = await Promise.all([import('./picture.ts'), this.ready]);
+    const [{ pictureSize, takePicture }] = await Promise.all([import('./picture.ts'), this.#drawable()]);
     const renderer = this.#kept.renderer;
     if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
-    const size = pictureSize(options, this.#size.pixels);
+    // In a tab that nobody sees, nobody has told the size yet.
+    if (this.#size.isEmpty) this.#size.measure();
+    const size = pictureSize(options, this.#size.isEmpty ? UNSEEN_SIZE : this.#size.pixels);
     const { best } = this.#pacer;
     if (best) renderer.setQuality(best);
     const blob = takePicture(renderer, size, this.#camera.forAspect(size[0] / size[1]), options);
@@ -213,6 +230,31 @@ export abstract class SceneElement extends Base {
     renderer.resize(...this.#size.pixels);
     this.#pacer.redraw();
     return blob;
+  }
+
+  /** Resolves when there is what to draw and what to draw it with; rejects when the cycle ends, or there will be none. */
+  #drawable(): Promise<void> {
+    this.start();
+    if (this.#hasPicture()) return Promise.resolve();
+    if (!this.#isOpen) return Promise.reject(notConnected());
+    if (this.#failure) return Promise.reject(new RockFieldError(this.#failure));
+    return new Promise((resolve, reject) => {
+      const timer = setTimeout(() => reject(new RockFieldError({ name: 'NoPicture', message: 'there was no picture within two minutes' })), PICTURE_TIMEOUT_MS);
+      this.#waiting.push((error) => {
+        clearTimeout(timer);
+        if (error) reject(error);
+        else resolve();
+      });
+    });
+  }
+
+  /** A new run may succeed, though it draws nothing where there is no renderer. */
+  protected forgetFailure(): void {
+    if (this.#kept.renderer) this.#failure = null;
+  }
+
+  #tellWaiting(error?: RockFieldError): void {
+    for (const tell of this.#waiting.splice(0)) tell(error);
   }
 
   protected get sceneQuality(): WantedQuality {
@@ -275,6 +317,7 @@ export abstract class SceneElement extends Base {
 
   /** Attributes that are no parameters changed. */
   protected readManners(): void {
+    if (!CAN_SHOW) return;
     this.#tree.setPoster(this.getAttribute('poster'));
     this.#tree.setDisabled(this.hasAttribute('disabled'));
     this.#controls?.refresh();
@@ -283,8 +326,12 @@ export abstract class SceneElement extends Base {
 
   /** The page's language, from the nearest `lang`. */
   protected get language(): 'en' | 'ja' {
-    const lang = this.closest('[lang]')?.getAttribute('lang') ?? '';
-    return lang.toLowerCase().startsWith('ja') ? 'ja' : 'en';
+    return languageOf(this);
+  }
+
+  /** The window that the element is in: one of a frame or a popup, perhaps. */
+  get #view(): Window & typeof globalThis {
+    return this.ownerDocument.defaultView ?? window;
   }
 
   protected emit(type: string, detail: unknown = null): void {
@@ -293,7 +340,11 @@ export abstract class SceneElement extends Base {
 
   /** An `error` event; also a message in the element while it has no picture to show instead. */
   protected report(error: ErrorInfo): void {
-    if (!this.#hasPicture()) this.#tree.messages.setError(error.message);
+    if (!this.#hasPicture()) {
+      this.#tree.messages.setError(error.message);
+      this.#failure = error;
+      this.#tellWaiting(new RockFieldError(error));
+    }
     this.emit('error', { error });
   }
 
@@ -312,16 +363,51 @@ export abstract class SceneElement extends Base {
   // Lifecycle.
 
   connectedCallback(): void {
+    if (!CAN_SHOW) return;
     clearTimeout(this.#closing);
     if (this.#isOpen) {
+      this.#speak();
       this.invalidate();
       return;
     }
     this.#isOpen = true;
     this.#listen();
-    this.#tree.setLanguage(WORDS.role[this.language], this.label);
+    this.#speak();
     this.readManners();
+    this.loadUnlessLazy();
+  }
+
+  /** In another document everything is another: styles, observers, frames. The field stays. */
+  adoptedCallback(): void {
+    clearTimeout(this.#closing);
+    if (this.#isOpen) this.#close();
+    this.#tree.dress();
+  }
+
+  protected loadUnlessLazy(): void {
     if (this.getAttribute('loading')?.trim() !== 'lazy') this.start();
+  }
+
+  /** In the language of where the element stands now, and whenever that changes. */
+  #speak(): void {
+    this.#speaking?.abort();
+    this.#speaking = new AbortController();
+    const say = () => {
+      const { language } = this;
+      if (language === this.#spoken) return;
+      this.#spoken = language;
+      this.relabel();
+    };
+    watchLanguage(this, say, this.#speaking.signal);
+    say();
+  }
+
+  /** Says in the present language what is said all the time. */
+  protected relabel(): void {
+    this.#tree.setLanguage(WORDS.role[this.language], this.label);
+    const { renderer } = this.#kept;
+    if (renderer) this.#sayMakeshift(renderer);
+    this.invalidate();
   }
 
   /** Begins what costs something; where loading is lazy, as soon as the element comes near. */
@@ -340,6 +426,10 @@ export abstract class SceneElement extends Base {
   #close(): void {
     this.#isOpen = false;
     this.#listening?.abort();
+    this.#speaking?.abort();
+    this.#tree.print(null);
+    this.#failure = null;
+    this.#tellWaiting(notConnected());
     this.#controls?.dispose();
     this.#controls = undefined;
     this.#kept.close();
@@ -364,7 +454,9 @@ export abstract class SceneElement extends Base {
     const size = new StageSize(this.#tree.stage, () => this.#resized(), signal);
     this.#size = size;
     this.#visibility = new Visibility(this, () => this.#onVisibility(), signal);
-    const dark = matchMedia('(prefers-color-scheme: dark)');
+    const dark = this.#view.matchMedia('(prefers-color-scheme: dark)');
+    this.#view.addEventListener('beforeprint', () => this.#print(), { signal });
+    this.#view.addEventListener('afterprint', () => this.#tree.print(null), { signal });
     dark.addEventListener('change', () => this.#restyle({ dark: this.#isDark() }), { signal });
     this.#restyle({ dark: this.#isDark() });
     this.#controls = new OrbitControls(
@@ -410,13 +502,17 @@ export abstract class SceneElement extends Base {
 
   #onRenderer(renderer: SceneRenderer): void {
     this.#tree.stage.replaceChildren(renderer.canvas);
-    const isMakeshift = renderer.backend === 'canvas2d' && wantedBackend(this.getAttribute('backend')) === 'auto';
     this.#tree.messages.setStanding('');
-    if (isMakeshift) void this.#saying('noGpu', (text) => this.#kept.renderer === renderer && this.#tree.messages.setStanding(text));
+    this.#sayMakeshift(renderer);
     this.#pacer.renew();
     this.#size?.measure();
     this.#clearError();
     this.invalidate();
+  }
+
+  #sayMakeshift(renderer: SceneRenderer): void {
+    const isMakeshift = renderer.backend === 'canvas2d' && wantedBackend(this.getAttribute('backend')) === 'auto';
+    if (isMakeshift) void this.#saying('noGpu', (text) => this.#kept.renderer === renderer && this.#tree.messages.setStanding(text));
   }
 
   // Size, visibility, frames.
@@ -437,7 +533,7 @@ export abstract class SceneElement extends Base {
   }
 
   #rotates(): boolean {
-    return (this.getAttribute('auto-rotate') ?? 'false') !== 'false' && !prefersStillness();
+    return (this.getAttribute('auto-rotate') ?? 'false') !== 'false' && !prefersStillness(this.#view);
   }
 
   #draw(level: Quality | null): void {
@@ -458,9 +554,18 @@ export abstract class SceneElement extends Base {
     }
   }
 
+  /** Also of an element that has not been near the screen. */
+  #print(): void {
+    const { renderer } = this.#kept;
+    if (!renderer || !this.#hasPicture() || !this.#size) return;
+    if (this.#size.isEmpty) this.#size.measure();
+    this.#draw(this.#pacer.best);
+    this.#tree.print(renderer.canvas);
+  }
+
   #isDark(): boolean {
     if (this.#theme !== 'auto') return this.#theme === 'dark';
-    return globalThis.matchMedia?.('(prefers-color-scheme: dark)').matches ?? false;
+    return CAN_SHOW && this.#view.matchMedia('(prefers-color-scheme: dark)').matches;
   }
 
   #restyle(change: Partial<SceneStyle>): void {
@@ -483,6 +588,13 @@ export abstract class SceneElement extends Base {
   }
 
   #clearError(): void {
-    if (this.#hasPicture()) this.#tree.messages.setError('');
+    if (!this.#hasPicture()) return;
+    this.#tree.messages.setError('');
+    this.#failure = null;
+    this.#tellWaiting();
   }
+}
+
+function notConnected(): RockFieldError {
+  return new RockFieldError({ name: 'NotConnected', message: 'put the element into the document first' });
 }

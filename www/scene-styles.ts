@@ -1,6 +1,6 @@
 /** The style of a scene's shadow tree, shared by all elements. The first rule is the contract of replaced elements: any author rule wins. */
 
-const STYLES = `
+export const SCENE_STYLES = `
 :host { display: block; position: relative; contain: strict; width: 300px; height: 150px; background: var(--rock-field-background, transparent) }
 :host([hidden]) { display: none }
 :host([disabled]) .stage, :host([interaction=none]) .stage { cursor: default }
@@ -26,14 +26,3 @@ const STYLES = `
   font: .875rem/1.4 system-ui, sans-serif; color: #fff; background: rgb(20 20 24 / .82); overflow-wrap: anywhere; white-space: pre-line;
 }
 `;
-
-let sheet: CSSStyleSheet | undefined;
-
-/** A constructed sheet, since a strict content security policy refuses `<style>`. */
-export function sceneStyles(): CSSStyleSheet {
-  if (!sheet) {
-    sheet = new CSSStyleSheet();
-    sheet.replaceSync(STYLES);
-  }
-  return sheet;
-}

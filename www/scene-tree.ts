@@ -1,7 +1,8 @@
 /** The shadow tree of a scene: stage, poster, progress bar, hint, messages, and the words for those who cannot see the picture. */
 
+import { addStyles } from './document-styles.ts';
 import { MessageBox } from './message-box.ts';
-import { sceneStyles } from './scene-styles.ts';
+import { SCENE_STYLES } from './scene-styles.ts';
 
 /** A drag changes the picture all the time; what it shows is said when the hand rests. */
 const ANNOUNCE_AFTER_MS = 800;
@@ -19,8 +20,13 @@ export class SceneTree {
   #announcing: ReturnType<typeof setTimeout> | undefined;
   #hinting: ReturnType<typeof setTimeout> | undefined;
 
+  readonly #root: ShadowRoot;
+  /** Stands over the canvas while the page is printed. */
+  #print: HTMLCanvasElement | undefined;
+
   constructor(root: ShadowRoot) {
-    root.adoptedStyleSheets = [sceneStyles()];
+    this.#root = root;
+    this.dress();
     this.stage.setAttribute('role', 'application');
     this.stage.setAttribute('aria-describedby', 'description');
     this.#poster.setAttribute('part', 'poster');
@@ -34,6 +40,20 @@ export class SceneTree {
     this.#description.id = 'description';
     this.#description.setAttribute('role', 'status');
     root.append(this.stage, this.#poster, this.#progress, this.#hint, this.messages.element, this.#description);
+  }
+
+  /** To be called in every new document. */
+  dress(): void {
+    addStyles(this.#root, SCENE_STYLES);
+  }
+
+  /** A copy of the canvas over it, which browsers leave out of prints when a GPU draws it; null takes it away. */
+  print(canvas: HTMLCanvasElement | null): void {
+    this.#print?.remove();
+    this.#print = canvas ? this.makeCanvas([canvas.width, canvas.height]) : undefined;
+    if (!canvas || !this.#print) return;
+    this.#print.getContext('2d')?.drawImage(canvas, 0, 0);
+    this.stage.append(this.#print);
   }
 
   setLanguage(role: string, label: string): void {

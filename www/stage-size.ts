@@ -5,6 +5,7 @@ import { MAX_PIXELS } from './renderer/limits.ts';
 export class StageSize {
   width = 0;
   height = 0;
+  readonly #view: Window & typeof globalThis;
   #stage: HTMLElement;
   #changed: () => void;
 
@@ -12,13 +13,14 @@ export class StageSize {
   constructor(stage: HTMLElement, changed: () => void, signal: AbortSignal) {
     this.#stage = stage;
     this.#changed = changed;
-    const observer = new ResizeObserver((entries) => entries.forEach((entry) => this.#onResize(entry)));
+    this.#view = stage.ownerDocument.defaultView ?? window;
+    const observer = new this.#view.ResizeObserver((entries) => entries.forEach((entry) => this.#onResize(entry)));
     try {
       observer.observe(stage, { box: 'device-pixel-content-box' });
     } catch {
       // Safari: CSS pixels times the ratio, which may change without a change of size.
       observer.observe(stage);
-      window.addEventListener('resize', () => this.measure(), { signal });
+      this.#view.addEventListener('resize', () => this.measure(), { signal });
     }
     signal.addEventListener('abort', () => observer.disconnect());
   }
@@ -37,15 +39,19 @@ export class StageSize {
     return [Math.max(1, Math.floor(this.width * scale)), Math.max(1, Math.floor(this.height * scale))];
   }
 
+  /** Device pixels in a CSS pixel of the stage, which CSS may `zoom`. */
+  get ratio(): number {
+    return (this.#view.devicePixelRatio || 1) * ((this.#stage as { currentCSSZoom?: number }).currentCSSZoom ?? 1);
+  }
+
   measure(): void {
-    const ratio = window.devicePixelRatio || 1;
-    this.#set(Math.round(this.#stage.clientWidth * ratio), Math.round(this.#stage.clientHeight * ratio));
+    this.#set(Math.round(this.#stage.clientWidth * this.ratio), Math.round(this.#stage.clientHeight * this.ratio));
   }
 
   #onResize(entry: ResizeObserverEntry): void {
     // Out of the document everything is 0 × 0; it is told again on the way back in.
     if (!this.#stage.isConnected) return;
-    const ratio = window.devicePixelRatio || 1;
+    const { ratio } = this;
     const { width, height } = entry.contentRect;
     const exact = entry.devicePixelContentBoxSize?.[0];
     // Developer tools that pretend another ratio leave this box in CSS pixels.

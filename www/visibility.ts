@@ -5,10 +5,13 @@ const MARGIN = '64px';
 
 export class Visibility {
   #near = false;
+  readonly #document: Document;
 
   /** Calls `changed` after every change until `signal` is aborted. */
   constructor(element: HTMLElement, changed: () => void, signal: AbortSignal) {
-    const observer = new IntersectionObserver(
+    const { ownerDocument } = element;
+    this.#document = ownerDocument;
+    const observer = new (ownerDocument.defaultView ?? window).IntersectionObserver(
       (entries) => {
         this.#near = entries.at(-1)?.isIntersecting ?? false;
         changed();
@@ -17,7 +20,7 @@ export class Visibility {
     );
     observer.observe(element);
     signal.addEventListener('abort', () => observer.disconnect());
-    document.addEventListener('visibilitychange', changed, { signal });
+    ownerDocument.addEventListener('visibilitychange', changed, { signal });
   }
 
   /** Near the screen, whether or not the tab shows. */
@@ -26,6 +29,6 @@ export class Visibility {
   }
 
   get visible(): boolean {
-    return this.#near && document.visibilityState === 'visible';
+    return this.#near && this.#document.visibilityState === 'visible';
   }
 }

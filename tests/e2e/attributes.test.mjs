@@ -13,6 +13,7 @@ const OTHERS = {
   view: ['diagrams', 'sideways'],
   color: ['natural', 'LAYER'],
   quality: ['low', 'best'],
+  theme: ['dark', 'sepia'],
   'camera-orbit': ['45deg 55deg 120%', '45 55'],
   interaction: ['always', 'sometimes'],
   loading: ['lazy', 'late'],
@@ -63,7 +64,7 @@ for (const [name, [valid, malformed]] of Object.entries(ROWS)) {
         // Small, but where the size itself is asked about.
         for (const side of ['image-width', 'image-height']) if (side !== name) element.setAttribute(side, '256');
         document.body.append(element);
-        const state = () => JSON.stringify([element.params, element.view, element.color, element.quality, element.cameraOrbit === valid, element.interaction, element.metresPerPixel]);
+        const state = () => JSON.stringify([element.params, element.view, element.color, element.quality, element.theme, element.cameraOrbit === valid, element.interaction, element.metresPerPixel]);
         const during = async (change) => {
           element.generate().catch(() => {});
           change();

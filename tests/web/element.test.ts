@@ -18,7 +18,7 @@ function read(given: Record<string, string>): AttributeState {
 }
 
 const DEFAULTS = {
-  params: defaultParams(), preset: PRESETS[0].name, view: '3d', color: null, camera: null, orbit: null, quality: 'auto', interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
+  params: defaultParams(), preset: PRESETS[0].name, view: '3d', color: null, camera: null, orbit: null, quality: 'auto', theme: 'auto', interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
 };
 
 test('absent attributes are the defaults, without a word', () => {

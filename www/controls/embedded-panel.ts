@@ -1,11 +1,12 @@
 /** The panel in an element: a store on the element's own history, wired to the element as main.ts wires the page's. */
 
+import { addStyles, removeStyles } from '../document-styles.ts';
 import { errorInfo } from '../errors.ts';
-import { translate } from '../strings.ts';
+import { loadJapanese, translate } from '../strings.ts';
 import { embedCode } from './clipboard.ts';
 import { copyOrShow } from './dialogs.ts';
 import { hasModifier, travel } from './keys.ts';
-import { layoutStyles, panelStyles } from './panel-styles.ts';
+import { LAYOUT_STYLES, PANEL_STYLES } from './panel-styles.ts';
 import { isDialogOpen } from './parts.ts';
 import type { OpenPanel, PanelOwner } from '../controls-button.ts';
 import type { ErrorInfo } from '../errors.ts';
@@ -17,7 +18,7 @@ import type { Change, Edition, OpenedLink, Preferences, SceneStore } from './sce
 
 /** From here on the panel stands beside the picture, px. */
 const BESIDE_FROM = 600;
-/** From here on it stands below; in less it covers the picture. */
+/** From here on it stands below; in less it is a sheet over its lower part. */
 const BELOW_FROM = 480;
 
 /** What an embedded panel is made of. */
@@ -59,8 +60,10 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     this.#store.subscribe((change) => this.#follow(change));
     this.#listen();
     const inner = this.#build({ ...this.#actions(script), ...actions });
-    root.adoptedStyleSheets.push(layoutStyles());
+    addStyles(root, LAYOUT_STYLES);
     root.append(this.#host);
+    // Not before it stands in its document.
+    addStyles(inner, PANEL_STYLES);
     this.#listenToKeys(inner);
     this.#layOut(element.getBoundingClientRect());
     this.#size.observe(element);
@@ -79,7 +82,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     this.#listening.abort();
     this.#size.disconnect();
     this.#host.remove();
-    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((sheet) => sheet !== layoutStyles());
+    removeStyles(root, LAYOUT_STYLES);
   }
 
   // The store follows the element …
@@ -92,6 +95,8 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     if (language !== store.language || theme !== store.theme) {
       Object.assign(store, { language, theme });
       store.notify('preferences');
+      // Its sentences may have to be fetched.
+      void loadJapanese().then(() => store.notify('preferences'));
     }
     if (view !== store.view || chosenColor !== store.chosenColor) {
       Object.assign(store, { view, chosenColor });
@@ -164,7 +169,6 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     this.#host.className = 'controls-panel';
     this.#host.setAttribute('part', 'panel');
     const inner = this.#host.attachShadow({ mode: 'open' });
-    inner.adoptedStyleSheets = [panelStyles()];
     const panel = this.#panel;
     panel.className = 'panel';
     panel.setAttribute('role', 'region');

@@ -153,7 +153,7 @@ export class GpuRenderer implements SceneRenderer {
       const max = this.#device.raw.maxSide();
       const side = (pixels: number): number => Math.min(max, Math.max(1, Math.round(pixels) || 1));
       const [across, down] = [side(width), side(height)];
-      this.#raw.resize(across, down, globalThis.devicePixelRatio || 1);
+      this.#raw.resize(across, down, (this.canvas.ownerDocument.defaultView ?? globalThis).devicePixelRatio || 1);
       // With WebGPU the surface has done it. Assigning clears a canvas, also with what it has.
       if (this.#context && (this.canvas.width !== across || this.canvas.height !== down)) {
         [this.canvas.width, this.canvas.height] = [across, down];

@@ -58,6 +58,7 @@ export class NullRenderer implements SceneRenderer {
 
   resize(width: number, height: number): void {
     this.calls.push({ name: 'resize', width, height });
+    [this.canvas.width, this.canvas.height] = [width, height];
   }
 
   render(): void {
