@@ -120,6 +120,7 @@ function setUp({ graded = true, moves = 0 } = {}) {
   const drawn: (Quality | null)[] = [];
   const scene = { visible: true, graded, moves };
   const pacer = new FramePacer({
+    view: () => globalThis as unknown as Window,
     canDraw: () => scene.visible,
     isGraded: () => scene.graded,
     advance: () => (scene.moves -= 1) >= 0,
