@@ -115,6 +115,9 @@ impl Error {
     /// The message for people; `number` writes a number. JavaScript has a way to write numbers, and Rust's takes 20 kB of a wasm file.
     pub(crate) fn message(&self, number: impl Fn(f64) -> String) -> String {
         let mut text = String::new();
+        // These keys are the wood ears' alone.
+        let is_colony = matches!(self.key(), "density" | "logSpacing" | "x" | "y" | "z" | "range");
+        let [whole, part] = if is_colony { ["this colony", " of base "] } else { ["this field", " of layer "] };
         let mut say = |words: &str, value: Option<f64>| {
             text.push_str(words);
             if let Some(value) = value {
@@ -124,7 +127,7 @@ impl Error {
         let mut place = |key: &str, layer: &Option<usize>| match layer {
             Some(index) => {
                 say(key, None);
-                say(" of layer ", Some(*index as f64));
+                say(part, Some(*index as f64));
             }
             None => say(key, None),
         };
@@ -155,7 +158,8 @@ impl Error {
                 say(" numbers instead of ", Some(*expected as f64));
             }
             Error::OverBudget { key, estimate, budget } => {
-                say("this field would need about ", Some((estimate >> 20) as f64));
+                say(whole, None);
+                say(" would need about ", Some((estimate >> 20) as f64));
                 say(" MiB and the budget is ", Some((budget >> 20) as f64));
                 say(" MiB; change ", None);
                 say(key, None);

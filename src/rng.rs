@@ -30,7 +30,7 @@ pub(crate) enum Purpose {
     Facets = 8,
     /// Where in the noise a rough rock lies; item = site.
     Bumps = 9,
-    /// Whether a vertex of the log carries a wood ear; item = vertex, as in the next six.
+    /// Whether a vertex of the log carries a wood ear; item = vertex (or foot, see [`Purpose::Feet`]), as in the next six.
     Spawn = 10,
     /// Turn of a wood ear about its axis.
     Twist = 11,
@@ -46,6 +46,8 @@ pub(crate) enum Purpose {
     Droop = 16,
     /// Where in the noise the bark and the broken ends of a log lie, and its knots; item 0.
     Bark = 17,
+    /// Where on a mesh of the user's own wood ears can stand; item 0.
+    Feet = 18,
 }
 
 /// A stream of random numbers.

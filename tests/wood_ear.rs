@@ -442,22 +442,29 @@ field_test! {
         }
         let mut generator = Generator::new();
         generator.set_log(&positions, &indices).unwrap();
-        assert_eq!(generator.log().points.len(), 8);
-        check_closed(8, generator.log().triangles.as_flattened()).unwrap();
         let params = Params { density: 100.0, range: 200.0, ..small() };
         generator.start(params.clone(), u64::MAX).unwrap();
         while !generator.step() {}
-        assert_eq!(generator.mesh().individuals(), 8);
+        // The split vertices are welded.
+        check_closed(8, &generator.log_mesh().indices).unwrap();
+        // 2400 cm² with a foot every 3 cm.
+        assert_eq!(generator.mesh().individuals(), 308);
         check_colony(&params, &generator).unwrap();
-        for (positions, indices, code) in [
-            (&positions[..5], &indices[..], "LogNotInThrees"),
-            (&positions[..], &[0, 1, 99], "LogBadIndex"),
-            (&[f32::NAN; 9], &[0, 1, 2], "LogBadPosition"),
-            (&[1.0; 9], &[0, 1, 2], "LogNoArea"),
-            (&[][..], &[][..], "LogNoArea"),
+        for (positions, indices, code, numbers) in [
+            (&positions[..5], &indices[..], "LogNotInThrees", [5.0, f64::NAN, f64::NAN]),
+            (&positions[..], &[0, 1, 99], "LogBadIndex", [99.0, 0.0, 23.0]),
+            (&[1.0, 2.0e6, 3.0], &[0, 0, 0], "LogBadPosition", [2.0e6, -10_000.0, 10_000.0]),
+            (&[1.0; 9], &[0, 1, 2], "LogNoArea", [f64::NAN; 3]),
+            (&[][..], &[][..], "LogNoArea", [f64::NAN; 3]),
+            (&[][..], &[0, 0, 0], "LogBadIndex", [0.0, 0.0, -1.0]),
+            (&[0.0; 600_003], &[0, 0, 0], "LogTooLarge", [200_001.0, 0.0, 200_000.0]),
         ] {
-            assert_eq!(generator.set_log(positions, indices).unwrap_err().code(), code);
+            let error = generator.set_log(positions, indices).unwrap_err();
+            assert_eq!(error.code(), code);
+            assert_eq!(error.numbers().map(f64::to_bits), numbers.map(f64::to_bits), "{error}");
         }
+        let unknown = generator.set_log(&[f32::NAN; 9], &[0, 1, 2]).unwrap_err();
+        assert!(unknown.code() == "LogBadPosition" && unknown.to_string().contains("NaN"), "{unknown}");
         generator.clear_log();
         generator.start(small(), u64::MAX).unwrap();
         while !generator.step() {}

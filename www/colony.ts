@@ -13,6 +13,10 @@ export interface WoodEarLog {
   kinds: Uint8Array;
   /** Float32Array(2v): place along the axis and distance from it, cm. */
   coords: Float32Array;
+  /** Whether a log of your own was closed and inside out; then it has been turned. */
+  turned: boolean;
+  /** What the coordinates of a log of your own were multiplied by: 1, unless it was shorter than 20 cm or longer than 10 m. */
+  scale: number;
 }
 
 /** Milliseconds per stage that actually ran. */
@@ -22,7 +26,6 @@ export interface WoodEarTimes {
   deform: number;
   collide: number;
   mesh: number;
-  look: number;
   /** From the request to the buffers in JavaScript. */
   total: number;
 }
@@ -30,15 +33,13 @@ export interface WoodEarTimes {
 export interface WoodEarStats {
   individuals: number;
   triangles: number;
-  /** Pairs of individuals that cross each other. */
-  crossingPairs: number;
+  /** Pairs of individuals that cross each other, counted at the end of the run; absent from a preview. */
+  crossingPairs?: number;
   sweeps: number;
   rounds: number;
   /** Share of the rim's radius that collisions left: the median, and the tenth percentile. */
   keptMedian: number;
   keptP10: number;
-  /** Individuals that were left out. */
-  dropped: number;
   ms: WoodEarTimes;
 }
 
@@ -52,7 +53,10 @@ export interface WoodEarColony {
   individualStarts: Uint32Array;
   /** Uint32Array(n+1): individual k owns the vertices `vertexStarts[k] .. vertexStarts[k+1]`. */
   vertexStarts: Uint32Array;
-  /** Uint32Array(n): the vertex of the coarse log that it grows on. */
+  /**
+   * Uint32Array(n): the vertex of the grown log's coarse mesh that it stands on. On a log of your own the triangle: `indices[3 * foot]` and the
+   * two after it, in what you passed.
+   */
   foot: Uint32Array;
   /** Float32Array(n), cm. */
   size: Float32Array;

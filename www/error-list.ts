@@ -89,25 +89,25 @@ export const ERRORS = /* @__PURE__ */ listed({
 
   LogNotInThrees: {
     group: 'log',
-    message: 'the log’s positions and indices have to come in threes',
+    message: 'the log’s positions and its indices must come in threes; there are {value}',
     cause: 'The length of `positions` or `indices` is not a multiple of three.',
     remedy: 'Pass x, y, z for each vertex and three indices for each triangle.',
   },
   LogTooLarge: {
     group: 'log',
-    message: 'the log has {value} vertices or triangles; at most {max}',
+    message: 'the log has {value} vertices or triangles; it may have at most {max}',
     cause: 'A mesh that is finer than a log may be.',
     remedy: 'Decimate the mesh in your modelling program; wood ears hide what is lost.',
   },
   LogBadPosition: {
     group: 'log',
-    message: 'vertex {n} of the log is not finite, or over 100 m from the origin',
+    message: 'vertex {n} of the log has the coordinate {value}, not within 100 m of the origin',
     cause: 'A coordinate that is NaN or infinite, or a mesh far away from its origin.',
     remedy: 'Move the mesh to the origin, and check its units: `positions` are centimetres.',
   },
   LogBadIndex: {
     group: 'log',
-    message: 'triangle {n} of the log names a vertex that is not there',
+    message: 'triangle {n} of the log names vertex {value}, which is not there',
     cause: 'An index that is negative, a fraction, or past the last vertex.',
     remedy: 'Count vertices from 0, and export the mesh anew.',
   },
@@ -213,13 +213,13 @@ export const ERRORS = /* @__PURE__ */ listed({
   WasmUnavailable: {
     group: 'loading',
     message: 'the generator could not be loaded: {reason}',
-    cause: 'The `.wasm` file did not arrive, stopped arriving for 10 s, arrived damaged, or a policy forbids compiling it. The next run tries again.',
+    cause: 'The `.wasm` file did not arrive, arrived damaged, or a policy forbids to compile it.',
     remedy: 'Look at the browser’s network panel; allow `wasm-unsafe-eval`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
   },
   WorkerUnavailable: {
     group: 'loading',
     message: 'the generator’s worker could not be started',
-    cause: 'The worker’s file is missing on the server, does not arrive, or does nothing; or a policy forbids workers. The next run tries again.',
+    cause: 'The worker’s file is missing on the server, or a policy forbids workers.',
     remedy: 'Serve all files of the package together, and allow `worker-src`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
   },
 

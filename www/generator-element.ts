@@ -374,9 +374,13 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     return this.#runs.start(params);
   }
 
+  /** For what a scene has to say of its runs; null: the run has ended. */
+  protected heard(_progress: Progress<K['stage']> | null): void {}
+
   #tellProgress(progress: Progress<K['stage']> | null): void {
     this.showProgress(progress?.fraction ?? null);
     if (progress) this.emit('progress', progress);
+    this.heard(progress);
   }
 
   /** Gives the running run up; what is shown stays. */

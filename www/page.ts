@@ -85,7 +85,10 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     store.setBackend(element.backend);
     store.say((language) => translate(language, 'lostPicture'));
   });
-  listen('notice', ({ detail }: SceneEventMap<string>['notice']) => store.say(() => detail.message));
+  listen('notice', ({ detail }: SceneEventMap<string>['notice']) => {
+    // What is offered beside the progress is not said twice.
+    if (detail.message !== store.offer?.text) store.say(() => detail.message);
+  });
   listen('camera-change', ({ detail }: SceneEventMap<string>['camera-change']) => {
     store.camera = detail.framed ? null : detail.camera;
     store.notify('camera');

@@ -1,4 +1,4 @@
-/** The sentences of the wood ears' page and panel, in English and Japanese; as in `strings.ts`. Vocabulary as in the thesis: 基点, 群生, 水分量, シワ. */
+/** The sentences of the wood ears' page and panel, in English and Japanese; as in `strings.ts`. Vocabulary as in the thesis: 基点, 群生, 含水率, シワの密度, サイズ. */
 
 import { filled } from './filled.ts';
 import type { Slots } from './filled.ts';
@@ -53,12 +53,13 @@ export const WOOD_EAR_STRINGS = {
   kept: { en: 'Radius kept', ja: '残った半径' },
   keptHelp: { en: 'median · tenth percentile, after collisions', ja: '衝突後の中央値・10パーセンタイル' },
   rocks: { en: 'Rocks', ja: '岩' },
+  thesisLeaves: { en: 'The thesis’s rule leaves these pairs crossing; “Pressed” leaves none.', ja: '論文の方法ではこれらの組が交差したまま残ります。「押し合い」では残りません。' },
+  usePressed: { en: 'Use Pressed', ja: '「押し合い」を使う' },
   'stage-log': { en: 'Log', ja: '丸太' },
   'stage-spawn': { en: 'Places', ja: '発生位置' },
   'stage-deform': { en: 'Forms', ja: '変形' },
   'stage-collide': { en: 'Collisions', ja: '衝突' },
   'stage-mesh': { en: 'Mesh', ja: 'メッシュ' },
-  'stage-look': { en: 'Look', ja: '見た目' },
 } as const satisfies Record<string, Words> & Record<`stage-${WoodEarStage}` | NaturalName, Words>;
 
 export type WoodEarStringKey = keyof typeof WOOD_EAR_STRINGS;

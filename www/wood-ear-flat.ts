@@ -1,6 +1,7 @@
 /** Requests for colonies of wood ears: checked, completed, and flat. Everything is derived from the table. */
 
 import { RockFieldError } from './errors.ts';
+import { scaleOfLog } from './log-units.ts';
 import { checkValue, objectOf, rejectUnknown, unknownPreset, wrongType } from './param-checks.ts';
 import type { Loose, Place } from './param-checks.ts';
 import type { WoodEarPreset, WoodEarSpec } from './wood-ear-params.ts';
@@ -15,10 +16,20 @@ export type WoodEarPresetName = (typeof WOOD_EAR_PRESETS)[number]['name'];
 /** `logLength` of the table is `length` here. */
 export type WoodEarLogShape = { [R in FieldRow as R['key'] extends `log${infer Name}` ? Uncapitalize<Name> : never]: ValueOf<R> };
 
-/** A log of one's own: cm, z up, triangles counter-clockwise from outside. */
+/** Numbers in an array, or in a typed one. */
+export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Array | Uint8Array | Int16Array | Uint16Array | Int32Array | Uint32Array;
+
+/**
+ * A log of one's own: cm, z up, triangles counter-clockwise from outside.
+ *
+ * One whose longest level side is below 20 cm or above 10 m has been made in other units: it is scaled about the origin to 2 m. A closed one that
+ * is inside out is turned. `colony.log` tells both.
+ */
 export interface WoodEarLogMesh {
-  positions: ArrayLike<number>;
-  indices: ArrayLike<number>;
+  positions: Numbers;
+  indices: Numbers;
+  /** cm between the places where a wood ear can stand, as of a log that is made; the mesh's own vertices have no say. */
+  spacing?: number | undefined;
 }
 
 /** Where a colony spreads from; the nearest vertex of the log is taken. */
@@ -46,6 +57,8 @@ export type WoodEarRequest = { preset?: WoodEarPresetName | undefined } & Some<O
 export interface LogMesh {
   positions: Float32Array;
   indices: Uint32Array;
+  /** What its coordinates have been multiplied by, where they have been. */
+  scale?: number | undefined;
 }
 
 /** A colony to grow, in the form that crosses every boundary. */
@@ -85,7 +98,7 @@ export function woodEarPreset(name: string): WoodEarParams {
   } as WoodEarParams;
 }
 
-/** A request, checked and completed; `mesh` is a log of one's own, and `params.log` then the preset's. */
+/** A request, checked and completed; `mesh` is a log of one's own, and of `params.log` the spacing alone counts then. */
 export interface ResolvedColony {
   params: WoodEarParams;
   mesh: LogMesh | null;
@@ -109,12 +122,12 @@ export function resolveColony(request: WoodEarRequest = {}): ResolvedColony {
   }
   const log = given['log'] === undefined ? {} : objectOf(given['log'], 'log');
   const isMesh = 'positions' in log || 'indices' in log;
-  const names = isMesh ? ['positions', 'indices'] : LOG_ROWS.map(({ key }) => logName(key));
+  const names = isMesh ? ['positions', 'indices', 'spacing'] : LOG_ROWS.map(({ key }) => logName(key));
   rejectUnknown(log, (key) => names.includes(key), LOG);
   for (const spec of LOG_ROWS) {
     const name = logName(spec.key);
     const value = log[name];
-    if (value !== undefined && !isMesh) (params.log as unknown as Loose)[name] = checkValue(spec, spec, value, LOG, name);
+    if (value !== undefined) (params.log as unknown as Loose)[name] = checkValue(spec, spec, value, LOG, name);
   }
   const bases = basesOf(given);
   if (bases) params.bases = bases.map(baseOf);
@@ -167,20 +180,42 @@ function encode(spec: WoodEarSpec, value: unknown): number {
   return spec.kind === 'choice' ? spec.choices.findIndex((choice) => choice.value === value) : typeof value === 'number' ? value : NaN;
 }
 
+/** In cm: a mesh that was made in other units is scaled about the origin. */
 function meshOf(log: Loose): LogMesh {
   const positions = numbersOf('positions', log['positions']);
-  const indices = numbersOf('indices', log['indices']);
-  // As unsigned numbers they would be others.
-  const wrong = indices.findIndex((index) => !Number.isInteger(index) || index < 0 || index > 0xffff_ffff);
-  if (wrong >= 0) {
-    throw new RockFieldError({ name: 'LogBadIndex', key: 'log', value: indices[wrong], message: `indices[${wrong}] of the log is ${indices[wrong]}; it has to be the number of a vertex` });
+  const given = numbersOf('indices', log['indices']);
+  const indices = new Uint32Array(given.length);
+  for (let i = 0; i < given.length; i += 1) {
+    const index = given[i]!;
+    indices[i] = index;
+    // As an unsigned number it would be another.
+    if (indices[i] !== index) {
+      const max = Math.max(0, Math.floor(positions.length / 3) - 1);
+      throw new RockFieldError({ name: 'LogBadIndex', key: 'log', value: index, min: 0, max, message: `indices[${i}] of the log is ${index}; it must be the number of a vertex` });
+    }
   }
-  return { positions: Float32Array.from(positions), indices: Uint32Array.from(indices) };
+  const scale = scaleOfLog(Math.max(extent(positions, indices, 0), extent(positions, indices, 1)));
+  const scaled = new Float32Array(positions.length);
+  for (let i = 0; i < positions.length; i += 1) scaled[i] = positions[i]! * scale;
+  return { positions: scaled, indices, scale };
 }
 
-function numbersOf(key: string, value: unknown): number[] {
-  const isList = Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
-  const numbers = isList ? Array.from(value as ArrayLike<unknown>) : [];
-  if (!isList || numbers.some((number) => typeof number !== 'number')) throw wrongType(key, value, 'a list of numbers', LOG);
-  return numbers as number[];
+/** How far the vertices that triangles use reach along an axis. */
+function extent(positions: ArrayLike<number>, indices: Uint32Array, axis: number): number {
+  let [low, high] = [Infinity, -Infinity];
+  for (const index of indices) {
+    const value = positions[3 * index + axis] ?? NaN;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return high - low;
+}
+
+function numbersOf(key: string, value: unknown): ArrayLike<number> {
+  const list = (typeof value === 'object' && value !== null ? value : {}) as ArrayLike<unknown>;
+  const isList = Array.isArray(list) || ArrayBuffer.isView(list);
+  let isRight = isList && Number.isInteger(list.length);
+  for (let i = 0; isRight && i < list.length; i += 1) isRight = typeof list[i] === 'number';
+  if (!isRight) throw wrongType(key, value, 'a list of numbers', LOG);
+  return list as ArrayLike<number>;
 }

@@ -3,9 +3,10 @@
 import { BaseHandles } from './base-handles.ts';
 import type { HandlesOwner } from './base-handles.ts';
 import type { Subject } from './camera.ts';
-import type { WoodEarColony, WoodEarStats } from './colony.ts';
+import type { WoodEarColony, WoodEarLog, WoodEarStats } from './colony.ts';
 import { errorInfo, isAbort } from './errors.ts';
 import type { Field } from './field.ts';
+import type { Progress } from './generator/protocol.ts';
 import type { WoodEarStage } from './generator/wood-ear-session.ts';
 import { GeneratorElement, observedAttributes } from './generator-element.ts';
 import type { Scene, SceneEventMap } from './generator-element.ts';
@@ -21,7 +22,8 @@ import type { WoodEarBase, WoodEarPresetName, WoodEarProperties } from './wood-e
 import { encodeWoodEarLink } from './wood-ear-link.ts';
 import { woodEarLook } from './wood-ear-look.ts';
 import { WoodEarSceneClient } from './wood-ear-runs.ts';
-import { sceneLabel } from './wood-ear-words.ts';
+import { isSlowThesis, timeLeft } from './wood-ear-patience.ts';
+import { sayOfLog, saySlow, sceneLabel } from './wood-ear-words.ts';
 import { groundSide, WOOD_EARS } from './wood-ears.ts';
 import type { WoodEars, WoodEarScene, WoodEarSceneParams } from './wood-ears.ts';
 
@@ -86,6 +88,8 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
   #framed: readonly unknown[] = [];
   #handles: BaseHandles | undefined;
   #listening: AbortController | undefined;
+  /** The present run has been told to be slow. */
+  #isSlowTold = false;
   /** A base is being dragged. */
   #isHeld = false;
 
@@ -148,13 +152,29 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     await this.newest();
   }
 
+  /** Once for each run. */
+  protected override heard(progress: Progress<WoodEarStage> | null): void {
+    if (!progress || progress.stage !== 'collide') this.#isSlowTold = false;
+    if (!progress || this.#isSlowTold || !isSlowThesis(progress, this.params)) return;
+    this.#isSlowTold = true;
+    this.notify(saySlow(this.language, timeLeft(progress, this.language)));
+  }
+
   protected override present(scene: WoodEarScene): boolean {
     const { colony, ground, place } = scene;
     const wood: Wood = { colony, rings: scene.rings, meridians: scene.meridians, place };
     if (!this.showField(ground, wood)) return false;
+    if (colony.log !== this.#shown?.colony.log) this.#tellOfLog(colony.log);
     this.#shown = scene;
     this.#wood = wood;
     return true;
+  }
+
+  /** What was changed in a log of one's own. */
+  #tellOfLog({ turned }: WoodEarLog): void {
+    const { scale = 1 } = this.params.mesh ?? {};
+    if (turned) this.notify(sayOfLog(this.language, 'turned'));
+    if (scale !== 1) this.notify(sayOfLog(this.language, 'scaled'));
   }
 
   protected override detailOf({ colony, ground }: WoodEarScene, superseded: boolean, isPreview: boolean): WoodEarLogEventMap['generate']['detail'] {

@@ -66,9 +66,17 @@ function resolve({ ground, mesh, ...request }: WoodEarSceneRequest): WoodEarScen
   return { ...resolved.params, ground: ground ?? scenePreset(request.preset ?? WOOD_EAR_PRESETS[0].name).ground, mesh: mesh ? flatMesh(mesh) : resolved.mesh };
 }
 
-/** The same object where it is flat already: what was made of it is not made again. */
+/** The same object where it is flat already and in cm: what was made of it is not made again. */
+const flat = new WeakSet<LogMesh>();
+
 function flatMesh(mesh: LogMesh): LogMesh | null {
-  return mesh.positions instanceof Float32Array && mesh.indices instanceof Uint32Array ? mesh : resolveColony({ log: mesh }).mesh;
+  const isFlat = mesh.positions instanceof Float32Array && mesh.indices instanceof Uint32Array;
+  if (isFlat && flat.has(mesh)) return mesh;
+  const { positions, indices } = mesh;
+  const made = resolveColony({ log: { positions, indices } }).mesh;
+  const kept = isFlat && made?.scale === 1 ? mesh : made;
+  if (kept) flat.add(kept);
+  return kept;
 }
 
 const isOfLog = (key: string): boolean => /^log[A-Z]/.test(key);
@@ -107,7 +115,7 @@ export const WOOD_EARS: Table<WoodEars> = {
 
 /** What the generator is asked for. */
 export function colonyRequest({ ground: _, mesh, ...params }: WoodEarSceneParams): WoodEarRequest {
-  return mesh ? { ...params, log: mesh } : params;
+  return mesh ? { ...params, log: { positions: mesh.positions, indices: mesh.indices, spacing: params.log.spacing } } : params;
 }
 
 /** Room round the log, as a share of its length and in cm. */

@@ -3,15 +3,13 @@
 use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-use super::error::number;
+use super::error::{coded, number};
 use crate::params::wood_ear::Params;
 use crate::wood_ear::{Generator, LogError, Stats};
 
 impl From<LogError> for JsValue {
     fn from(error: LogError) -> JsValue {
-        let js = js_sys::Error::new(&error.message(number));
-        js.set_name(error.code());
-        js.into()
+        coded(error.code(), &error.message(number), "log", None, error.numbers())
     }
 }
 
@@ -36,6 +34,11 @@ impl JsWoodEar {
 
     pub fn set_log(&mut self, positions: &[f32], indices: &[u32]) -> Result<(), JsValue> {
         Ok(self.0.set_log(positions, indices)?)
+    }
+
+    /// Whether the log that was set was inside out and has been turned.
+    pub fn log_turned(&self) -> bool {
+        self.0.log_turned()
     }
 
     pub fn clear_log(&mut self) {

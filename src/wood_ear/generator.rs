@@ -9,6 +9,7 @@ use super::body::{Bend, Layout};
 use super::bowl::bowl;
 use super::crossing::Count;
 use super::deform::{Sheet, deform};
+use super::feet::Feet;
 use super::ground::{Given, Ground, Grown};
 use super::log::{Log, Sweep, counts};
 use super::mesh::{ColonyMesh, LogMesh, shade, write};
@@ -17,12 +18,13 @@ use super::press::{Bodies, Press};
 use super::settle::{Settle, Stats};
 use super::spawn::{Individual, Spawn, spawn};
 use super::thesis::Thesis;
-use super::user_log::{LogError, user_log};
+use super::user_log::{LogError, Surface, user_log};
 use crate::error::Error;
 use crate::params::wood_ear::{Base, Collisions, Log as LogParams, Params, Stage};
 
 /// What one step works on: one to five milliseconds in wasm.
 const LOG_VERTICES_PER_STEP: usize = 1 << 13;
+const DARTS_PER_STEP: usize = 1 << 13;
 const GROUND_PER_STEP: usize = 1 << 14;
 const BODY_VERTICES_PER_STEP: usize = 1 << 15;
 const ROUNDS_PER_STEP: u32 = 150;
@@ -32,11 +34,14 @@ const PAIRS_PER_STEP: usize = 100;
 #[derive(Debug, Default)]
 pub struct Generator {
     params: Option<Params>,
-    /// A log of the user's own; counts as a version of the log.
-    given: Option<u32>,
+    /// A log of the user's own, and which one it is: a version of the log.
+    given: Option<(u32, Box<Surface>)>,
     logs_given: u32,
     log_key: Option<LogKey>,
+    /// What individuals stand on: a grown log's coarse mesh, or the feet drawn on the user's.
     log: Log,
+    /// Per foot the number of the triangle it is on, as given; empty for a grown log.
+    foot_triangles: Vec<u32>,
     log_mesh: LogMesh,
     log_version: u32,
     spawn_key: Option<SpawnKey>,
@@ -56,7 +61,8 @@ pub struct Generator {
 
 #[derive(Debug, Clone, PartialEq)]
 enum LogKey {
-    Given(u32),
+    /// Which one, and the spacing of its feet.
+    Given(u32, f64),
     Grown(LogParams),
 }
 
@@ -76,6 +82,7 @@ struct DeformKey([f64; 12]);
 enum Task {
     Coarse(Box<Sweep>),
     Fine(Box<Sweep>),
+    Feet(Box<Feet>),
     Spawn,
     Ground(Box<Grown>),
     /// From this individual on.
@@ -122,20 +129,19 @@ impl Generator {
     }
 
     /// Takes a mesh for the log instead of a grown one, from the next [`Generator::start`] on: 3 numbers a vertex (cm, z up), 3 indices a
-    /// triangle (counter-clockwise seen from outside). Vertices at one place are welded.
+    /// triangle (counter-clockwise seen from outside). Vertices at one place are welded; a closed mesh that is inside out is turned (see
+    /// [`Generator::log_turned`]). Individuals stand anywhere on its surface, as densely as `log.spacing` says, whatever its triangles.
     ///
     /// # Errors
     /// What is wrong with it; then nothing has changed.
     pub fn set_log(&mut self, positions: &[f32], indices: &[u32]) -> Result<(), LogError> {
-        let log = user_log(positions, indices)?;
+        let surface = user_log(positions, indices)?;
         self.task = None;
         self.logs_given += 1;
-        self.given = Some(self.logs_given);
-        self.log_mesh = LogMesh::from(&log);
+        self.log_mesh = LogMesh::from(&surface.log);
         self.log_version += 1;
-        self.log = log;
-        self.log_key = Some(LogKey::Given(self.logs_given));
-        self.spawn_key = None;
+        self.given = Some((self.logs_given, Box::new(surface)));
+        self.log_key = None;
         Ok(())
     }
 
@@ -145,14 +151,18 @@ impl Generator {
         self.given = None;
     }
 
+    /// Whether the log of the user's own was inside out and has been turned.
+    pub fn log_turned(&self) -> bool {
+        self.given.as_ref().is_some_and(|(_, surface)| surface.is_turned)
+    }
+
     /// Begins a run, dropping the one in progress but not the stages it has finished.
     ///
     /// # Errors
     /// A parameter out of range, or an estimate over `max_bytes`; then nothing has changed.
     pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
         params.validate()?;
-        let vertices = if self.given.is_some() { Some(self.log.points.len()) } else { None };
-        super::memory::check(&params, vertices, max_bytes)?;
+        super::memory::check(&params, self.given.as_ref().map(|(_, surface)| &**surface), max_bytes)?;
         self.params = Some(params);
         self.preview = false;
         self.task = self.next_task();
@@ -170,7 +180,7 @@ impl Generator {
     /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
     pub fn stage(&self) -> Stage {
         match self.task {
-            Some(Task::Coarse(_) | Task::Fine(_) | Task::Ground(_)) => Stage::Log,
+            Some(Task::Coarse(_) | Task::Fine(_) | Task::Feet(_) | Task::Ground(_)) => Stage::Log,
             Some(Task::Spawn) => Stage::Spawn,
             Some(Task::Deform(_)) => Stage::Deform,
             Some(Task::Thesis(_) | Task::Press(_)) => Stage::Collide,
@@ -183,9 +193,11 @@ impl Generator {
         match &self.task {
             Some(Task::Coarse(sweep)) => 0.05 * sweep.progress(),
             Some(Task::Fine(sweep)) => 0.05 + 0.15 * sweep.progress(),
+            Some(Task::Feet(feet)) => 0.2 * feet.progress(),
             Some(Task::Spawn) => 0.2,
             Some(Task::Ground(ground)) => 0.2 + 0.05 * ground.progress(),
             Some(Task::Deform(k)) => 0.25 + 0.05 * *k as f64 / self.spawn.individuals.len().max(1) as f64,
+            // By the time they take: the pairs of the thesis's rule far more than counting what is left.
             Some(Task::Thesis(thesis)) => 0.3 + 0.5 * thesis.progress(),
             Some(Task::Press(press)) => 0.3 + 0.5 * press.progress(),
             Some(Task::Settle(settle)) => 0.8 + 0.2 * settle.progress(),
@@ -215,7 +227,7 @@ impl Generator {
         self.log_version
     }
 
-    /// The log that individuals stand on.
+    /// What individuals stand on: the vertices of the grown log's coarse mesh; on a log of the user's own, the feet drawn over its surface.
     pub fn log(&self) -> &Log {
         &self.log
     }
@@ -248,9 +260,12 @@ impl Generator {
     /// The first piece of work whose result is not in the cache.
     fn next_task(&mut self) -> Option<Task> {
         let params = self.params.as_ref()?;
-        let key = self.given.map_or(LogKey::Grown(params.log), LogKey::Given);
+        let key = self.key_of_log(params);
         if self.log_key.as_ref() != Some(&key) {
             self.spawn_key = None;
+            if let Some((_, surface)) = &self.given {
+                return Some(Task::Feet(Box::new(Feet::new(surface, params.log.spacing))));
+            }
             return Some(Task::Coarse(Box::new(Sweep::new(&params.log, 1))));
         }
         if self.spawn_key.as_ref() != Some(&SpawnKey::new(params)) {
@@ -258,10 +273,10 @@ impl Generator {
             return Some(Task::Spawn);
         }
         if params.clear_log && self.ground().is_none() {
-            let Some(number) = self.given else {
+            let Some((number, surface)) = &self.given else {
                 return Some(Task::Ground(Box::new(Grown::new(params.log))));
             };
-            self.ground = Some(Ground::Given(Given::new(number, &self.log)));
+            self.ground = Some(Ground::Given(Given::new(*number, &surface.log)));
         }
         let stale = self.deform_key.as_ref() != Some(&DeformKey::new(params));
         if stale || self.collide_key.is_some_and(|rule| rule != params.collisions) {
@@ -288,6 +303,13 @@ impl Generator {
         })
     }
 
+    fn key_of_log(&self, params: &Params) -> LogKey {
+        match &self.given {
+            Some((number, _)) => LogKey::Given(*number, params.log.spacing),
+            None => LogKey::Grown(params.log),
+        }
+    }
+
     fn bends(&self) -> Vec<Bend> {
         let Some(params) = &self.params else { return Vec::new() };
         let each = self.spawn.individuals.iter().zip(&self.sheets);
@@ -299,7 +321,7 @@ impl Generator {
         let params = self.params.as_ref().filter(|params| params.clear_log)?;
         self.ground.as_ref().filter(|ground| match ground {
             Ground::Grown(grown) => self.given.is_none() && grown.is_of(&params.log),
-            Ground::Given(given) => self.given == Some(given.number),
+            Ground::Given(given) => self.given.as_ref().is_some_and(|(number, _)| *number == given.number),
         })
     }
 
@@ -318,6 +340,7 @@ impl Generator {
                 }
                 let params = self.params.as_ref()?;
                 self.log = sweep.finish();
+                self.foot_triangles = Vec::new();
                 self.log_key = None;
                 let (fineness, _) = counts(&params.log);
                 return Some(Task::Fine(Box::new(Sweep::new(&params.log, fineness))));
@@ -329,6 +352,16 @@ impl Generator {
                 self.log_mesh = LogMesh::from(&sweep.finish());
                 self.log_version += 1;
                 self.log_key = Some(LogKey::Grown(self.params.as_ref()?.log));
+            }
+            Task::Feet(mut feet) => {
+                let (number, surface) = self.given.as_ref()?;
+                if !feet.advance(surface, DARTS_PER_STEP) {
+                    return Some(Task::Feet(feet));
+                }
+                self.log_key = Some(LogKey::Given(*number, feet.spacing));
+                let (log, triangles) = feet.finish();
+                self.log = log;
+                self.foot_triangles = triangles.iter().map(|t| surface.numbers[*t as usize]).collect();
             }
             Task::Spawn => {
                 let params = self.params.as_ref()?;
@@ -406,7 +439,8 @@ impl Generator {
             let range = k * step..(k + 1) * step;
             write(&mut self.mesh.positions[range.clone()], poser.points.iter().copied());
             shade(&self.layout, &self.mesh.positions[range.clone()], &mut self.mesh.normals[range], &mut sums);
-            self.mesh.foot[k] = individual.vertex;
+            self.mesh.foot[k] =
+                self.foot_triangles.get(individual.vertex as usize).copied().unwrap_or(individual.vertex);
             self.mesh.size[k] = sheet.size as f32;
             self.mesh.base[k] = individual.base;
             self.sheets.push(sheet);

@@ -13,7 +13,7 @@ use crate::params::wood_ear::Log as LogParams;
 /// The fine mesh is four or two times as fine, with at most this many vertices: 5 MB of buffers.
 const MOST_FINE_VERTICES: f64 = 90_000.0;
 
-/// A closed mesh with normals.
+/// A closed mesh with normals; points with normals alone where feet are drawn on a mesh of the user's own.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Log {
     /// cm.

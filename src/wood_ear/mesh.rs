@@ -30,7 +30,7 @@ pub struct ColonyMesh {
     pub individual_starts: Vec<u32>,
     /// individuals + 1 offsets into the vertices.
     pub vertex_starts: Vec<u32>,
-    /// Per individual the vertex of the log it stands on.
+    /// Per individual the vertex of the log it stands on; on a log of the user's own the triangle, by its number in what was given.
     pub foot: Vec<u32>,
     /// Per individual its size, the rim radius before drying, cm.
     pub size: Vec<f32>,

@@ -3,7 +3,7 @@
 //! The method is that of Nishimura's bachelor thesis on kikurage growing in colonies on a fallen log (fiscal 2012); where it is
 //! silent or inconsistent the deciding item says so (*decision K1* …).
 //!
-//! 1. **log** – grown here, or a mesh of the user's own ([`Log`]; K12);
+//! 1. **log** – grown here, or feet drawn over a mesh of the user's own ([`Log`]; K12);
 //! 2. **spawn** – vertices of the log within range carry an individual ([`spawn()`]; §3.2, K6);
 //! 3. **deform** – bowl, drying, wrinkles ([`bowl()`], [`deform()`]; Eqs 3.1 to 3.5, K1 to K5, K7);
 //! 4. **collide** – meridians step inward (Eqs 3.6 to 3.10, K8 to K11), or bodies press flat against planes;
@@ -40,7 +40,9 @@ mod bowl;
 mod circle;
 mod crossing;
 mod deform;
+mod feet;
 mod generator;
+mod grid;
 mod ground;
 mod log;
 mod memory;

@@ -10,7 +10,7 @@ use crate::rng::{Purpose, Stream};
 /// One individual's place: +y of its own frame is the vertex normal, the origin its foot.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Individual {
-    /// Vertex of the log it stands on; its random streams hang on it.
+    /// Vertex of the log it stands on, or foot on one of the user's own; its random streams hang on it.
     pub vertex: u32,
     /// The nearest base within range.
     pub base: u8,

@@ -1,12 +1,14 @@
-//! A log of the user's own: checked, welded, and given normals.
+//! A log of the user's own: checked, welded, turned the right way out, and given normals.
 
 use std::fmt;
 
 use glam::DVec3;
 
 use super::log::{Log, normals};
+use crate::params::wood_ear::Params;
+use crate::rng::{Purpose, Stream};
 
-/// Vertices and triangles a log may have: it is searched through for every base.
+/// Vertices and triangles a log may have.
 pub const MOST_VERTICES: usize = 200_000;
 /// See [`MOST_VERTICES`].
 pub const MOST_TRIANGLES: usize = 400_000;
@@ -14,27 +16,36 @@ pub const MOST_TRIANGLES: usize = 400_000;
 const REACH: f64 = 10_000.0;
 
 /// Why a mesh cannot be a log. Nothing was changed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum LogError {
     /// Positions or indices do not come in threes.
-    NotInThrees,
-    /// More than a log may have.
-    TooLarge {
-        /// Vertices or triangles given.
+    NotInThrees {
+        /// How many numbers were given.
         value: usize,
-        /// Allowed.
+    },
+    /// More vertices or triangles than a log may have.
+    TooLarge {
+        /// How many were given.
+        value: usize,
+        /// How many are allowed.
         max: usize,
     },
     /// A coordinate is not finite, or farther than 100 m from the origin.
     BadPosition {
         /// The vertex.
         vertex: usize,
+        /// The coordinate.
+        value: f64,
     },
     /// A triangle names a vertex that is not there.
     BadIndex {
         /// The triangle.
         triangle: usize,
+        /// The index.
+        value: u32,
+        /// The largest index there could be; −1 where there is no vertex.
+        max: f64,
     },
     /// No triangle has an area.
     NoArea,
@@ -44,32 +55,47 @@ impl LogError {
     /// Machine-readable name, stable across versions.
     pub fn code(&self) -> &'static str {
         match self {
-            LogError::NotInThrees => "LogNotInThrees",
+            LogError::NotInThrees { .. } => "LogNotInThrees",
             LogError::TooLarge { .. } => "LogTooLarge",
             LogError::BadPosition { .. } => "LogBadPosition",
             LogError::BadIndex { .. } => "LogBadIndex",
             LogError::NoArea => "LogNoArea",
         }
     }
-}
 
-impl LogError {
+    /// Value, smallest and largest legal value; NaN where there is none.
+    pub fn numbers(&self) -> [f64; 3] {
+        match *self {
+            LogError::NotInThrees { value } => [value as f64, f64::NAN, f64::NAN],
+            LogError::TooLarge { value, max } => [value as f64, 0.0, max as f64],
+            LogError::BadPosition { value, .. } => [value, -REACH, REACH],
+            LogError::BadIndex { value, max, .. } => [f64::from(value), 0.0, max],
+            LogError::NoArea => [f64::NAN; 3],
+        }
+    }
+
     /// The message for people; `number` writes a number, as JavaScript can: Rust's way takes 1 kB of the wasm file.
     pub(crate) fn message(&self, number: impl Fn(f64) -> String) -> String {
-        let (before, value, after) = match *self {
-            LogError::NotInThrees => ("the log's positions and indices have to come in threes", None, ""),
-            LogError::TooLarge { value, .. } => ("the log has ", Some(value), " vertices or triangles; at most "),
-            LogError::BadPosition { vertex } => {
-                ("vertex ", Some(vertex), " of the log is not finite, or over 100 m from the origin")
+        let [value, _, max] = self.numbers();
+        let (before, first, between, second, after) = match *self {
+            LogError::NotInThrees { .. } => {
+                ("the log's positions and its indices must come in threes; there are ", value, "", f64::NAN, "")
             }
-            LogError::BadIndex { triangle } => {
-                ("triangle ", Some(triangle), " of the log names a vertex that is not there")
+            LogError::TooLarge { .. } => {
+                ("the log has ", value, " vertices or triangles; it may have at most ", max, "")
             }
-            LogError::NoArea => ("no triangle of the log has an area", None, ""),
+            LogError::BadPosition { vertex, .. } => {
+                ("vertex ", vertex as f64, " of the log has the coordinate ", value, ", not within 100 m of the origin")
+            }
+            LogError::BadIndex { triangle, .. } => {
+                ("triangle ", triangle as f64, " of the log names vertex ", value, ", which is not there")
+            }
+            LogError::NoArea => ("no triangle of the log has an area", f64::NAN, "", f64::NAN, ""),
         };
-        let most = if let LogError::TooLarge { max, .. } = *self { Some(max) } else { None };
-        let [value, most] = [value, most].map(|n| n.map_or_else(String::new, |n| number(n as f64)));
-        [before, &value, after, &most].concat()
+        // A coordinate that is not a number is told as that; the other messages have no number there.
+        let is_told = |n: f64| !n.is_nan() || matches!(self, LogError::BadPosition { .. });
+        let [first, second] = [first, second].map(|n| if is_told(n) { number(n) } else { String::new() });
+        [before, &first, between, &second, after].concat()
     }
 }
 
@@ -81,33 +107,89 @@ impl fmt::Display for LogError {
 
 impl std::error::Error for LogError {}
 
-/// Checks, and welds vertices at the same place, as formats have them that split vertices for their normals. Vertices that no triangle with an area uses are dropped: nothing could tell which way they face.
-pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Log, LogError> {
-    if !positions.len().is_multiple_of(3) || !indices.len().is_multiple_of(3) {
-        return Err(LogError::NotInThrees);
+/// A log of the user's own, and what feet are drawn with.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Surface {
+    pub(super) log: Log,
+    /// Per triangle its number in the mesh that was given.
+    pub(super) numbers: Vec<u32>,
+    /// Whether the mesh was closed and inside out, and has been turned.
+    pub(super) is_turned: bool,
+    /// Per triangle the area of all up to it, cm².
+    areas: Vec<f64>,
+}
+
+impl Surface {
+    /// cm²
+    pub(super) fn area(&self) -> f64 {
+        self.areas.last().copied().unwrap_or_default()
     }
-    for (count, max) in [(positions.len() / 3, MOST_VERTICES), (indices.len() / 3, MOST_TRIANGLES)] {
-        if count > max {
-            return Err(LogError::TooLarge { value: count, max });
+
+    /// A point of the surface, uniform by area: its triangle, where it is, and the triangle's normal.
+    pub(super) fn dart(&self, stream: &mut Stream) -> (u32, DVec3, DVec3) {
+        let at = stream.unit() * self.area();
+        let triangle = self.areas.partition_point(|sum| *sum <= at).min(self.areas.len() - 1);
+        let [a, b, c] = self.log.triangles[triangle].map(|v| self.log.points[v as usize]);
+        let [u, v] = [stream.unit().sqrt(), stream.unit()];
+        let normal = (b - a).cross(c - a).normalize_or(DVec3::Z);
+        (triangle as u32, a + u * ((1.0 - v) * (b - a) + v * (c - a)), normal)
+    }
+}
+
+/// Points of the surface by which it is estimated how much of it lies within range.
+const PROBES: u32 = 2048;
+
+impl Surface {
+    /// About what share of the surface lies within range of a base, by probing.
+    pub(super) fn share_within(&self, params: &Params) -> f64 {
+        let mut stream = Stream::new(0, Purpose::Feet, 1, 0);
+        let probes: Vec<DVec3> = (0..PROBES).map(|_| self.dart(&mut stream).1).collect();
+        // Bases are moved to the log.
+        let bases = params.bases.iter().map(|base| {
+            let at = DVec3::from_array(base.position);
+            let nearest =
+                |best: DVec3, p: &DVec3| if p.distance_squared(at) < best.distance_squared(at) { *p } else { best };
+            (probes.iter().fold(probes[0], nearest), base.range.unwrap_or(params.range))
+        });
+        let bases: Vec<(DVec3, f64)> = bases.collect();
+        let within = probes.iter().filter(|p| bases.iter().any(|(at, range)| p.distance(*at) <= *range));
+        (within.count() + 1) as f64 / f64::from(PROBES)
+    }
+}
+
+/// Checks a mesh, and welds vertices at the same place, as formats have them that split vertices for their normals. Vertices that no triangle
+/// with an area uses are dropped.
+pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, LogError> {
+    if let Some(value) = [positions.len(), indices.len()].into_iter().find(|n| !n.is_multiple_of(3)) {
+        return Err(LogError::NotInThrees { value });
+    }
+    for (value, max) in [(positions.len() / 3, MOST_VERTICES), (indices.len() / 3, MOST_TRIANGLES)] {
+        if value > max {
+            return Err(LogError::TooLarge { value, max });
         }
+    }
+    if let Some(at) = positions.iter().position(|c| !(f64::from(c.abs()) <= REACH)) {
+        return Err(LogError::BadPosition { vertex: at / 3, value: f64::from(positions[at]) });
     }
     let given: Vec<DVec3> =
         positions.chunks_exact(3).map(|p| DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))).collect();
-    if let Some(vertex) = given.iter().position(|p| !p.is_finite() || p.abs().max_element() > REACH) {
-        return Err(LogError::BadPosition { vertex });
-    }
     if let Some(corner) = indices.iter().position(|v| *v as usize >= given.len()) {
-        return Err(LogError::BadIndex { triangle: corner / 3 });
+        let max = given.len() as f64 - 1.0;
+        return Err(LogError::BadIndex { triangle: corner / 3, value: indices[corner], max });
     }
     let welded = weld(&given);
     let mut number = vec![u32::MAX; given.len()];
-    let mut log = Log::default();
-    for corners in indices.chunks_exact(3) {
+    let (mut log, mut numbers, mut areas, mut area) = (Log::default(), Vec::new(), Vec::new(), 0.0);
+    for (triangle, corners) in (0..).zip(indices.chunks_exact(3)) {
         let [a, b, c] = [corners[0], corners[1], corners[2]].map(|v| welded[v as usize]);
         let [p, q, r] = [a, b, c].map(|v| given[v as usize]);
-        if a == b || b == c || c == a || (q - p).cross(r - p) == DVec3::ZERO {
+        let across = (q - p).cross(r - p);
+        if a == b || b == c || c == a || across == DVec3::ZERO {
             continue;
         }
+        area += 0.5 * across.length();
+        areas.push(area);
+        numbers.push(triangle);
         log.triangles.push([a, b, c].map(|v| {
             let slot = &mut number[v as usize];
             if *slot == u32::MAX {
@@ -120,10 +202,35 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Log, LogErr
     if log.triangles.is_empty() {
         return Err(LogError::NoArea);
     }
+    let is_turned = is_inside_out(&log);
+    if is_turned {
+        log.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+    }
     log.normals = normals(&log.points, &log.triangles);
     log.kinds = vec![0; log.points.len()];
     log.coords = vec![[0.0; 2]; log.points.len()];
-    Ok(log)
+    Ok(Surface { log, numbers, is_turned, areas })
+}
+
+/// Whether a mesh is closed and encloses a negative volume. What is open has no inside.
+fn is_inside_out(log: &Log) -> bool {
+    // Closed: every edge is there as often in one direction as in the other. The sum of hashes of the edges less those of the edges reversed is
+    // then 0, and otherwise by chance alone, once in 2⁶⁴ meshes.
+    let hash = |a: u32, b: u32| {
+        let h = ((u64::from(a) << 32) | u64::from(b)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+        (h ^ (h >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
+    };
+    // From a vertex of its own: far from the origin the differences would be lost.
+    let origin = log.points[0];
+    let (mut sum, mut volume) = (0_u64, 0.0);
+    for &[a, b, c] in &log.triangles {
+        for [p, q] in [[a, b], [b, c], [c, a]] {
+            sum = sum.wrapping_add(hash(p, q)).wrapping_sub(hash(q, p));
+        }
+        let [p, q, r] = [a, b, c].map(|v| log.points[v as usize] - origin);
+        volume += p.dot(q.cross(r));
+    }
+    sum == 0 && volume < 0.0
 }
 
 /// Per vertex the first one at the same place, found through a table of places with open addressing.

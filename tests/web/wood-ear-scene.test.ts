@@ -115,15 +115,15 @@ test('parameters written by row are flat as those asked for in words', () => {
 // From the worker.
 
 function colonyOn(log: WoodEarLog, individuals: number): WoodEarColony {
-  const none = { log: 0, spawn: 0, deform: 0, collide: 0, mesh: 0, look: 0, total: 0 };
+  const none = { log: 0, spawn: 0, deform: 0, collide: 0, mesh: 0, total: 0 };
   return {
     positions: new Float32Array(3), normals: new Float32Array(3), indices: new Uint32Array(3), individualStarts: new Uint32Array(2), vertexStarts: new Uint32Array(2),
     foot: new Uint32Array(1), size: new Float32Array(1), base: new Uint8Array(1), log, bases: new Float64Array(3),
-    stats: { individuals, triangles: 1, crossingPairs: 0, sweeps: 0, rounds: 0, keptMedian: 1, keptP10: 1, dropped: 0, ms: none },
+    stats: { individuals, triangles: 1, crossingPairs: 0, sweeps: 0, rounds: 0, keptMedian: 1, keptP10: 1, ms: none },
   };
 }
 
-const aLog = (): WoodEarLog => ({ positions: new Float32Array(9), normals: new Float32Array(9), indices: new Uint32Array(3), kinds: new Uint8Array(3), coords: new Float32Array(6) });
+const aLog = (): WoodEarLog => ({ positions: new Float32Array(9), normals: new Float32Array(9), indices: new Uint32Array(3), kinds: new Uint8Array(3), coords: new Float32Array(6), turned: false, scale: 1 });
 
 test('a log crosses once, and again when it is another; its buffers stay with the worker', () => {
   const { pack } = woodEarLoop();

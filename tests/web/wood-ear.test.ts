@@ -65,16 +65,26 @@ test('every bad value is named, and the same generator goes on', async () => {
     [{ bases: [] }, { name: 'OutOfRange', key: 'bases', value: 0, min: 1, max: 16 }],
     [{ bases: Array(17).fill({}) }, { name: 'OutOfRange', key: 'bases', value: 17 }],
     [{ base: {}, bases: [{}] }, { name: 'MalformedRequest', key: 'base' }],
-    [{ log: { positions: [0, 0], indices: [] } }, { name: 'LogNotInThrees', key: 'log' }],
-    [{ log: { positions: box.positions, indices: [0, 1, 99] } }, { name: 'LogBadIndex', key: 'log' }],
-    [{ log: { positions: box.positions, indices: [0, 1, -1] } }, { name: 'LogBadIndex', key: 'log', value: -1 }],
+    [{ log: { positions: [0, 0], indices: [] } }, { name: 'LogNotInThrees', key: 'log', value: 2 }],
+    [{ log: { positions: box.positions, indices: [0, 1, 99] } }, { name: 'LogBadIndex', key: 'log', value: 99, min: 0, max: 7 }],
+    [{ log: { positions: box.positions, indices: [0, 1, -1] } }, { name: 'LogBadIndex', key: 'log', value: -1, min: 0, max: 7 }],
+    [{ log: { positions: box.positions, indices: [0, 1, 1.5] } }, { name: 'LogBadIndex', key: 'log', value: 1.5 }],
+    [{ log: { positions: box.positions, indices: Float64Array.of(0, 1, 2 ** 32) } }, { name: 'LogBadIndex', key: 'log', value: 2 ** 32 }],
+    [{ log: { positions: [0, NaN, 0], indices: [0, 0, 0] } }, { name: 'LogBadPosition', key: 'log', value: NaN, min: -10000, max: 10000 }],
+    [{ log: { positions: [0, 0, 0, 0, 0, 1e9], indices: [0, 0, 0] } }, { name: 'LogBadPosition', key: 'log', value: 1e9, min: -10000, max: 10000 }],
+    [{ log: { positions: [0, 0, 0], indices: [0, 0, 0] } }, { name: 'LogNoArea', key: 'log' }],
+    [{ log: { positions: new Float32Array(600_003), indices: [0, 0, 0] } }, { name: 'LogTooLarge', key: 'log', value: 200_001, max: 200_000 }],
     [{ log: { positions: 'all', indices: [] } }, { name: 'WrongType', key: 'positions' }],
+    [{ log: { positions: { length: 3 }, indices: [] } }, { name: 'WrongType', key: 'positions' }],
+    [{ log: { positions: new DataView(new ArrayBuffer(12)), indices: [] } }, { name: 'WrongType', key: 'positions' }],
+    [{ log: { positions: BigInt64Array.of(1n, 2n, 3n), indices: [] } }, { name: 'WrongType', key: 'positions' }],
+    [{ log: { ...box, spacing: 0.1 } }, { name: 'OutOfRange', key: 'logSpacing', value: 0.1, min: 1.5, max: 6 }],
     [{}, { name: 'OverBudget', max: 1000 }, { maxBytes: 1000 }],
   ];
   for (const [request, wanted, options] of refused) {
     await assert.rejects(g.generate(request, options), (error: Error & Record<string, unknown>) => {
       assert(error instanceof RockFieldError);
-      for (const [key, value] of Object.entries(wanted)) assert.deepEqual(error[key], value, `${JSON.stringify(request)?.slice(0, 60)}: ${error.name} ${key} (${error.message})`);
+      for (const [key, value] of Object.entries(wanted)) assert.deepEqual(error[key], value, `${Object.keys(request).join()}: ${error.name} ${key} (${error.message})`);
       return true;
     });
   }
@@ -104,4 +114,68 @@ test('a log of the user carries the colony, and goes again', async () => {
   assert.equal(again.log, colony.log);
   assert.equal(await hashColony(await g.generate(small)), before);
   g.dispose();
+});
+
+test('numbers of a log are taken from every array of them', async () => {
+  const hashes = [];
+  for (const positions of [box.positions, Float32Array.from(box.positions), Float64Array.from(box.positions), Int16Array.from(box.positions), Uint8Array.from(box.positions)]) {
+    for (const indices of [box.indices, Uint8Array.from(box.indices), Uint16Array.from(box.indices), Uint32Array.from(box.indices), Int32Array.from(box.indices), Float32Array.from(box.indices)]) {
+      hashes.push(await hashColony(await growWoodEar({ density: 60, range: 20, log: { positions, indices } })));
+    }
+  }
+  assert.equal(new Set(hashes).size, 1);
+});
+
+test('feet on a log of one’s own are as dense as asked for, and each is told by a triangle of what was passed', async () => {
+  for (const spacing of [2, 3, 6]) {
+    const colony: WoodEarColony = await growWoodEar({ density: 100, range: 200, collisions: 'off', log: { ...box, spacing } });
+    const expected = 4000 / (Math.sqrt(0.75) * spacing ** 2);
+    assert.ok(Math.abs(colony.foot.length / expected - 1) < 0.01, `${colony.foot.length} instead of ${expected}`);
+    assert.ok(colony.foot.every((triangle) => triangle < box.indices.length / 3));
+    assert.ok(new Set(colony.foot).size === box.indices.length / 3);
+  }
+});
+
+test('a log in other units is scaled, one that is inside out is turned, and the result tells both', async () => {
+  const insideOut = box.indices.map((_, k) => box.indices[k + [0, 1, -1][k % 3]!]!);
+  const request = { density: 100, range: 200, collisions: 'off' };
+  const plain: WoodEarColony = await growWoodEar({ ...request, log: box });
+  assert.deepEqual([plain.log.turned, plain.log.scale], [false, 1]);
+  for (const [unit, scale] of [[0.01, 500], [0.4, 12.5], [100, 0.05], [1e-9, 5e9], [1e5, 5e-5]] as const) {
+    const colony: WoodEarColony = await growWoodEar({ ...request, log: { positions: box.positions.map((value) => value * unit), indices: insideOut } });
+    assert.equal(colony.log.turned, true);
+    assert.ok(Math.abs(colony.log.scale / scale - 1) < 1e-6, `${colony.log.scale} instead of ${scale}`);
+    const xs = colony.log.positions.filter((_, k) => k % 3 === 0);
+    assert.ok(Math.abs(Math.max(...xs) - Math.min(...xs) - 200) < 1e-3);
+    assert.equal(colony.stats.individuals > 0, true);
+  }
+  // A vertex that no triangle uses has no say.
+  const colony: WoodEarColony = await growWoodEar({ ...request, log: { ...box, positions: [...box.positions, 5000, 0, 0] } });
+  assert.equal(colony.log.scale, 1);
+  const made: WoodEarColony = await growWoodEar(small);
+  assert.deepEqual([made.log.turned, made.log.scale], [false, 1]);
+});
+
+test('what is not counted yet is absent, and nothing is told that nobody counts', async () => {
+  let preview: WoodEarColony | undefined;
+  const colony: WoodEarColony = await growWoodEar(small, { onPreview: (shown: WoodEarColony) => (preview = shown) });
+  assert.ok(preview && !('crossingPairs' in preview.stats));
+  assert.equal(typeof colony.stats.crossingPairs, 'number');
+  assert.deepEqual(Object.keys(colony.stats).sort(), ['crossingPairs', 'individuals', 'keptMedian', 'keptP10', 'ms', 'rounds', 'sweeps', 'triangles']);
+  assert.deepEqual(Object.keys(colony.stats.ms).sort(), ['collide', 'deform', 'log', 'mesh', 'spawn', 'total']);
+});
+
+test('a run that takes minutes says so within its first seconds, and can be cancelled there', async () => {
+  const controller = new AbortController();
+  let told: number | undefined;
+  const run = growWoodEar({ preset: 'thesis-maximum', collisions: 'thesis', log: { length: 400, spacing: 1.5 } }, {
+    signal: controller.signal,
+    onProgress: ({ stage, secondsLeft }: { stage: string; secondsLeft?: number }) => {
+      if (stage !== 'collide' || secondsLeft === undefined) return;
+      told = secondsLeft;
+      controller.abort();
+    },
+  });
+  await assert.rejects(run, { name: 'AbortError' });
+  assert.ok(told! > 5, `${told}`);
 });

@@ -31,6 +31,13 @@ export interface Problem {
   text: (language: Language) => string;
 }
 
+/** A quicker way to what a long run is after. */
+export interface Offer {
+  text: string;
+  label: string;
+  take: () => void;
+}
+
 /** A line for the whole page. */
 export type Message = (language: Language) => string;
 
@@ -286,6 +293,11 @@ export abstract class SceneStore<K extends Kind> {
     if (backend === this.backend) return;
     this.backend = backend;
     this.notify('result');
+  }
+
+  /** What to offer while the present run goes on. */
+  get offer(): Offer | null {
+    return null;
   }
 
   setProgress(progress: Progress<K['stage']> | null): void {

@@ -23,7 +23,7 @@ export function messageLine<K extends Kind>(store: SceneStore<K>): TemplateResul
 }
 
 export function progressLine<K extends Kind>(store: SceneStore<K>, cancel: () => void): TemplateResult | typeof nothing {
-  const { progress } = store;
+  const { progress, offer } = store;
   if (!progress) return nothing;
   const share = percent(store, progress.fraction).replace(/[.,]\d/, '');
   const label = store.text('working', { stage: store.stageName(progress.stage), percent: share });
@@ -32,6 +32,7 @@ export function progressLine<K extends Kind>(store: SceneStore<K>, cancel: () =>
       <progress max="1" .value=${progress.fraction} aria-label=${label}></progress>
       <span class="progress-text">${label}</span>
       <button class="button cancel" type="button" @click=${cancel}>${icon('close')}${store.text('cancel')}</button>
+      ${offer ? html`<div class="progress-offer"><p>${offer.text}</p><button class="button" type="button" @click=${offer.take}>${offer.label}</button></div>` : nothing}
     </div>
   `;
 }

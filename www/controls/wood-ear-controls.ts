@@ -149,7 +149,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
     return html`
       <details class="section" ?open=${mesh !== null}>
         <summary><h2>${this.#t('log')}</h2>${icon('down')}</summary>
-        ${mesh ? html`<p class="quiet">${this.#t('logFileNote')}</p>` : LOG_ROWS.map((row) => paramControl(store, row, null))}
+        ${mesh ? html`<p class="quiet">${this.#t('logFileNote')}</p>` : nothing} ${LOG_ROWS.filter(({ key }) => !mesh || key === 'logSpacing').map((row) => paramControl(store, row, null))}
         ${description('log', '', problem?.key === 'log' ? problem.text(store.language) : null)}
         <div class="button-row">
           <label class="button file-button">${this.#t('logFile')}<input class="visually-hidden" type="file" accept=".glb,.obj,model/gltf-binary" @change=${choose} /></label>

@@ -1,6 +1,6 @@
 /** Honest numbers of the colony that is shown. */
 
-import { html } from 'lit';
+import { html, nothing } from 'lit';
 import { woodEarText } from '../strings-wood-ear.ts';
 import { BACKENDS } from './backends.ts';
 import { percent } from './summary.ts';
@@ -21,9 +21,10 @@ export function woodEarStatistics(store: WoodEarStore, { colony, ground }: WoodE
   return html`
     <dl class="figures">
       <div><dt>${t('individuals')}</dt><dd>${number(individuals)}</dd></div>
-      <div><dt>${t('crossing')}</dt><dd>${number(crossingPairs)}</dd></div>
+      <div><dt>${t('crossing')}</dt><dd>${crossingPairs === undefined ? '…' : number(crossingPairs)}</dd></div>
       <div title=${t('keptHelp')}><dt>${t('kept')}</dt><dd>${percent(store, keptMedian)} · ${percent(store, keptP10)}</dd></div>
     </dl>
+    ${crossingPairs && store.params.collisions === 'thesis' ? html`<p class="quiet">${t('thesisLeaves')}</p>` : nothing}
     <dl class="figures figures-small">
       ${STAGES.map((stage) => html`<div><dt>${store.stageName(stage)}</dt><dd>${time(ms[stage])}</dd></div>`)}
       <div><dt>Σ</dt><dd>${time(ms.total)} ms</dd></div>

@@ -8,7 +8,9 @@ import type { History } from '../history.ts';
 import type { PresetName } from '../params.ts';
 import type { WoodEarPresetName } from '../wood-ear-flat.ts';
 import type { WoodEars } from '../wood-ears.ts';
-import type { Edition, OpenedLink, Preferences } from './scene-store.ts';
+import { isSlowThesis, timeLeft } from '../wood-ear-patience.ts';
+import { saySlow } from '../wood-ear-words.ts';
+import type { Edition, Offer, OpenedLink, Preferences } from './scene-store.ts';
 
 export class WoodEarStore extends SceneStore<WoodEars> {
   constructor(link: OpenedLink<WoodEars>, preferences: Preferences, history?: History<Edition<WoodEars>>) {
@@ -23,8 +25,19 @@ export class WoodEarStore extends SceneStore<WoodEars> {
     return woodEarText(language, 'summary', {
       ears: woodEarText(language, individuals === 1 ? 'oneEar' : 'ears', { n: number(individuals) }),
       triangles: number(triangles),
-      crossing: number(crossingPairs),
+      // Not counted yet in what is shown of a drag.
+      crossing: crossingPairs === undefined ? '…' : number(crossingPairs),
     });
+  }
+
+  override get offer(): Offer | null {
+    const { progress, params, language } = this;
+    if (!progress || !isSlowThesis(progress, params)) return null;
+    return {
+      text: saySlow(language, timeLeft(progress, language)),
+      label: woodEarText(language, 'usePressed'),
+      take: () => this.edit({ ...this.params, collisions: 'pressed' }),
+    };
   }
 
   override stageName(stage: WoodEarStage): string {

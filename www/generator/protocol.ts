@@ -19,6 +19,8 @@ export interface Progress<Stage extends string = StageName> {
   stage: Stage;
   /** 0…1 of the whole run. */
   fraction: number;
+  /** How much longer the run takes, by how far it came in the time it has had; absent in its first half second, and in every other stage's. */
+  secondsLeft?: number;
 }
 
 /** A field of rocks to generate, in the form that crosses every boundary. */
@@ -63,7 +65,7 @@ export interface CloseMessage {
   type: 'close';
 }
 
-/** Are you alive, and did you get all my messages? Replies: `pong`. */
+/** Are you alive? Replies: `pong`. */
 export interface PingMessage {
   type: 'ping';
 }
@@ -75,12 +77,7 @@ export type Addressed<Message> = Message & { client: number };
 
 export type ToWorker<Flat = unknown> = Addressed<ToLoop<Flat> | CloseMessage> | PingMessage;
 
-/** The worker's script has run: from now on it answers pings, also while its wasm is on the way. */
-export interface StartedMessage {
-  type: 'started';
-}
-
-/** The wasm is compiled. */
+/** The wasm is compiled: from now on silence means something. */
 export interface ReadyMessage {
   type: 'ready';
 }
@@ -139,11 +136,9 @@ export interface SeedReply {
 
 export interface PongMessage {
   type: 'pong';
-  /** How many messages of the page have arrived, this ping included. */
-  heard: number;
 }
 
 /** What one client is told. */
 export type FromLoop<Result = unknown, Stage extends string = string> = ProgressMessage<Stage> | ResultMessage<Result> | PreviewMessage<Result> | RejectedMessage | DroppedMessage | CrashedMessage | SeedReply;
 
-export type FromWorker<Result = unknown, Stage extends string = string> = Addressed<FromLoop<Result, Stage>> | StartedMessage | ReadyMessage | FailedMessage | PongMessage;
+export type FromWorker<Result = unknown, Stage extends string = string> = Addressed<FromLoop<Result, Stage>> | ReadyMessage | FailedMessage | PongMessage;

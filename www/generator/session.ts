@@ -1,6 +1,7 @@
 /** Drives one generator of the wasm: slices, time per stage, abort, and the buffers as what they are called here. In the worker and in Node. */
 
 import { errorInfo, isCoded, RockFieldError } from '../errors.ts';
+import { Estimate } from './estimate.ts';
 import type { Progress } from './protocol.ts';
 
 /** The steps of a generator of the wasm. */
@@ -18,7 +19,8 @@ export interface Craft<Raw extends RawSteps, Flat, Result, Stage extends string>
   /** In the order of the numbers that `stage()` gives. */
   stages: readonly Stage[];
   start(raw: Raw, request: Flat): void;
-  collect(raw: Raw, request: Flat, ms: Times<Stage>): Result;
+  /** `isPreview`: the run goes on. */
+  collect(raw: Raw, request: Flat, ms: Times<Stage>, isPreview: boolean): Result;
 }
 
 /** Milliseconds per stage that actually ran, and from the request to the buffers in JavaScript. */
@@ -67,25 +69,26 @@ export class Session<Raw extends RawSteps, Flat, Result, Stage extends string> {
       const { stages } = this.#craft;
       const ms = Object.fromEntries([...stages, 'total'].map((name) => [name, 0])) as Times<Stage>;
       let wantsPreview = onPreview !== undefined;
+      const estimate = new Estimate<Stage>();
       this.#guard(() => this.#craft.start(this.#generator, request));
       while (!this.#guard(() => runSlice(this.#generator, stages, ms, wantsPreview))) {
         if (wantsPreview && this.#guard(() => this.#generator.preview_ready?.())) {
           wantsPreview = false;
-          onPreview?.(this.#collect(request, ms, begin));
+          onPreview?.(this.#collect(request, ms, begin, true));
         }
-        onProgress?.(this.#guard(() => progressOf(this.#generator, stages)));
+        onProgress?.(estimate.added(this.#guard(() => progressOf(this.#generator, stages)), performance.now()));
         await nextTask();
         signal?.throwIfAborted();
       }
-      return this.#collect(request, ms, begin);
+      return this.#collect(request, ms, begin, false);
     } finally {
       this.#running = false;
     }
   }
 
-  #collect(request: Flat, ms: Times<Stage>, begin: number): Result {
+  #collect(request: Flat, ms: Times<Stage>, begin: number, isPreview: boolean): Result {
     const times = { ...ms };
-    const result = this.#guard(() => this.#craft.collect(this.#generator, request, times));
+    const result = this.#guard(() => this.#craft.collect(this.#generator, request, times, isPreview));
     times.total = performance.now() - begin;
     return result;
   }

@@ -22,15 +22,16 @@ function requestSchema(): JsonSchema {
   const object = (properties: JsonSchema) => ({ type: 'object', additionalProperties: false, properties });
   const [x, y, z, range] = BASE_ROWS.map(valueSchema);
   const base = object({ position: { type: 'array', prefixItems: [x, y, z], minItems: 3, maxItems: 3, default: [x, y, z].map((part) => part?.['default']) }, range });
+  const logValues: JsonSchema = Object.fromEntries(LOG_ROWS.map((spec) => [logName(spec.key), valueSchema(spec)]));
   const list = (minimum: number) => ({ type: 'array', items: { type: 'number', minimum } });
-  const mesh = { ...object({ positions: { type: 'array', items: { type: 'number' } }, indices: list(0) }), required: ['positions', 'indices'] };
+  const mesh = { ...object({ positions: { type: 'array', items: { type: 'number' } }, indices: list(0), spacing: logValues['spacing'] }), required: ['positions', 'indices'] };
   return frozen({
     $schema: 'https://json-schema.org/draft/2020-12/schema',
     title: 'Request for a colony of wood ears',
     ...object({
       preset: { enum: WOOD_EAR_PRESETS.map(({ name }) => name), default: WOOD_EAR_PRESETS[0].name, description: 'Fills every parameter; each key given then replaces it.' },
       ...Object.fromEntries(COLONY_ROWS.map((spec) => [spec.key, valueSchema(spec)])),
-      log: { anyOf: [object(Object.fromEntries(LOG_ROWS.map((spec) => [logName(spec.key), valueSchema(spec)]))), mesh], description: 'The log that is made, or one of your own.' },
+      log: { anyOf: [object(logValues), mesh], description: 'The log that is made, or one of your own.' },
       base: { ...base, description: 'The only base.' },
       bases: { type: 'array', minItems: 1, maxItems: MAX_BASES, items: base, description: 'Replaces all bases of the preset.' },
     }),

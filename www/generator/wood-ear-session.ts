@@ -1,8 +1,6 @@
 /** Sessions of wood ears: the buffers of the wasm as a `WoodEarColony`. */
 
 import type { WoodEarColony, WoodEarLog } from '../colony.ts';
-import { RockFieldError } from '../errors.ts';
-import type { ErrorName } from '../errors.ts';
 import type { FlatColony, LogMesh } from '../wood-ear-flat.ts';
 import type { LoopCraft } from './loop.ts';
 import { Session } from './session.ts';
@@ -11,6 +9,7 @@ import type { Craft, RawSteps, Times } from './session.ts';
 /** The class of the same name in pkg/wood-ear.d.ts, as far as it is used. */
 export interface RawWoodEarGenerator extends RawSteps {
   set_log(positions: Float32Array, indices: Uint32Array): void;
+  log_turned(): boolean;
   clear_log(): void;
   start(params: Float64Array, maxBytes: number): void;
   preview_ready(): boolean;
@@ -38,9 +37,9 @@ export interface WoodEarModule {
   fresh_seed(): number;
 }
 
-export type WoodEarStage = 'log' | 'spawn' | 'deform' | 'collide' | 'mesh' | 'look';
+export type WoodEarStage = 'log' | 'spawn' | 'deform' | 'collide' | 'mesh';
 
-const STAGES: readonly WoodEarStage[] = ['log', 'spawn', 'deform', 'collide', 'mesh', 'look'];
+const STAGES: readonly WoodEarStage[] = ['log', 'spawn', 'deform', 'collide', 'mesh'];
 
 export function woodEarSession(generator: RawWoodEarGenerator): Session<RawWoodEarGenerator, FlatColony, WoodEarColony, WoodEarStage> {
   return new Session(generator, new WoodEars());
@@ -73,13 +72,13 @@ class WoodEars implements Craft<RawWoodEarGenerator, FlatColony, WoodEarColony, 
   start(generator: RawWoodEarGenerator, { params, log, maxBytes }: FlatColony): void {
     if (!log && this.#given) generator.clear_log();
     // Setting it would start from the log again.
-    else if (log && !(this.#given && sameLog(log, this.#given))) setLog(generator, log);
+    else if (log && !(this.#given && sameLog(log, this.#given))) generator.set_log(log.positions, log.indices);
     this.#given = log;
     generator.start(params, maxBytes);
   }
 
-  collect(generator: RawWoodEarGenerator, _request: FlatColony, ms: Times<WoodEarStage>): WoodEarColony {
-    const [individuals = 0, triangles = 0, crossingPairs = 0, sweeps = 0, rounds = 0, keptMedian = 0, keptP10 = 0, dropped = 0] = generator.summary();
+  collect(generator: RawWoodEarGenerator, { log }: FlatColony, ms: Times<WoodEarStage>, isPreview: boolean): WoodEarColony {
+    const [individuals = 0, triangles = 0, crossingPairs = 0, sweeps = 0, rounds = 0, keptMedian = 0, keptP10 = 0] = generator.summary();
     return {
       positions: generator.positions(),
       normals: generator.normals(),
@@ -89,36 +88,28 @@ class WoodEars implements Craft<RawWoodEarGenerator, FlatColony, WoodEarColony, 
       foot: generator.foot(),
       size: generator.size(),
       base: generator.base(),
-      log: this.#collectLog(generator),
+      log: this.#collectLog(generator, log),
       bases: generator.bases(),
-      stats: { individuals, triangles, crossingPairs, sweeps, rounds, keptMedian, keptP10, dropped, ms },
+      stats: { individuals, triangles, ...(isPreview ? {} : { crossingPairs }), sweeps, rounds, keptMedian, keptP10, ms },
     };
   }
 
   /** The copy made before, unless the log changed since, or somebody transferred it. */
-  #collectLog(generator: RawWoodEarGenerator): WoodEarLog {
+  #collectLog(generator: RawWoodEarGenerator, given: LogMesh | null): WoodEarLog {
     const version = generator.log_version();
-    if (!this.#log || version !== this.#version || Object.values(this.#log).some(({ byteLength }) => byteLength === 0)) {
+    if (!this.#log || version !== this.#version || this.#log.positions.byteLength === 0 || this.#log.indices.byteLength === 0) {
       this.#log = {
         positions: generator.log_positions(),
         normals: generator.log_normals(),
         indices: generator.log_indices(),
         kinds: generator.log_kinds(),
         coords: generator.log_coords(),
+        turned: given !== null && generator.log_turned(),
+        scale: given?.scale ?? 1,
       };
       this.#version = version;
     }
     return this.#log;
-  }
-}
-
-/** A log that is refused is the request's fault, and nothing has changed. */
-function setLog(generator: RawWoodEarGenerator, { positions, indices }: LogMesh): void {
-  try {
-    generator.set_log(positions, indices);
-  } catch (thrown) {
-    if (!(thrown instanceof Error && thrown.name.startsWith('Log'))) throw thrown;
-    throw new RockFieldError({ name: thrown.name as ErrorName, key: 'log', message: thrown.message }, { cause: thrown });
   }
 }
 

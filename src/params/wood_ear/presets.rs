@@ -1,9 +1,10 @@
 //! The scenes of the thesis, and colonies as they are found.
 //!
-//! The thesis gives density, range, size and spread of Fig. 3.7, the moisture of Figs 4.4 and 4.5, the wrinkles of Figs 4.6 and 4.7
-//! and the sliders of Table 4.3, nothing else. Chosen by us: the sliders it does not name are the table's defaults, except that a
-//! figure of one effect leaves the other out (moisture 100 or wrinkles 0). Figs 4.2 and 4.3, of which nothing is known, are one
-//! individual's worth of undeformed bowls, equal and of different sizes. Figs 4.10 and 4.11, "dry" and "wet", have moisture 10 and 90.
+//! The thesis gives density, range, size and spread of Figs 3.7, 4.2 and 4.3, the moisture of Figs 4.4 and 4.5, the wrinkles of Figs 4.6
+//! and 4.7 and the sliders of Table 4.3, nothing else; `tests/data/thesis-figures.json` has what it prints. Chosen by us: the sliders it does
+//! not name are the table's defaults, except that a figure of a stage leaves out the stages that come after it (moisture 100, wrinkles 0,
+//! no collisions) and a figure of one effect leaves the other out. Figs 4.8 and 4.9, a pair before and after its collision, are two
+//! undeformed bowls of the default size. Figs 4.10 and 4.11, "dry" and "wet", have moisture 10 and 90.
 
 use super::{Base, PARAMS, Params, Scope};
 
@@ -82,12 +83,14 @@ presets! {
     "thesis-minimum" false { density: 0.0, range: 20.0, size: 1.0, sizeSpread: 1.0, collisions: OFF };
     "thesis-maximum" false { density: 100.0, range: 200.0, size: 3.0, sizeSpread: 2.0, collisions: OFF, logLength: 400.0 };
     "thesis-fig3-7" false { density: 25.0, range: 200.0, size: 2.0, sizeSpread: 1.5, moisture: 100.0, wrinkles: 0.0, collisions: OFF, logLength: 400.0 };
-    "thesis-fig4-2" false { density: 20.0, range: 20.0, sizeSpread: 1.0, moisture: 100.0, wrinkles: 0.0 };
-    "thesis-fig4-3" false { density: 20.0, range: 20.0, sizeSpread: 2.0, moisture: 100.0, wrinkles: 0.0 };
+    "thesis-fig4-2" false { moisture: 100.0, wrinkles: 0.0, collisions: OFF };
+    "thesis-fig4-3" false { density: 100.0, range: 200.0, size: 3.0, sizeSpread: 2.0, moisture: 100.0, wrinkles: 0.0, collisions: OFF, logLength: 400.0 };
     "thesis-fig4-4" false { density: 20.0, range: 20.0, moisture: 70.0, wrinkles: 0.0 };
     "thesis-fig4-5" false { density: 20.0, range: 20.0, moisture: 30.0, wrinkles: 0.0 };
     "thesis-fig4-6" false { density: 20.0, range: 20.0, moisture: 100.0, wrinkles: 50.0 };
     "thesis-fig4-7" false { density: 20.0, range: 20.0, moisture: 100.0, wrinkles: 100.0 };
+    "thesis-fig4-8" false { density: 1.0, range: 20.0, moisture: 100.0, wrinkles: 0.0, collisions: OFF, logSpacing: 2.5 } [-10.0, -10.0, 23.0, NONE];
+    "thesis-fig4-9" false { density: 1.0, range: 20.0, moisture: 100.0, wrinkles: 0.0, logSpacing: 2.5 } [-10.0, -10.0, 23.0, NONE];
     "thesis-fig4-10" false { moisture: 10.0 };
     "thesis-fig4-11" false { moisture: 90.0 };
     "wet-colony" true { density: 38.0, range: 45.0, moisture: 92.0, wrinkles: 30.0, perIndividual: 0.8, size: 2.4, sizeSpread: 1.7, collisions: PRESSED, droop: 0.75, thickness: 0.16, foot: 0.6, clearLog: ON };

@@ -40,7 +40,7 @@ table! {
         "density", url "d", Scope::Field(|p| p.density, |p, v| p.density = v), Kind::Real, Spawn,
         range [0.0, 100.0] step 1.0 default 50.0, slider [0.0, 100.0] linear,
         unit PERCENT, label ["Colony density", "群生密度"],
-        en "Share of the log's vertices within range that carry a wood ear.",
+        en "Share of the places within range (the log's vertices) that carry a wood ear.",
         ja "範囲内にある丸太の頂点のうち、キクラゲが生える割合。"
     }
     {
@@ -53,30 +53,30 @@ table! {
     {
         "moisture", url "m", Scope::Field(|p| p.moisture, |p, v| p.moisture = v), Kind::Real, Deform,
         range [0.0, 100.0] step 1.0 default 50.0, slider [0.0, 100.0] linear,
-        unit PERCENT, label ["Moisture", "水分量"],
+        unit PERCENT, label ["Moisture", "含水率"],
         en "Dry wood ears shrink and curl; at 100 none does.",
         ja "乾くほど縮んで丸まります。100では変形しません。"
     }
     {
         "wrinkles", url "w", Scope::Field(|p| p.wrinkles, |p, v| p.wrinkles = v), Kind::Real, Deform,
         range [0.0, 100.0] step 1.0 default 50.0, slider [0.0, 100.0] linear,
-        unit PERCENT, label ["Wrinkles", "シワ"],
+        unit PERCENT, label ["Wrinkles", "シワの密度"],
         en "How far folds pull the surface towards the axis.",
         ja "シワが表面を軸の方へ引き込む強さ。"
     }
     {
         "size", url "s", Scope::Field(|p| p.size, |p, v| p.size = v), Kind::Real, Deform,
         range [1.0, 3.0] step 0.05 default 2.0, slider [1.0, 3.0] linear,
-        unit CM, label ["Size", "大きさ"],
+        unit CM, label ["Size", "サイズ"],
         en "Median rim radius before drying: wet wood ears are 3 to 6 cm wide.",
         ja "乾燥前の縁の半径の中央値。湿ったキクラゲの幅は3〜6cmです。"
     }
     {
         "sizeSpread", url "sp", Scope::Field(|p| p.size_spread, |p, v| p.size_spread = v), Kind::Real, Deform,
         range [1.0, 2.0] step 0.05 default 1.5, slider [1.0, 2.0] linear,
-        unit NONE, label ["Size spread", "大きさのばらつき"],
+        unit NONE, label ["Size spread", "サイズのばらつき幅"],
         en "Sizes lie between the size divided and multiplied by this; at 1 all are equal.",
-        ja "大きさはこの値で割った値から掛けた値までの間になります。1ではすべて同じです。"
+        ja "サイズはこの値で割った値から掛けた値までの間になります。1ではすべて同じです。"
     }
     {
         "perIndividual", url "pi", Scope::Field(|p| p.per_individual, |p, v| p.per_individual = v), Kind::Real, Deform,
@@ -170,8 +170,8 @@ table! {
         "logSpacing", url "ls", Scope::Field(|p| p.log.spacing, |p, v| p.log.spacing = v), Kind::Real, Log,
         range [1.5, 6.0] step 0.1 default 3.0, slider [1.5, 6.0] linear,
         unit CM, label ["Vertex spacing", "頂点の間隔"],
-        en "Mean distance of the log's vertices: wood ears stand on vertices, at most one on each.",
-        ja "丸太の頂点の平均間隔。キクラゲは頂点に1つずつ生えます。"
+        en "Mean distance of the places where a wood ear can stand: the log's vertices or, on a mesh of your own, points spread over its surface.",
+        ja "キクラゲが生えうる位置の平均間隔。位置は丸太の頂点、独自のメッシュではその表面に広げた点です。"
     }
     {
         "logSeed", url "lg", Scope::Field(|p| f64::from(p.log.seed), |p, v| p.log.seed = v as u32), Kind::Integer, Log,
