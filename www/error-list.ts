@@ -213,13 +213,13 @@ export const ERRORS = /* @__PURE__ */ listed({
   WasmUnavailable: {
     group: 'loading',
     message: 'the generator could not be loaded: {reason}',
-    cause: 'The `.wasm` file did not arrive, arrived damaged, or a policy forbids to compile it.',
+    cause: 'The `.wasm` file did not arrive, stopped arriving for 10 s, arrived damaged, or a policy forbids compiling it. The next run tries again.',
     remedy: 'Look at the browser’s network panel; allow `wasm-unsafe-eval`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
   },
   WorkerUnavailable: {
     group: 'loading',
     message: 'the generator’s worker could not be started',
-    cause: 'The worker’s file is missing on the server, or a policy forbids workers.',
+    cause: 'The worker’s file is missing on the server, does not arrive, or does nothing; or a policy forbids workers. The next run tries again.',
     remedy: 'Serve all files of the package together, and allow `worker-src`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
   },
 

@@ -190,7 +190,7 @@ test('a worker that is killed, idle or in a run, is replaced and the page goes o
 
 for (const [what, files, wanted] of [
   ['wasm that is missing', { '/generator_bg.wasm': [404, 'text/plain', 'no'] }, /generator_bg-\w+\.wasm could not be fetched: the server answered 404/],
-  ['wasm served as a page', { '/generator_bg.wasm': [200, 'text/html', '<!doctype html>'] }, /generator_bg-\w+\.wasm is no wasm file: the server sent text\/html/],
+  ['wasm served as a page', { '/generator_bg.wasm': [200, 'text/html', '<!doctype html>'] }, /generator_bg-\w+\.wasm is not a wasm file: the server sent text\/html/],
   ['damaged wasm', { '/generator_bg.wasm': [200, 'application/wasm', '\0asm\x01\0\0\0junk'] }, /wasm could not be started/],
   ['a worker script that is missing', { '/worker.js': [404, 'text/plain', 'no'] }, /worker could not be started/],
   ['a worker script served as a page', { '/worker.js': [200, 'text/html', '<!doctype html>'] }, /worker could not be started/],

@@ -111,6 +111,13 @@ test('a run is answered with all its buffers and the time of each stage', async 
   assert.deepEqual(field.stats.ms, { sites: 8, cells: 8, selection: 8, shape: 8, mesh: 8, total: 40 });
 });
 
+test('the script says that it runs before it has its wasm, and answers pings with the number of messages it has heard', async () => {
+  const { host, said } = setUp(() => new Promise(() => {}));
+  host.receive({ type: 'start', client: 1, id: 1, request: request(1, 1) });
+  host.receive({ type: 'ping' });
+  assert.deepEqual(said.map(({ at: _, ...message }) => message), [{ type: 'started' }, { type: 'pong', heard: 2 }]);
+});
+
 test('messages are read between slices of bounded length', async () => {
   const { host, start, answer, times } = setUp();
   for (let ms = 0; ms < 200; ms += 10) after(ms, () => host.receive({ type: 'ping' }));
@@ -143,7 +150,7 @@ test('a superseded run that ends soon is delivered, then the newest runs; those 
   after(20, () => start(2, request(2, 10)));
   after(30, () => start(3, request(3, 10)));
   await answer(3);
-  assert.deepEqual(said.filter(({ type }) => type !== 'ready').map((message) => [message.type, 'id' in message && message.id]), [['dropped', 2], ['result', 1], ['result', 3]]);
+  assert.deepEqual(said.filter(({ type }) => type !== 'started' && type !== 'ready').map((message) => [message.type, 'id' in message && message.id]), [['dropped', 2], ['result', 1], ['result', 3]]);
 });
 
 test('a superseded run that goes on is dropped when patience ends', async () => {

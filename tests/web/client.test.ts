@@ -8,8 +8,8 @@ import { CANCEL_MS } from '../../www/generator/worker-client.ts';
 import type { FieldJob } from '../../www/generator/client.ts';
 import type { ClientOptions } from '../../www/generator/worker-client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
-import { GRACE_MS, SILENCE_MS } from '../../www/generator/pool-worker.ts';
-import type { FailedMessage, FromLoop, FromWorker, PongMessage, ReadyMessage, StartMessage } from '../../www/generator/protocol.ts';
+import { GRACE_MS, SILENCE_MS, START_MS } from '../../www/generator/pool-worker.ts';
+import type { FailedMessage, FromLoop, FromWorker, PongMessage, ReadyMessage, StartedMessage, StartMessage } from '../../www/generator/protocol.ts';
 import { defaultParams } from '../../www/params-flat.ts';
 import { SilentWorker } from './fake-worker.ts';
 
@@ -17,7 +17,7 @@ import { SilentWorker } from './fake-worker.ts';
 const CLIENT = 1;
 
 class FakeWorker extends SilentWorker {
-  says(message: FromLoop | ReadyMessage | FailedMessage | PongMessage): void {
+  says(message: FromLoop | StartedMessage | ReadyMessage | FailedMessage | PongMessage): void {
     this.tells({ client: CLIENT, ...message } as FromWorker);
   }
 
@@ -321,7 +321,7 @@ test('a worker that answers, however long it works, is left alone', async (t) =>
   worker().says({ type: 'ready' });
   for (let second = 0; second < 60; second += 1) {
     timers.tick(SILENCE_MS);
-    worker().says({ type: 'pong' });
+    worker().says({ type: 'pong', heard: worker().heard.length });
   }
   worker().finishes(worker().lastStart.id);
   await answer;
@@ -329,12 +329,139 @@ test('a worker that answers, however long it works, is left alone', async (t) =>
   client.dispose();
 });
 
-test('a worker that is still loading is given all the time it needs', async (t) => {
+test('a worker that is still loading and answers is given all the time it needs', async (t) => {
   const timers = mockTimers(t);
   const { client, workers, worker } = setUp();
   const answer = client.generate(params(1));
-  timers.tick(10 * 60_000);
+  worker().says({ type: 'started' });
+  for (let second = 0; second < 600; second += 1) {
+    timers.tick(SILENCE_MS);
+    worker().says({ type: 'pong', heard: worker().heard.length });
+  }
   assert.equal(workers.length, 1);
+  worker().says({ type: 'ready' });
+  worker().finishes(worker().lastStart.id);
+  await answer;
+  client.dispose();
+});
+
+/** A worker whose script does what the test says when the page fetches it too. */
+function probed(t: TestContext, probe: (heard: () => void) => Promise<void>) {
+  const workers: FakeWorker[] = [];
+  const spawn = () => {
+    const worker = Object.assign(new FakeWorker(), { probe });
+    workers.push(worker);
+    return worker;
+  };
+  return { ...setUp({ spawn }), workers, worker: () => workers.at(-1)!, timers: mockTimers(t) };
+}
+
+const forever = () => new Promise<void>(() => {});
+
+for (const [what, probe, limit, wanted] of [
+  ['whose script does nothing', async () => {}, START_MS + GRACE_MS, /says nothing/],
+  ['whose script cannot be fetched', () => Promise.reject(new Error('the server answered 503')), START_MS, /the server answered 503/],
+  ['whose script never arrives', forever, 2 * START_MS, /does not arrive/],
+] satisfies [string, () => Promise<void>, number, RegExp][]) {
+  test(`a worker ${what} is given up with a named error, and the next request starts another`, async (t) => {
+    const { client, workers, worker, timers } = probed(t, probe);
+    const answer = client.generate(params(1)).catch((error: Error) => error);
+    const seed = client.freshSeed().catch((error: Error) => error);
+    for (let ms = 0; ms <= limit; ms += 100) {
+      timers.tick(100);
+      await settle();
+    }
+    const error = (await answer) as Error;
+    assert(isNamed('WorkerUnavailable')(error), String(error));
+    assert.match(error.message, wanted);
+    assert.equal(await seed, error);
+    assert(worker().ended);
+    const next = client.generate(params(2));
+    assert.equal(workers.length, 2);
+    worker().says({ type: 'started' });
+    worker().finishes(worker().lastStart.id);
+    await next;
+    client.dispose();
+  });
+}
+
+test('a worker whose script arrives slowly is waited for', async (t) => {
+  let arrives = () => {};
+  const { client, workers, worker, timers } = probed(t, (heard) => ((arrives = heard), forever()));
+  const answer = client.generate(params(1));
+  timers.tick(START_MS);
+  for (let ms = 0; ms < 10 * START_MS; ms += START_MS - 1) {
+    arrives();
+    timers.tick(START_MS - 1);
+  }
+  worker().says({ type: 'started' });
+  worker().says({ type: 'ready' });
+  worker().finishes(worker().lastStart.id);
+  await answer;
+  timers.tick(60_000);
+  assert.equal(workers.length, 1);
+  client.dispose();
+});
+
+test('a worker that ends while it loads is replaced once; a second death then gives the request up', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1)).catch((error: Error) => error);
+  for (const count of [1, 2]) {
+    assert.equal(workers.length, count);
+    worker().says({ type: 'started' });
+    timers.tick(SILENCE_MS);
+    timers.tick(GRACE_MS);
+  }
+  assert(isNamed('WorkerLost')(await answer));
+  assert.equal(workers.length, 2);
+  client.generate(params(2)).catch(() => {});
+  assert.equal(workers.length, 3);
+  client.dispose();
+});
+
+test('a replacement that never starts gives the request up', async (t) => {
+  const { client, workers, worker, timers } = probed(t, async () => {});
+  const answer = client.generate(params(1)).catch((error: Error) => error);
+  worker().says({ type: 'ready' });
+  worker().dies('killed');
+  timers.tick(START_MS);
+  await settle();
+  timers.tick(GRACE_MS);
+  assert(isNamed('WorkerUnavailable')(await answer));
+  assert.equal(workers.length, 2);
+  client.dispose();
+});
+
+test('a request that is cancelled while its worker does not start leaves nothing behind: the next one has a worker of its own', async (t) => {
+  const { client, workers, timers } = probed(t, async () => {});
+  const cancelled = client.generate(params(1));
+  timers.tick(START_MS - 1);
+  client.cancel();
+  await assert.rejects(cancelled, isAbort);
+  timers.tick(1);
+  await settle();
+  timers.tick(GRACE_MS);
+  assert(workers[0]!.ended);
+  const last = client.generate(params(2));
+  assert.equal(workers.length, 2);
+  client.dispose();
+  await assert.rejects(last, isAbort);
+  timers.tick(START_MS);
+  await settle();
+  timers.tick(60_000);
+  assert(workers[1]!.ended);
+  assert.equal(workers.length, 2);
+});
+
+test('a message that got lost on its way is asked again of another worker', async (t) => {
+  const timers = mockTimers(t);
+  const { client, workers, worker } = setUp();
+  const answer = client.generate(params(1));
+  worker().says({ type: 'ready' });
+  timers.tick(SILENCE_MS);
+  worker().says({ type: 'pong', heard: worker().heard.length - 1 });
+  assert.equal(workers.length, 2);
   worker().says({ type: 'ready' });
   worker().finishes(worker().lastStart.id);
   await answer;

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { openGenerator, Realm } from '../../www/generator/headless.ts';
+import { STALL_MS } from '../../www/wasm-file.ts';
 import { loadGenerator } from '../../www/generator/wasm.ts';
 import type { GeneratorGlue } from '../../www/generator/wasm.ts';
 
@@ -105,9 +106,56 @@ async function refusal(answer: () => Response | Promise<Response>): Promise<stri
 
 test('wasm that is missing, a page instead of wasm, or no network is said in words', async () => {
   assert.match(await refusal(() => new Response('', { status: 404 })), /generator_bg\.wasm could not be fetched: the server answered 404/);
-  assert.match(await refusal(() => new Response('<!doctype html>', { headers: { 'Content-Type': 'text/html' } })), /generator_bg\.wasm is no wasm file: the server sent text\/html/);
-  assert.match(await refusal(() => Promise.reject(new TypeError('Failed to fetch'))), /generator_bg\.wasm could not be fetched \(Failed to fetch\)/);
+  assert.match(await refusal(() => new Response('<!doctype html>', { headers: { 'Content-Type': 'text/html' } })), /generator_bg\.wasm is not a wasm file: the server sent text\/html/);
+  assert.match(await refusal(() => Promise.reject(new TypeError('Failed to fetch'))), /generator_bg\.wasm could not be fetched; check the connection/);
   assert.equal(await refusal(() => new Response(Uint8Array.of(0, 97, 115, 109), { headers: { 'Content-Type': 'application/octet-stream' } })), '');
+});
+
+/** An answer whose body is what the test writes. */
+function flowing() {
+  let pipe!: ReadableStreamDefaultController<Uint8Array>;
+  const body = new ReadableStream<Uint8Array>({ start: (controller) => void (pipe = controller) });
+  return { response: new Response(body, { headers: { 'Content-Type': 'application/octet-stream' } }), pipe };
+}
+
+test('a wasm file that stops arriving is a named error; one that arrives slowly is waited for', async (t) => {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  const tick = async (ms: number) => {
+    t.mock.timers.tick(ms);
+    for (let turn = 0; turn < 5; turn += 1) await new Promise((resolve) => setImmediate(resolve));
+  };
+  const { fetch } = globalThis;
+  t.after(() => (globalThis.fetch = fetch));
+  for (const stalls of [true, false]) {
+    const { response, pipe } = flowing();
+    globalThis.fetch = async (_, init) => {
+      init?.signal?.addEventListener('abort', () => pipe.error(init.signal?.reason));
+      return response;
+    };
+    const loading = loadGenerator(fakeGlue().glue, new URL('https://example.org/generator_bg.wasm')).then(() => '', (error: Error) => `${error.name} ${error.message}`);
+    await tick(0);
+    for (const byte of [0, 97, 115, 109]) {
+      pipe.enqueue(Uint8Array.of(byte));
+      await tick(0);
+      await tick(STALL_MS - 1);
+    }
+    if (stalls) await tick(1);
+    else pipe.close();
+    assert.equal(await loading, stalls ? 'WasmUnavailable generator_bg.wasm stopped arriving after 4 bytes; check the connection' : '');
+  }
+});
+
+test('a connection that breaks and a file that does not compile are told apart, in our words; the engine\'s are the cause', async () => {
+  const { response, pipe } = flowing();
+  const broken = refusal(() => response);
+  pipe.enqueue(Uint8Array.of(0, 97));
+  pipe.error(new TypeError('network error'));
+  assert.match(await broken, /^generator_bg\.wasm could not be fetched; check the connection$/);
+  const engine = new WebAssembly.CompileError('expected 10 bytes at offset 8');
+  const damaged = { ...fakeGlue().glue, default: () => Promise.reject(engine) };
+  await assert.rejects(loadGenerator(damaged, new ArrayBuffer(8)), (error: Error) => error.cause === engine && error.name === 'WasmUnavailable' && /damaged/.test(error.message) && !error.message.includes('offset'));
+  const forbidden = { ...fakeGlue().glue, default: () => Promise.reject(new WebAssembly.CompileError('violates the Content Security Policy')) };
+  await assert.rejects(loadGenerator(forbidden, new ArrayBuffer(8)), /'wasm-unsafe-eval'/);
 });
 
 test('a load that failed is tried again', async () => {

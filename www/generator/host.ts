@@ -18,10 +18,12 @@ export class LoopHost<Module, Flat> {
   #module: Promise<Module>;
   #newLoop: (module: Promise<Module>, post: (message: FromLoop, transfer?: Transferable[]) => void) => AnyLoop<Flat>;
   #loops = new Map<number, AnyLoop<Flat>>();
+  #heard = 0;
 
   constructor(load: () => Promise<Module>, newLoop: (module: Promise<Module>, post: (message: FromLoop, transfer?: Transferable[]) => void) => AnyLoop<Flat>, post: Post) {
     this.#newLoop = newLoop;
     this.#post = post;
+    this.#post({ type: 'started' });
     this.#module = load();
     this.#module.then(
       () => this.#post({ type: 'ready' }),
@@ -30,9 +32,10 @@ export class LoopHost<Module, Flat> {
   }
 
   receive(message: ToWorker<Flat>): void {
+    this.#heard += 1;
     switch (message.type) {
       case 'ping':
-        this.#post({ type: 'pong' });
+        this.#post({ type: 'pong', heard: this.#heard });
         break;
       case 'close':
         this.#loops.get(message.client)?.close();

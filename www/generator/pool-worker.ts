@@ -1,8 +1,20 @@
 /**
  * One worker of the pool, whose clients share its life: a worker that is gone is replaced, once for all of them.
  *
- * A worker can vanish without a word (memory, `self.close()`), so silence counts: when somebody has waited for an answer longer
- * than `SILENCE_MS`, it is asked, and replaced when there is no answer to that either. Nothing is timed while nobody waits.
+ * A worker can end without a word (memory, `self.close()`, a script that does nothing), so silence counts, but only while a client
+ * waits for an answer. Its states, and what happens in each when nothing is heard:
+ *
+ * | state    | entered by                        | silence means                                                                     |
+ * |----------|-----------------------------------|-----------------------------------------------------------------------------------|
+ * | none     | nothing asked yet, or a death     | nothing; the next message makes a new worker                                      |
+ * | starting | the first message                 | after `START_MS` the script is fetched here too: while its bytes come in, the     |
+ * |          |                                   | network is slow. `GRACE_MS` after the last one every client fails                 |
+ * | loading  | `started`, said by the script     | as in `ready`: it answers pings while its wasm arrives (how long that may take    |
+ * |          |                                   | is the worker's own matter, see `wasm-file.ts`)                                   |
+ * | ready    | `ready`, said once wasm is there  | after `SILENCE_MS` it is pinged; no answer within `GRACE_MS` means it is lost     |
+ *
+ * A lost worker's clients ask a new one, once; a second loss during the same request is reported (`worker-client.ts`). An answer that
+ * counts fewer messages than were sent means that a message got lost, which is the same as a lost worker.
  */
 
 import { RockFieldError } from '../errors.ts';
@@ -14,8 +26,13 @@ export const SILENCE_MS = 1000;
 /** From the question to the verdict. A page that was frozen wakes with its timers due before its messages. */
 export const GRACE_MS = 1500;
 
+/** How long a script may take to run for the first time before its network is looked at. */
+export const START_MS = 8000;
+
 /** The part of `Worker` that is used, for tests. */
 export interface WorkerLike {
+  /** Fetches the worker's script, calling back at every piece of it. Asked when the worker says nothing at all. */
+  probe?: ((heard: () => void) => Promise<void>) | undefined;
   onmessage: ((event: MessageEvent<FromWorker>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
   onmessageerror: ((event: MessageEvent) => void) | null;
@@ -41,9 +58,13 @@ export class PoolWorker {
   #clients = new Map<number, PoolClient>();
   /** None before it is needed, and from a death until it is needed again. */
   #worker: WorkerLike | undefined;
-  #ready = false;
+  #state: 'starting' | 'loading' | 'ready' = 'starting';
+  /** Messages sent to this worker. */
+  #sent = 0;
   #watchdog: ReturnType<typeof setTimeout> | undefined;
   #asked = false;
+  /** Messages sent up to the last ping, which the answer has to account for. */
+  #sentBeforePing = 0;
 
   constructor(spawn: () => WorkerLike) {
     this.#spawn = spawn;
@@ -56,7 +77,7 @@ export class PoolWorker {
 
   /** The worker has compiled its wasm: from then on it can be expected to answer. */
   get ready(): boolean {
-    return this.#ready;
+    return this.#state === 'ready';
   }
 
   join(number: number, client: PoolClient): void {
@@ -65,13 +86,13 @@ export class PoolWorker {
 
   leave(number: number): void {
     this.#clients.delete(number);
-    this.#worker?.postMessage({ type: 'close', client: number });
+    this.#send({ type: 'close', client: number });
     if (!this.#isAwaited()) this.#watch();
   }
 
   post(message: Addressed<ToLoop>): void {
     if (!this.#worker && !this.#start(message.client)) return;
-    this.#worker?.postMessage(message);
+    this.#send(message);
     // A wait that has begun goes on: a drag must not put the question off for ever.
     if (this.#watchdog === undefined) this.#watch();
   }
@@ -88,8 +109,15 @@ export class PoolWorker {
   discard(): void {
     this.#worker?.terminate();
     this.#worker = undefined;
-    this.#ready = false;
+    this.#state = 'starting';
+    this.#sent = this.#sentBeforePing = 0;
     this.#watch();
+  }
+
+  #send(message: ToWorker): void {
+    if (!this.#worker) return;
+    this.#sent += 1;
+    this.#worker.postMessage(message);
   }
 
   #start(number: number): boolean {
@@ -107,7 +135,7 @@ export class PoolWorker {
     worker.onerror = (event) => {
       event.preventDefault?.();
       if (this.#worker !== worker) return;
-      if (this.#ready) this.#lost();
+      if (this.#state !== 'starting') this.#lost();
       else this.#failed(workerUnavailable(event.message));
     };
     worker.onmessageerror = () => {
@@ -118,8 +146,11 @@ export class PoolWorker {
 
   #receive(message: FromWorker): void {
     switch (message.type) {
+      case 'started':
+        this.#state = 'loading';
+        break;
       case 'ready':
-        this.#ready = true;
+        this.#state = 'ready';
         break;
       case 'failed':
         this.#failed(new RockFieldError(message.error));
@@ -129,6 +160,7 @@ export class PoolWorker {
         this.#replace();
         break;
       case 'pong':
+        if (message.heard < this.#sentBeforePing) this.#lost();
         break;
       default:
         this.#clients.get(message.client)?.receive(message);
@@ -160,8 +192,9 @@ export class PoolWorker {
     clearTimeout(this.#watchdog);
     this.#watchdog = undefined;
     this.#asked = false;
-    if (!this.#worker || !this.#ready || !this.#isAwaited()) return;
-    this.#watchdog = setTimeout(() => this.#ask(), SILENCE_MS);
+    if (!this.#worker || !this.#isAwaited()) return;
+    if (this.#state === 'starting') this.#watchdog = setTimeout(() => void this.#probe(), START_MS);
+    else this.#watchdog = setTimeout(() => this.#ask(), SILENCE_MS);
   }
 
   #ask(): void {
@@ -170,8 +203,27 @@ export class PoolWorker {
       return;
     }
     this.#asked = true;
-    this.#worker?.postMessage({ type: 'ping' });
+    this.#send({ type: 'ping' });
+    this.#sentBeforePing = this.#sent;
     this.#watchdog = setTimeout(() => this.#ask(), GRACE_MS);
+  }
+
+  /** The script has not run yet: gives it up when its file has arrived and it still does not, or when no more of the file arrives. */
+  async #probe(): Promise<void> {
+    const worker = this.#worker;
+    const giveUpAfter = (ms: number, reason: string): void => {
+      if (this.#worker !== worker || this.#state !== 'starting') return;
+      clearTimeout(this.#watchdog);
+      this.#watchdog = setTimeout(() => (this.#isAwaited() ? this.#failed(workerUnavailable(reason)) : this.#watch()), ms);
+    };
+    const stalled = () => giveUpAfter(START_MS, 'its script does not arrive; check the connection');
+    stalled();
+    try {
+      await worker?.probe?.(stalled);
+      giveUpAfter(GRACE_MS, 'its script says nothing; is it the right file?');
+    } catch (cause) {
+      giveUpAfter(0, cause instanceof Error ? cause.message : String(cause));
+    }
   }
 }
 

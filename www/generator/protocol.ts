@@ -65,7 +65,7 @@ export interface CloseMessage {
   type: 'close';
 }
 
-/** Are you alive? Replies: `pong`. */
+/** Are you alive, and did you get all my messages? Replies: `pong`. */
 export interface PingMessage {
   type: 'ping';
 }
@@ -77,7 +77,12 @@ export type Addressed<Message> = Message & { client: number };
 
 export type ToWorker<Flat = unknown> = Addressed<ToLoop<Flat> | CloseMessage> | PingMessage;
 
-/** The wasm is compiled: from now on silence means something. */
+/** The worker's script has run: from now on it answers pings, also while its wasm is on the way. */
+export interface StartedMessage {
+  type: 'started';
+}
+
+/** The wasm is compiled. */
 export interface ReadyMessage {
   type: 'ready';
 }
@@ -136,9 +141,11 @@ export interface SeedReply {
 
 export interface PongMessage {
   type: 'pong';
+  /** How many messages of the page have arrived, this ping included. */
+  heard: number;
 }
 
 /** What one client is told. */
 export type FromLoop<Result = unknown, Stage extends string = string> = ProgressMessage<Stage> | ResultMessage<Result> | PreviewMessage<Result> | RejectedMessage | DroppedMessage | CrashedMessage | SeedReply;
 
-export type FromWorker<Result = unknown, Stage extends string = string> = Addressed<FromLoop<Result, Stage>> | ReadyMessage | FailedMessage | PongMessage;
+export type FromWorker<Result = unknown, Stage extends string = string> = Addressed<FromLoop<Result, Stage>> | StartedMessage | ReadyMessage | FailedMessage | PongMessage;

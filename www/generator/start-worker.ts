@@ -22,9 +22,11 @@ let isPolicyRefused = false;
  */
 export function startWorker(spawn: () => Worker): WorkerLike {
   const Native = globalThis.Worker;
+  let script = '';
   // A function that returns an object can be called with `new`.
   globalThis.Worker = function (address: URL | string, options?: WorkerOptions): Worker {
     const { href, origin } = new URL(address);
+    script = href;
     if (origin === globalThis.origin) return new Native(trusted(href), options);
     const blob = URL.createObjectURL(new Blob([importing(href)], { type: 'text/javascript' }));
     try {
@@ -35,7 +37,7 @@ export function startWorker(spawn: () => Worker): WorkerLike {
     }
   } as unknown as typeof Worker;
   try {
-    return spawn() as WorkerLike;
+    return Object.assign(spawn(), { probe: async (heard: () => void) => (await import('./probe.ts')).probeScript(script, heard) });
   } catch (thrown) {
     throw isPolicyRefused ? new Error("the page's Content-Security-Policy has to allow the policy: trusted-types rock-field", { cause: thrown }) : thrown;
   } finally {

@@ -1,7 +1,7 @@
-/** Brings the generator's wasm up, and says in words what is wrong when it cannot be had. The glue is given by who imports it. */
+/** Brings the generator's wasm up. The glue is given by the module that imports it. */
 
 import type { InitInput } from '../../pkg/generator.js';
-import { RockFieldError } from '../errors.ts';
+import { started, startWasmFile, unavailable } from '../wasm-file.ts';
 import type { RawGenerator } from './field-session.ts';
 
 /** What pkg/generator.js exports, as far as it is used. */
@@ -33,40 +33,10 @@ export async function loadGenerator<Module>(glue: Glue<Module>, source: WasmSour
   try {
     given = await source;
   } catch (cause) {
-    throw unavailable(`the generator's wasm could not be read: ${text(cause)}`, cause);
+    throw unavailable(`the generator's wasm could not be read: ${cause instanceof Error ? cause.message : String(cause)}`, cause);
   }
-  const input = typeof given === 'string' || given instanceof URL ? await fetchWasm(given) : given;
-  try {
-    await glue.default({ module_or_path: input });
-  } catch (cause) {
-    throw unavailable(`the generator's wasm could not be started: ${text(cause)}`, cause);
-  }
+  const start = (input: InitInput) => glue.default({ module_or_path: input });
+  if (typeof given === 'string' || given instanceof URL) await startWasmFile(given, start);
+  else await started("the generator's wasm", given, start);
   return glue;
-}
-
-/** The bytes, or the response when it can be compiled while it arrives. */
-async function fetchWasm(address: URL | string): Promise<BufferSource | Response> {
-  const name = String(address).replace(/[?#].*$/, '').split('/').pop();
-  let response: Response;
-  try {
-    response = await fetch(address);
-  } catch (cause) {
-    throw unavailable(`${name} could not be fetched (${text(cause)}); check the connection and reload the page`, cause);
-  }
-  if (!response.ok) throw unavailable(`${name} could not be fetched: the server answered ${response.status}`);
-  const type = response.headers.get('Content-Type') ?? '';
-  if (type.startsWith('application/wasm')) return response;
-  // Any other type cannot be compiled while it arrives. Servers answer an unknown path with a page, so look first.
-  const bytes = await response.arrayBuffer();
-  const magic = new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength));
-  if (String.fromCharCode(...magic) === '\0asm') return bytes;
-  throw unavailable(`${name} is no wasm file: the server sent ${type || 'something without a type'} instead`);
-}
-
-function unavailable(message: string, cause?: unknown): RockFieldError {
-  return new RockFieldError({ name: 'WasmUnavailable', message }, { cause });
-}
-
-function text(thrown: unknown): string {
-  return thrown instanceof Error ? thrown.message : String(thrown);
 }

@@ -107,39 +107,21 @@ export function loadArtefact(backend: GpuBackend): Promise<RendererModule> {
   return module;
 }
 
+/** Scripts of some kB that have not come after so long do not come. */
+const SCRIPT_MS = 30_000;
+
 async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   const { load, wasm } = ARTEFACTS[backend];
   const url = wasm();
-  const [module, source] = await Promise.all([load() as Promise<RendererModule>, fetchWasm(url)]);
-  try {
-    await module.default({ module_or_path: source });
-  } catch (error) {
-    throw new Error(`${fileName(url)} could not be started: ${String(error)}`);
-  }
+  // Asked for before the code that reads it is there: it is by far the largest file.
+  const stop = new AbortController();
+  const response = fetch(url, { signal: stop.signal });
+  response.catch(() => undefined);
+  const [module, { startWasmFile }] = await Promise.race([Promise.all([load() as Promise<RendererModule>, import('../wasm-file.ts')]), late()]);
+  await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop });
   return module;
 }
 
-function fileName(url: URL): string {
-  return url.pathname.slice(url.pathname.lastIndexOf('/') + 1);
-}
-
-/** The bytes of a wasm file, or an Error that names it: servers answer missing files with pages. */
-async function fetchWasm(url: URL): Promise<Response | ArrayBuffer> {
-  const name = fileName(url);
-  let response: Response;
-  try {
-    response = await fetch(url);
-  } catch (error) {
-    throw new Error(`${name} could not be fetched: ${String(error)}`);
-  }
-  if (!response.ok) throw new Error(`${name} could not be fetched: HTTP ${response.status}`);
-  const type = response.headers.get('content-type')?.split(';')[0] ?? 'no type';
-  // Only this type may be compiled while it arrives.
-  if (type === 'application/wasm') return response;
-  const bytes = await response.arrayBuffer();
-  const magic = new Uint8Array(bytes, 0, Math.min(4, bytes.byteLength));
-  if (String.fromCharCode(...magic) !== '\0asm') {
-    throw new Error(`${name} is not WebAssembly (${type}, ${bytes.byteLength} bytes)`);
-  }
-  return bytes;
+function late(): Promise<never> {
+  return new Promise((_, reject) => setTimeout(() => reject(new Error('its script does not arrive; check the connection')), SCRIPT_MS));
 }

@@ -1,0 +1,86 @@
+// Workers that say nothing, end, or never arrive: the picture comes back, or a named error comes and the next run works.
+import assert from 'node:assert/strict';
+import { after, before, test } from 'node:test';
+import { launch } from './browser.mjs';
+
+/** `heard` tells what the element said. `null` draws nothing: these tests are about the generators. */
+const html = (element, script) => `<!doctype html><meta charset="utf-8"><title>deaths</title><link rel="icon" href="data:,">
+<script>
+  globalThis.heard = [];
+  for (const type of ['generate', 'error']) document.addEventListener(type, ({ detail }) => heard.push({ type, name: detail.error?.name, message: detail.error?.message }), true);
+</script>
+${element}
+<script type="module" src="/${script}"></script>`;
+
+const PAGES = {
+  '/rocks.html': html('<rock-field backend="null" image-width="200" image-height="200"></rock-field>', 'rock-field.js'),
+  '/wood-ears.html': html('<wood-ear-log backend="null" ground="riverbed" range="10" density="2"></wood-ear-log>', 'wood-ear-log.js'),
+};
+
+/** Nobody waits longer than this for a picture or a word. */
+const PATIENCE_MS = 20_000;
+
+let session;
+/** Answers requests in the server's stead: file → what to do with the response. */
+let broken = {};
+
+before(async () => {
+  session = await launch({
+    intercept(request, response) {
+      const { pathname } = new URL(request.url, 'http://localhost');
+      const act = broken[Object.keys(broken).find((name) => pathname.includes(name))];
+      if (act) {
+        act(response);
+        return true;
+      }
+      if (!PAGES[pathname]) return false;
+      response.writeHead(200, { 'content-type': 'text/html' }).end(PAGES[pathname]);
+      return true;
+    },
+  });
+});
+
+after(() => session?.close());
+
+const script = (text) => (response) => response.writeHead(200, { 'content-type': 'text/javascript' }).end(text);
+const stalled = (type, bytes) => (response) => void response.writeHead(200, { 'content-type': type }).write(bytes);
+
+const ROCKS = ['rocks.html', 'worker', 'generator_bg'];
+const WOOD = ['wood-ears.html', 'wood-ear-worker', 'wood-ear_bg'];
+
+for (const [what, [page, worker, wasm], files, wanted] of [
+  ['a script that is empty', WOOD, { worker: script('') }, 'WorkerUnavailable'],
+  ['a page in the place of its script', WOOD, { worker: (response) => response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html>') }, 'WorkerUnavailable'],
+  ['a script that throws', ROCKS, { worker: script('throw new Error("oh")') }, 'WorkerUnavailable'],
+  ['a script that starts and ends', ROCKS, { worker: script('postMessage({ type: "started" }); self.close()') }, 'WorkerLost'],
+  ['a script that stops arriving', ROCKS, { worker: stalled('text/javascript', '// ') }, 'WorkerUnavailable'],
+  ['wasm that stops arriving', WOOD, { wasm: stalled('application/wasm', '\0asm') }, 'WasmUnavailable'],
+  ['rocks whose wasm stops arriving', [WOOD[0], ROCKS[1], ROCKS[2]], { wasm: stalled('application/wasm', '\0asm') }, 'WasmUnavailable'],
+]) {
+  test(`${page.replace('.html', '')}: ${what} is a named error, and the next run starts another worker`, async () => {
+    broken = Object.fromEntries(Object.entries(files).map(([kind, act]) => [kind === 'worker' ? `/${worker}` : wasm, act]));
+    const opened = await session.open(page);
+    await opened.page.waitForFunction(() => heard.length > 0, undefined, { timeout: PATIENCE_MS });
+    const told = await opened.page.evaluate(() => heard);
+    assert.deepEqual(told.map(({ name }) => name), [wanted], JSON.stringify(told));
+    broken = {};
+    const name = await opened.page.evaluate(() => document.querySelector('rock-field, wood-ear-log').generate().then(() => 'made', (error) => error.name));
+    assert.equal(name, 'made');
+    await opened.close();
+  });
+}
+
+test('messages that get lost on their way to the worker are asked again', async () => {
+  const opened = await session.open('rocks.html', {
+    prepare: (page) => page.addInitScript(() => {
+      const { postMessage } = Worker.prototype;
+      let lost = 0;
+      Worker.prototype.postMessage = function (...args) {
+        if (lost++ > 0) postMessage.apply(this, args);
+      };
+    }),
+  });
+  await opened.page.waitForFunction(() => heard.length > 0, undefined, { timeout: PATIENCE_MS });
+  assert.deepEqual(await opened.page.evaluate(() => heard.map(({ type }) => type)), ['generate']);
+  await opened.close();
+});
