@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
-import { Failure, isMain, main, say, seconds } from '../../scripts/run.mjs';
+import { Failure, isMain, main, run, say, seconds } from '../../scripts/run.mjs';
 import { pack } from '../../scripts/package.mjs';
 import { install, next, nextServer, tool, vite, vitePage, viteServer, webpack } from './projects.mjs';
 import { openCdn, show } from './show.mjs';
@@ -63,6 +63,10 @@ const HOSTS = {
   'Vite': async (site, folder) => {
     await vitePage(await install('vite', folder), site, page('<script type="module" src="./main.js"></script>'));
     await show({ site, policy: STRICT });
+  },
+  'no browser: jsdom and happy-dom': async (site, folder) => {
+    const project = await install('no-browser', folder);
+    for (const kind of ['jsdom', 'happy-dom']) await run(process.execPath, ['main.mjs', kind], { cwd: project });
   },
   'webpack': async (site, folder) => {
     await webpack(await install('webpack', folder), site);
