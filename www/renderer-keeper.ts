@@ -9,6 +9,9 @@ import type { SceneRenderer } from './renderer/renderer.ts';
 const MAX_LOSSES = 3;
 const LOSS_WINDOW_MS = 30_000;
 
+/** Before an exception while drawing is told, so that there is at most one a second. */
+const TELL_MS = 1000;
+
 /** What it keeps the picture for. */
 export interface KeptScene {
   wantedBackend(): WantedBackend;
@@ -25,6 +28,9 @@ export class RendererKeeper {
   #renderer: SceneRenderer | undefined;
   #losses: number[] = [];
   #restoring = false;
+  /** The last frame threw. */
+  #isFailing = false;
+  #telling: ReturnType<typeof setTimeout> | undefined;
   /** Counts openings and closings; compared after every await. */
   #cycle = 0;
 
@@ -48,6 +54,8 @@ export class RendererKeeper {
     this.#renderer = undefined;
     this.#losses = [];
     this.#restoring = false;
+    this.#isFailing = false;
+    clearTimeout(this.#telling);
   }
 
   /** Draws with the renderer, if there is one; `restored` is the first picture after a loss. */
@@ -57,13 +65,26 @@ export class RendererKeeper {
     try {
       work(renderer);
     } catch (thrown) {
-      // A renderer that throws is as good as lost.
-      void this.#onLost(renderer, errorText(thrown));
+      this.#drawingFailed(renderer, thrown);
       return 'nothing';
     }
+    this.#isFailing = false;
     const restored = this.#restoring;
     this.#restoring = false;
     return restored ? 'restored' : 'drawn';
+  }
+
+  /**
+   * Tells of an exception while drawing, once until a frame succeeds again. The renderer stays: another would throw the same. Where
+   * the device is being lost, the news of it follows shortly and is told in its stead.
+   */
+  #drawingFailed(renderer: SceneRenderer, thrown: unknown): void {
+    if (this.#isFailing) return;
+    this.#isFailing = true;
+    clearTimeout(this.#telling);
+    this.#telling = setTimeout(() => {
+      if (this.#renderer === renderer) this.#scene.report({ name: 'RendererFailed', message: `the picture could not be drawn: ${errorText(thrown)}` });
+    }, TELL_MS);
   }
 
   async #open(cycle: number, backend: WantedBackend): Promise<boolean> {

@@ -13,6 +13,7 @@ ${element}
 <script type="module" src="/${script}"></script>`;
 
 const PAGES = {
+  '/drawn.html': html('<rock-field backend="canvas2d" image-width="200" image-height="200"></rock-field>', 'rock-field.js'),
   '/rocks.html': html('<rock-field backend="null" image-width="200" image-height="200"></rock-field>', 'rock-field.js'),
   '/wood-ears.html': html('<wood-ear-log backend="null" ground="riverbed" range="10" density="2"></wood-ear-log>', 'wood-ear-log.js'),
 };
@@ -82,5 +83,52 @@ test('messages that get lost on their way to the worker are asked again', async 
   });
   await opened.page.waitForFunction(() => heard.length > 0, undefined, { timeout: PATIENCE_MS });
   assert.deepEqual(await opened.page.evaluate(() => heard.map(({ type }) => type)), ['generate']);
+  await opened.close();
+});
+
+test('an exception while drawing is told once, costs no device, and is over with the next good frame', async () => {
+  broken = {};
+  const opened = await session.open('drawn.html');
+  await opened.page.waitForFunction(() => heard.length > 0);
+  const outcome = await opened.page.evaluate(async () => {
+    const element = document.querySelector('rock-field');
+    await element.ready;
+    const canvas = element.shadowRoot.querySelector('canvas');
+    const { fillRect } = CanvasRenderingContext2D.prototype;
+    heard.length = 0;
+    CanvasRenderingContext2D.prototype.fillRect = () => {
+      throw new Error('oh');
+    };
+    for (let frame = 0; frame < 90; frame += 1) {
+      element.camera = { ...element.camera, distance: 500 + frame };
+      await new Promise(requestAnimationFrame);
+    }
+    CanvasRenderingContext2D.prototype.fillRect = fillRect;
+    element.camera = null;
+    await new Promise((resolve) => setTimeout(resolve, 1200));
+    return { heard, same: canvas === element.shadowRoot.querySelector('canvas') };
+  });
+  assert.deepEqual(outcome.heard.map(({ name }) => name), ['RendererFailed'], JSON.stringify(outcome.heard));
+  assert.match(outcome.heard[0].message, /oh/);
+  assert(outcome.same);
+  await opened.close();
+});
+
+test('the plan is drawn again when the browser restores its canvas', async () => {
+  const opened = await session.open('drawn.html');
+  const isDrawn = await opened.page.evaluate(async () => {
+    const element = document.querySelector('rock-field');
+    await element.ready;
+    const canvas = element.shadowRoot.querySelector('canvas');
+    const context = canvas.getContext('2d');
+    const pixel = () => [...context.getImageData(canvas.width / 2, canvas.height / 2, 1, 1).data].join();
+    const before = pixel();
+    context.setTransform(1, 0, 0, 1, 0, 0);
+    context.fillStyle = '#f0f';
+    context.fillRect(0, 0, canvas.width, canvas.height);
+    canvas.dispatchEvent(new Event('contextrestored'));
+    return before === pixel();
+  });
+  assert(isDrawn);
   await opened.close();
 });

@@ -42,6 +42,8 @@ export class Canvas2dRenderer implements SceneRenderer {
     if (!context) throw new Error('no 2D canvas');
     this.canvas = canvas;
     this.#context = context;
+    // After a crash of the GPU process the browser gives the canvas back blank.
+    canvas.addEventListener('contextrestored', () => this.render());
   }
 
   setField(field: Field): void {
