@@ -10,6 +10,7 @@ import { METRES_PER_PIXEL, parseOrbit } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
 import type { SceneLink } from './link.ts';
+import { shown } from './param-checks.ts';
 import type { Bounds } from './params.ts';
 import { QUALITY_CHOICES } from './renderer/quality.ts';
 import type { WantedQuality } from './renderer/quality.ts';
@@ -27,7 +28,7 @@ export type Loading = (typeof LOADINGS)[number];
 /** @throws {RockFieldError} naming the value and the choices. */
 export function checkChoice<T extends string>(key: string, value: T, choices: readonly T[]): T {
   if (choices.includes(value)) return value;
-  const message = `${key} is ${JSON.stringify(value)}; it has to be one of ${choices.join(', ')}`;
+  const message = `${key} is ${shown(value)}; it has to be one of ${choices.join(', ')}`;
   throw new RockFieldError({ name: 'OutOfRange', key, value, message });
 }
 
@@ -105,16 +106,25 @@ export class AttributeReader<K extends Kind> {
     const blank: SceneLink<K> = { params: this.#table.presetParams(first), preset: first, view: views[0] ?? '3d', color: null, camera: null };
     if (src === null) return { ...blank, ...this.#preset(first) };
     if (src.trim().startsWith('{')) {
-      try {
-        return { ...blank, ...reader.ofRequest(JSON.parse(src)) };
-      } catch (thrown) {
-        this.note('src', `${errorInfo(thrown).message}; ${first} is shown`);
-        return blank;
-      }
+      return { ...blank, ...this.#request(src, first, reader) };
     }
     const link = reader.ofLink(src);
     for (const { text } of link.notices) this.note('src', text);
     return link;
+  }
+
+  /** Parameters as JSON; the preset that they name is there for what cannot be read. */
+  #request(src: string, first: K['preset'], reader: SourceReader<K>): Pick<SceneLink<K>, 'params' | 'preset'> {
+    let request: { preset?: unknown } = {};
+    try {
+      request = JSON.parse(src) as object;
+      return reader.ofRequest(request);
+    } catch (thrown) {
+      const preset = this.#table.presets.find(({ name }) => name === request.preset)?.name ?? first;
+      const reason = thrown instanceof SyntaxError ? 'this is not JSON' : errorInfo(thrown).message;
+      this.note('src', `${reason}; ${preset} is shown`);
+      return { params: this.#table.presetParams(preset), preset };
+    }
   }
 
   #preset(first: K['preset']): Pick<SceneLink<K>, 'params' | 'preset'> {

@@ -3,6 +3,7 @@
  * distance that frames the whole field, or metres, or pixels.
  */
 
+import { CAMERA_BOUNDS } from './camera-bounds.ts';
 import type { CameraState } from './renderer/renderer.ts';
 
 /** One pixel of the image is a centimetre. */
@@ -18,6 +19,8 @@ export interface Orbit {
 /** As far down as the camera goes by hand: 5° above the ground. */
 const MAX_POLAR = (85 * Math.PI) / 180;
 const ANGLE = /^([+-]?(?:\d+\.?\d*|\.\d+))(deg|rad)$/;
+/** Of a length or a share: what is smaller or larger shows nothing of any field. */
+const [MIN_LENGTH, MAX_LENGTH] = [1e-3, 1e6];
 const LENGTH = /^((?:\d+\.?\d*|\.\d+))(%|m|px)$/;
 
 /** Null where the text is no orbit. */
@@ -36,14 +39,15 @@ function angle(text: string): number | null | undefined {
   if (text === 'auto') return null;
   const [, value, unit] = ANGLE.exec(text) ?? [];
   if (value === undefined) return undefined;
-  return unit === 'deg' ? (Number(value) * Math.PI) / 180 : Number(value);
+  const radians = unit === 'deg' ? (Number(value) * Math.PI) / 180 : Number(value);
+  return Math.abs(radians) <= CAMERA_BOUNDS[0]!.max ? radians : undefined;
 }
 
 function length(text: string): Orbit['distance'] | undefined {
   if (text === 'auto') return null;
   const [, number, unit] = LENGTH.exec(text) ?? [];
   const value = Number(number);
-  return value > 0 && Number.isFinite(value) ? { value, unit: unit as '%' | 'm' | 'px' } : undefined;
+  return value >= MIN_LENGTH && value <= MAX_LENGTH ? { value, unit: unit as '%' | 'm' | 'px' } : undefined;
 }
 
 /** The camera at `orbit`, where `framing` shows the whole field, whose middle is `centre`. */
@@ -51,7 +55,9 @@ export function orbitCamera(framing: CameraState, orbit: Orbit, centre: [number,
   const azimuth = orbit.azimuth ?? framing.azimuth;
   const elevation = orbit.elevation ?? framing.elevation;
   const { value, unit } = orbit.distance ?? { value: 100, unit: '%' as const };
-  const distance = unit === '%' ? (framing.distance * value) / 100 : unit === 'm' ? value / metresPerPixel : value;
+  const wanted = unit === '%' ? (framing.distance * value) / 100 : unit === 'm' ? value / metresPerPixel : value;
+  const { min, max } = CAMERA_BOUNDS[2]!;
+  const distance = Math.min(max, Math.max(min, wanted));
   // What the framing shifts along the view to centre the picture goes round with the view.
   const [x, y] = turned(framing.target, centre, azimuth - framing.azimuth);
   const target: CameraState['target'] = orbit.elevation === null ? [x, y, framing.target[2]] : [...centre, 0];

@@ -4,6 +4,7 @@
 
 import { attributesOf, AttributeReader, SCENE_ATTRIBUTES } from './attribute-reader.ts';
 import type { SceneAttributes } from './attribute-reader.ts';
+import { isReadable } from './link.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import type { Params } from './params.ts';
 import { resolveParams } from './params-flat.ts';
@@ -35,7 +36,12 @@ export function readAttributes(get: (name: string) => string | null): AttributeS
 function readLayers(reader: AttributeReader<Rocks>, params: Params): Params['layers'] {
   const lists = [...LAYER_ATTRIBUTES].flatMap(([name, row]) => {
     const given = reader.get(name);
-    return given === null ? [] : [{ name, row, items: given.split(/[\s,]+/).filter((item) => item !== '') }];
+    const items = given?.split(/[\s,]+/).filter((item) => item !== '');
+    if (!items) return [];
+    if (isReadable(row, items)) return [{ name, row, items }];
+    // This says so.
+    reader.one(name, items[0]!, row, ROCKS.boundsOf(row, params), ROCKS.read(params.layers[0] ?? ROCKS.newItem(0, params), row));
+    return [];
   });
   const [first] = lists;
   if (!first) return params.layers;

@@ -46,8 +46,8 @@ export function errorInfo(thrown: unknown): ErrorInfo {
     const { name, message, key, layer, value, min, max } = thrown;
     return { name, message, key, layer, value, min, max };
   }
-  const text = thrown instanceof Error ? `${thrown.name}: ${thrown.message}` : String(thrown);
-  return { name: 'Internal', message: `the generator failed (${text}); please report this with the link of the field` };
+  const text = thrown instanceof Error ? `${thrown.name}: ${thrown.message}` : typeof thrown;
+  return { name: 'Internal', message: `the generator failed (${text}); please report this with its link` };
 }
 
 /** Whether `thrown` names a parameter: ours, or an Error made by the wasm bindings. After one of these nothing has changed. */

@@ -2,6 +2,7 @@
 
 import { checkChoice, INTERACTIONS, SCENE_ATTRIBUTES, THEMES } from './attribute-reader.ts';
 import type { Interaction, SceneAttributes, Theme } from './attribute-reader.ts';
+import { checkCamera } from './camera-bounds.ts';
 import { METRES_PER_PIXEL } from './camera-orbit.ts';
 import type { Edition } from './controls/scene-store.ts';
 import { CAN_SHOW } from './document-styles.ts';
@@ -12,6 +13,7 @@ import type { Progress } from './generator/protocol.ts';
 import { History } from './history.ts';
 import type { SceneLink } from './link.ts';
 import type { Language } from './params.ts';
+import { shown, wrongType } from './param-checks.ts';
 import type { RowProperties } from './parameter-properties.ts';
 import { REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
 import { QUALITY_CHOICES } from './renderer/quality.ts';
@@ -273,9 +275,11 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     return super.camera;
   }
 
+  /** @throws {RockFieldError} naming key, value and bounds; nothing has changed. */
   override set camera(camera: CameraState | null) {
+    const checked = checkCamera(camera);
     this.#readAttributes();
-    super.camera = camera;
+    super.camera = checked;
   }
 
   /** What moves the camera: see the attribute. */
@@ -334,8 +338,9 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
    */
   async randomize({ lock = [] }: { lock?: readonly string[] } = {}): Promise<void> {
     const { table, properties, list, random } = this.#scene;
+    if (!Array.isArray(lock)) throw wrongType('lock', lock, 'a list of names');
     const stranger = lock.find((name) => name !== list && !properties.names.includes(name));
-    if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${JSON.stringify(stranger)}` });
+    if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${shown(stranger)}` });
     const old = this.params;
     let params = await random(old, await this.freshSeed());
     if (lock.includes(list)) params = table.withItems(params, table.items(old));

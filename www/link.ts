@@ -7,6 +7,7 @@
  */
 
 import { noticeText } from './notices.ts';
+import { CAMERA_BOUNDS } from './camera-bounds.ts';
 import type { Bounds } from './params.ts';
 import type { CameraState, ColorMode, View } from './renderer/renderer.ts';
 import { presetColor } from './table.ts';
@@ -24,8 +25,13 @@ const NONE = '-';
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 /** Angles to 1e-4 rad and lengths to 0.1 px: below what a screen shows, and the link stays short. */
 const CAMERA_DIGITS = [4, 4, 1, 1, 1, 1] as const;
-/** px; beyond it nothing of the largest field (8192 px) is to be seen. */
-const CAMERA_REACH = 1e5;
+/** Keys whose presence makes a text a link. `v` and `id` are none of them: pages use these for their own ends, and alone they show nothing. */
+const SCENE_KEYS = ['preset', 'view', 'color', 'camera', 'ground'];
+/** What analytics and mail programs add to addresses. */
+const FOREIGN = /^(utm_|mc_|_)|clid$/;
+/** What sentences, brackets and chat programs leave at the ends of an address, and characters that cannot be seen. No value begins or ends so. */
+const HEAD = /^[\s\p{Cf}"'“‘<(*`]+/u;
+const TAIL = /[\s\p{Cf}"'”’>)\]}*_~`|.,:;!?…、。」』]/u;
 
 export type NoticeCode =
   | 'too-long'
@@ -101,6 +107,15 @@ function parameterPairs<K extends Kind>(table: Table<K>, params: K['params'], pr
   return pairs;
 }
 
+/** Whether there is anything in `text` that a link says. An address may have keys of others, and a fragment that is a place on the page. */
+export function isLink<K extends Kind>(table: Table<K>, text: string): boolean {
+  return has(bodyOf(text, keysOf(table)), keysOf(table));
+}
+
+function keysOf<K extends Kind>({ rows, itemRows }: Table<K>): string[] {
+  return [...SCENE_KEYS, ...[...rows, ...itemRows].map(({ url }) => url)];
+}
+
 /** `readOwn` reads what no row of the table tells, from the lists of the keys `ownLists` and from the reader. */
 export function decodeScene<K extends Kind>(
   table: Table<K>,
@@ -108,7 +123,7 @@ export function decodeScene<K extends Kind>(
   ownLists: readonly string[],
   readOwn: (params: K['params'], lists: ReadonlyMap<string, string[]>, reader: LinkReader) => K['params'],
 ): DecodedScene<K> {
-  const reader = new LinkReader(text);
+  const reader = new LinkReader(text, keysOf(table));
   const fallback = table.presets[0]?.name ?? '';
   const preset = reader.choice('preset', table.presets.map(({ name }) => name), fallback, 'unknown-preset');
   const base = table.presetParams(preset);
@@ -119,7 +134,7 @@ export function decodeScene<K extends Kind>(
     const given = reader.take(row.url);
     if (given !== undefined) params = table.written(params, row, reader.value(row, table.boundsOf(row, params), given, table.read(base, row)));
   }
-  const lists = readLists(table, reader, table.items(base).length, ownLists);
+  const lists = readLists(table, reader, table.items(base), ownLists);
   params = readOwn(table.withItems(params, readItems(table, reader, base, params, lists)), lists, reader);
   const view = reader.choice('view', table.views, table.views[0] ?? '3d');
   const own = presetColor(table, preset);
@@ -130,15 +145,23 @@ export function decodeScene<K extends Kind>(
 }
 
 /** The lists of items, all of one length that is allowed; empty where there is nothing that can be used. */
-function readLists<K extends Kind>({ itemRows, itemCount: { min, max } }: Table<K>, reader: LinkReader, count: number, others: readonly string[]): Map<string, string[]> {
+function readLists<K extends Kind>(table: Table<K>, reader: LinkReader, base: readonly K['item'][], others: readonly string[]): Map<string, string[]> {
+  const { itemRows, itemCount: { min, max } } = table;
   const lists = new Map<string, string[]>();
-  for (const key of [...itemRows.map(({ url }) => url), ...others]) {
+  for (const row of itemRows) {
+    const given = reader.take(row.url);
+    const list = given === '' ? [] : given?.split(',');
+    if (list && isReadable(row, list)) lists.set(row.url, list);
+    // This says so.
+    else if (list) reader.value(row, row, list[0]!, table.read(base[0]!, row));
+  }
+  for (const key of others) {
     const given = reader.take(key);
-    if (given !== undefined) lists.set(key, given === '' ? [] : given.split(','));
+    if (given !== undefined) lists.set(key, given.split(','));
   }
   const lengths = [...lists.values()].map((list) => list.length);
   const keys = [...lists.keys()].join(', ');
-  const [length = count] = lengths;
+  const [length = base.length] = lengths;
   if (lengths.some((other) => other !== length) || length < min) {
     reader.note('unequal-lists', keys, [...lists].map(([key, list]) => `${key}: ${list.length}`).join(', '), '');
     lists.clear();
@@ -147,6 +170,12 @@ function readLists<K extends Kind>({ itemRows, itemCount: { min, max } }: Table<
     for (const [key, list] of lists) lists.set(key, list.slice(0, max));
   }
   return lists;
+}
+
+/** Whether a list tells anything: one of which no value can be read does not even tell how many items there are. */
+export function isReadable(row: Row, list: readonly string[]): boolean {
+  const isValue = (item: string) => (row.kind === 'choice' ? row.choices.some(({ value }) => value === item) : NUMBER.test(item) || (item === NONE && row.kind.startsWith('optional')));
+  return list.length === 0 || list.some((item) => isValue(item.trim()));
 }
 
 function readItems<K extends Kind>(table: Table<K>, reader: LinkReader, base: K['params'], params: K['params'], lists: ReadonlyMap<string, string[]>): K['item'][] {
@@ -167,18 +196,17 @@ function readCamera(reader: LinkReader): CameraState | null {
   if (given === undefined) return null;
   const numbers = given.split(',').map((item) => (NUMBER.test(item.trim()) ? Number(item) : NaN));
   const [azimuth = NaN, elevation = NaN, distance = NaN, x = NaN, y = NaN, z = NaN] = numbers;
-  const isGood =
-    numbers.length === CAMERA_DIGITS.length &&
-    numbers.every((value) => Math.abs(value) <= CAMERA_REACH) &&
-    distance > 0 &&
-    Math.abs(elevation) <= Math.PI;
-  if (isGood) return { azimuth, elevation, distance, target: [x, y, z] };
+  if (numbers.length === CAMERA_BOUNDS.length && CAMERA_BOUNDS.every(({ min, max }, k) => numbers[k]! >= min && numbers[k]! <= max)) return { azimuth, elevation, distance, target: [x, y, z] };
   reader.note('bad-camera', 'camera', given, '');
   return null;
 }
 
 function cameraText({ azimuth, elevation, distance, target }: CameraState): string {
-  return [azimuth, elevation, distance, ...target].map((value, index) => String(Number(value.toFixed(CAMERA_DIGITS[index])) + 0)).join(',');
+  const text = (value: number, k: number): string => {
+    const { min, max } = CAMERA_BOUNDS[k]!;
+    return String(Number(Math.min(max, Math.max(min, value)).toFixed(CAMERA_DIGITS[k])) + 0);
+  };
+  return [azimuth, elevation, distance, ...target].map(text).join(',');
 }
 
 function written(value: unknown): string {
@@ -191,8 +219,8 @@ export class LinkReader {
   readonly #pairs = new Map<string, string>();
   readonly #repeated = new Set<string>();
 
-  constructor(text: string) {
-    for (const [key, value] of this.#split(text)) {
+  constructor(text: string, keys: readonly string[]) {
+    for (const [key, value] of pairsOf(this.#cut(bodyOf(text, keys)))) {
       if (this.#pairs.has(key)) this.#repeated.add(key);
       else this.#pairs.set(key, value);
     }
@@ -245,36 +273,64 @@ export class LinkReader {
 
   /** Everything nobody asked for, in one notice. */
   finish(): void {
-    const keys = [...this.#pairs.keys()];
+    const keys = [...this.#pairs.keys()].filter((key) => !FOREIGN.test(key));
     if (keys.length === 0) return;
     const named = keys.slice(0, 3).map(quoted).join(', ');
     this.note('unknown-key', keys.length > 3 ? `${named}, … (${keys.length})` : named, '', '');
   }
 
-  #split(text: string): [string, string][] {
-    let body = bodyOf(text.trim());
-    if (body.length > MAX_LINK_LENGTH) {
-      this.note('too-long', '', String(body.length), String(MAX_LINK_LENGTH));
-      // Not through the middle of a number.
-      const cut = body.lastIndexOf('&', MAX_LINK_LENGTH);
-      body = cut < 0 ? '' : body.slice(0, cut);
-    }
-    // `&amp;` stands in links copied out of HTML.
-    const pairs = body.split(/&(?:amp;)?/).filter((pair) => pair !== '');
-    return pairs.map((pair) => {
-      const [key = ''] = pair.split('=', 1);
-      return [decoded(key), decoded(pair.slice(key.length + 1))];
-    });
+  #cut(body: string): string {
+    if (body.length <= MAX_LINK_LENGTH) return body;
+    this.note('too-long', '', String(body.length), String(MAX_LINK_LENGTH));
+    // Not through the middle of a number.
+    const cut = body.lastIndexOf('&', MAX_LINK_LENGTH);
+    return cut < 0 ? '' : body.slice(0, cut);
   }
 }
 
-/** The pairs of `?…` and of `#…`, joined; of plain text, all of it. */
-function bodyOf(text: string): string {
-  if (text.startsWith('#')) return text.slice(1);
-  if (!text.startsWith('?') && !/^([a-z][a-z\d+.-]*:|\.{0,2}\/)/i.test(text)) return text;
-  const [before = '', ...after] = text.split('#');
+/** Of an address the fragment, or the query where the fragment is no link; of plain text, all of it. */
+function bodyOf(text: string, keys: readonly string[]): string {
+  const address = trimmed(text);
+  if (!/^([a-z][a-z\d+.-]*:|[?#]|\.{0,2}\/)/i.test(address)) return address;
+  const [before = '', ...after] = address.split('#');
+  const fragment = after.join('#');
   const query = before.includes('?') ? before.slice(before.indexOf('?') + 1) : '';
-  return [after.join('#'), query].filter((part) => part !== '').join('&');
+  return has(fragment, keys) || (fragment !== '' && !has(query, keys)) ? fragment : query;
+}
+
+function has(body: string, keys: readonly string[]): boolean {
+  return pairsOf(body.slice(0, MAX_LINK_LENGTH)).some(([key]) => keys.includes(key));
+}
+
+/** Keys and values of `…=…&…`, also where a program has escaped all of it, or has undone the escapes of the link in it. */
+function pairsOf(body: string): [string, string][] {
+  let text = body;
+  for (let k = 0; k < 3 && !text.includes('&') && /%(25)*(26|3d)/i.test(text); k += 1) text = decoded(text);
+  // `&amp;` stands in links copied out of HTML.
+  let nested = -1;
+  const read: [string, string][] = [];
+  for (const pair of text.split(/&(?:amp;)*/)) {
+    if (pair === '') continue;
+    const [key = ''] = pair.split('=', 1);
+    // A link in a link says no more than its parameters; what follows it says how the whole is seen.
+    if (nested >= 0 && !/^(view|color|camera)$/.test(key)) read[nested]![1] += `&${pair}`;
+    else {
+      read.push([key, pair.slice(key.length + 1)]);
+      if (/=(v|preset)=/.test(pair)) nested = read.length - 1;
+    }
+  }
+  return read.map(([key, value]) => [plain(key), plain(value)]);
+}
+
+/** What a person means: without escapes, and without what was not meant to be in it; full-width digits are digits. */
+function plain(text: string): string {
+  return trimmed(decoded(text).normalize('NFKC').replace(/\p{Cf}/gu, ''));
+}
+
+function trimmed(text: string): string {
+  let end = text.length;
+  while (end > 0 && TAIL.test(text.charAt(end - 1))) end -= 1;
+  return text.slice(0, end).replace(HEAD, '');
 }
 
 function decoded(text: string): string {

@@ -5,7 +5,9 @@ import { ControlPanel } from './controls/control-panel.ts';
 import { loadLater } from './controls/load-later.ts';
 import { loadPreferences } from './controls/preferences.ts';
 import { Store } from './controls/store.ts';
+import { isLink } from './link.ts';
 import { openPage } from './page.ts';
+import { ROCKS } from './rocks.ts';
 import { loadJapanese } from './strings.ts';
 import { decodeLink, encodeLink } from './url-codec.ts';
 import type { PresetName } from './params.ts';
@@ -15,7 +17,7 @@ import type { DecodedLink } from './url-codec.ts';
 const OPENING: PresetName = 'riverbed';
 
 function readLink(text: string): DecodedLink {
-  return decodeLink(text || `#preset=${OPENING}`);
+  return decodeLink(isLink(ROCKS, text) ? text : `#preset=${OPENING}`);
 }
 
 const preferences = loadPreferences();

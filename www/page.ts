@@ -5,6 +5,7 @@ import { listenToKeys } from './controls/keys.ts';
 import { loadLater } from './controls/load-later.ts';
 import { savePreferences } from './controls/preferences.ts';
 import { RockFieldError, errorInfo } from './errors.ts';
+import { isLink } from './link.ts';
 import { translate } from './strings.ts';
 import type { Actions, ScenePanel } from './controls/scene-panel.ts';
 import type { Change, OpenedLink, SceneStore } from './controls/scene-store.ts';
@@ -115,10 +116,16 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     clearTimeout(addressTimer);
     addressTimer = undefined;
     // Without the `?…` it may have been opened with: one link, not two.
-    history.replaceState(null, '', `${location.pathname}#${link()}`);
+    try {
+      history.replaceState(null, '', `${location.pathname}#${link()}`);
+    } catch {
+      // A frame without an address of its own, or a browser that has counted too many changes. Links are made without it.
+    }
   }
 
   window.addEventListener('hashchange', () => {
+    // A place on the page, not a scene: what is shown stays.
+    if (location.hash !== '' && !isLink(store.table, location.hash)) return;
     // An edit on its way to the address is older than what was put there.
     clearTimeout(addressTimer);
     const opened = readLink(location.hash);

@@ -34,7 +34,7 @@ export function checkValue(spec: Spec, bounds: Range, value: unknown, at?: Place
     if (typeof value !== 'string') throw wrongType(spec.key, value, words, at, name);
     throw new RockFieldError({
       name: 'OutOfRange', key: spec.key, layer: at?.index, value, min: spec.min, max: spec.max,
-      message: `${name}${of(at)} is ${quote(value)}; it has to be ${words}`,
+      message: `${name}${of(at)} is ${shown(value)}; it has to be ${words}`,
     });
   }
   if (spec.kind.startsWith('optional') && value === null) return null;
@@ -61,34 +61,39 @@ export function checkNumber(key: string, value: unknown, { min, max }: Range, wh
 /** @param key `params` for the request itself. */
 export function objectOf(value: unknown, key: string, at?: Place): Loose {
   // Own keys alone: nothing that a prototype adds is a request.
-  if (typeof value === 'object' && value !== null && !Array.isArray(value)) return { ...value };
+  if (typeof value === 'object' && value !== null && !isList(value)) return { ...value };
   if (key === 'params') {
-    throw new RockFieldError({ name: 'MalformedRequest', key, value, message: `the request is ${quote(value)}; it has to be an object` });
+    throw new RockFieldError({ name: 'MalformedRequest', key, value, message: `the request is ${shown(value)}; it has to be an object` });
   }
-  throw wrongType(key, value, 'an object', at);
+  throw at ? wrongType(key, value, 'an object', { ...at, name: '' }, at.name) : wrongType(key, value, 'an object');
 }
 
 export function rejectUnknown(given: Loose, known: (key: string) => boolean, at?: Place): void {
   const key = Object.keys(given).find((candidate) => !known(candidate));
   if (key === undefined) return;
   const value = given[key];
-  throw new RockFieldError({ name: 'UnknownKey', key, layer: at?.index, value, message: `there is no parameter called ${quote(key)}${of(at)}` });
+  throw new RockFieldError({ name: 'UnknownKey', key, layer: at?.index, value, message: `there is no parameter called ${shown(key)}${of(at)}` });
 }
 
 export function wrongType(key: string, value: unknown, wanted: string, at?: Place, name: string = key): RockFieldError {
-  return new RockFieldError({ name: 'WrongType', key, layer: at?.index, value, message: `${name}${of(at)} is ${quote(value)}; it has to be ${wanted}` });
+  return new RockFieldError({ name: 'WrongType', key, layer: at?.index, value, message: `${name}${of(at)} is ${shown(value)}; it has to be ${wanted}` });
 }
 
 export function unknownPreset(name: string): RockFieldError {
-  return new RockFieldError({ name: 'UnknownPreset', key: 'preset', value: name, message: `there is no preset called ${quote(name)}` });
+  return new RockFieldError({ name: 'UnknownPreset', key: 'preset', value: name, message: `there is no preset called ${shown(name)}` });
 }
 
 function of(at: Place | undefined): string {
-  return at ? ` of ${at.name}` : '';
+  return at?.name ? ` of ${at.name}` : '';
 }
 
-/** A value for a message: short, whatever it is. */
-function quote(value: unknown): string {
-  const text = typeof value === 'string' ? JSON.stringify(value) : Array.isArray(value) ? 'a list' : String(value);
+/** Typed arrays are lists of numbers. */
+export function isList(value: unknown): value is ArrayLike<unknown> {
+  return Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+}
+
+/** A value for a message: short, whatever it is. Objects say nothing for themselves: they may have no way to, or throw. */
+export function shown(value: unknown): string {
+  const text = isList(value) ? 'a list' : typeof value === 'string' ? JSON.stringify(value) : value instanceof Function ? 'a function' : value === Object(value) ? 'an object' : String(value);
   return text.length > 60 ? `${text.slice(0, 60)}…` : text;
 }

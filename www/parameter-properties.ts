@@ -2,6 +2,7 @@
 
 import { attributeOf, propertyOf } from './attribute-reader.ts';
 import { RockFieldError } from './errors.ts';
+import { isList } from './param-checks.ts';
 import type { Layer, Params, Triple } from './params.ts';
 import { writeAttribute } from './reflected-properties.ts';
 import type { Kind, Row, Table } from './table.ts';
@@ -94,12 +95,15 @@ export class RowProperties<K extends Kind> {
 
   #withList(params: K['params'], row: Row, values: unknown): K['params'] {
     const table = this.#table;
-    if (!Array.isArray(values)) {
+    if (!isList(values)) {
       const name = propertyOf(row);
       throw new RockFieldError({ name: 'WrongType', key: name, value: values, message: `${name} has to be a list with a value for each ${row.scope}` });
     }
     const old = table.items(params);
-    return table.withItems(params, values.map((value: unknown, index) => table.written(old[index] ?? table.newItem(index, params), row, value)));
+    // One too many is refused like a million.
+    const { length } = values;
+    const items = Array.from({ length: Math.min(length, table.itemCount.max + 1) }, (_, index) => table.written(old[index] ?? table.newItem(index, params), row, values[index]));
+    return table.withItems(params, items);
   }
 
   /** `params` with the value that the property `name`, if it is one, has in `old`. Values of items can only be kept with as many items. */

@@ -6,7 +6,7 @@
 
 import { RockFieldError } from './errors.ts';
 import type { FlatRequest } from './generator/protocol.ts';
-import { checkNumber, checkValue, objectOf, rejectUnknown, unknownPreset, wrongType } from './param-checks.ts';
+import { checkNumber, checkValue, isList, objectOf, rejectUnknown, unknownPreset, wrongType } from './param-checks.ts';
 import type { Loose, Place } from './param-checks.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from './params.ts';
 import type { Bounds, Layer, Notation, Params, ParamSpec, Preset, PresetName } from './params.ts';
@@ -141,7 +141,8 @@ function resolveLayers(given: unknown, notation: Notation): Layer[] {
     });
   }
   const ids = new Set<number>();
-  return given.map((entry: unknown, index) => {
+  // Not `map`: it passes over holes.
+  return Array.from(given, (entry: unknown, index) => {
     const at = layerAt(index);
     const fields = objectOf(entry, 'layers', at);
     rejectUnknown(fields, (key) => LAYER_KEYS.has(key), at);
@@ -154,10 +155,10 @@ function resolveLayers(given: unknown, notation: Notation): Layer[] {
     for (const spec of LAYER_ROWS) {
       const value = fields[spec.key];
       if (value === undefined) continue;
-      if (spec.component !== null && !(Array.isArray(value) && value.length === 3)) {
+      if (spec.component !== null && !(isList(value) && value.length === 3)) {
         throw wrongType(spec.key, value, 'a list of three numbers', at);
       }
-      const part: unknown = spec.component === null ? value : (value as unknown[])[spec.component];
+      const part: unknown = spec.component === null ? value : (value as ArrayLike<unknown>)[spec.component];
       writeValue(layer, spec, checkValue(spec, boundsOf(spec, notation), part, at));
     }
     return layer;

@@ -1,6 +1,7 @@
 /** Properties that are their attributes and nothing else. Frameworks assign a property where there is one; only so is `false` no text. */
 
 import type { Loading } from './attribute-reader.ts';
+import { wrongType } from './param-checks.ts';
 import type { PresetName } from './params.ts';
 
 export interface ReflectedProperties<Preset extends string = PresetName> {
@@ -40,9 +41,18 @@ export function defineReflectedProperties(prototype: HTMLElement): void {
   }
 }
 
-/** Nothing, be it `undefined`, takes the attribute away. */
+/**
+ * Nothing, be it `undefined`, takes the attribute away.
+ *
+ * @throws {RockFieldError} for what is no text and has no way to become one.
+ */
 export function writeAttribute(element: HTMLElement, name: string, value: unknown): void {
-  const text = String(value ?? '');
+  let text: string;
+  try {
+    text = String(value ?? '');
+  } catch {
+    throw wrongType(name, value, 'text');
+  }
   if (text === '') element.removeAttribute(name);
   else element.setAttribute(name, text);
 }

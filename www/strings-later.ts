@@ -3,6 +3,7 @@
 import type { ErrorInfo, ErrorName } from './errors.ts';
 import { filled } from './filled.ts';
 import type { Slots } from './filled.ts';
+import { shown } from './param-checks.ts';
 import { figureOf } from './strings.ts';
 import type { Language, Preset, Words } from './params.ts';
 
@@ -78,7 +79,7 @@ export function errorText(language: Language, error: ErrorInfo): string {
   if (!words) return error.message;
   const mebibytes = (bytes: unknown) => (typeof bytes === 'number' ? Math.ceil(bytes / 2 ** 20) : '?');
   const { min, max } = error;
-  return filled(words[language], { value: String(error.value), min, max, valueMiB: mebibytes(error.value), maxMiB: mebibytes(max) });
+  return filled(words[language], { value: shown(error.value), min, max, valueMiB: mebibytes(error.value), maxMiB: mebibytes(max) });
 }
 
 /** `journal-fig11a` → `Fig. 11 (a)`, with what sets it apart: `r 90 · c_h1 45`, or the layers' areas. */

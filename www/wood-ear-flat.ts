@@ -2,7 +2,7 @@
 
 import { RockFieldError } from './errors.ts';
 import { scaleOfLog } from './log-units.ts';
-import { checkValue, objectOf, rejectUnknown, unknownPreset, wrongType } from './param-checks.ts';
+import { checkValue, isList, objectOf, rejectUnknown, unknownPreset, wrongType } from './param-checks.ts';
 import type { Loose, Place } from './param-checks.ts';
 import type { WoodEarPreset, WoodEarSpec } from './wood-ear-params.ts';
 import { MAX_BASES, WOOD_EAR_PARAMS, WOOD_EAR_PRESETS } from './wood-ear.gen.ts';
@@ -130,7 +130,8 @@ export function resolveColony(request: WoodEarRequest = {}): ResolvedColony {
     if (value !== undefined) (params.log as unknown as Loose)[name] = checkValue(spec, spec, value, LOG, name);
   }
   const bases = basesOf(given);
-  if (bases) params.bases = bases.map(baseOf);
+  // Not `map`: it passes over holes.
+  if (bases) params.bases = Array.from(bases, baseOf);
   return { params, mesh: isMesh ? meshOf(log) : null };
 }
 
@@ -140,9 +141,8 @@ function baseOf(entry: unknown, index: number): WoodEarBase {
   rejectUnknown(base, (key) => key === 'position' || key === 'range', at);
   const [x, y, z, range] = BASE_ROWS as [WoodEarSpec, WoodEarSpec, WoodEarSpec, WoodEarSpec];
   const position = base['position'] ?? [x, y, z].map((spec) => spec.default);
-  if (!Array.isArray(position) || position.length !== 3) throw wrongType('position', position, 'a list of three numbers', at);
-  // A hole in the list is a missing number.
-  const place = [x, y, z].map((spec, k) => checkValue(spec, spec, position[k] ?? NaN, at, `position[${k}]`));
+  if (!isList(position) || position.length !== 3) throw wrongType('position', position, 'a list of three numbers', at);
+  const place = [x, y, z].map((spec, k) => checkValue(spec, spec, position[k], at, `position[${k}]`));
   return { position: place as WoodEarBase['position'], range: checkValue(range, range, base['range'] ?? null, at) as number | null };
 }
 
@@ -212,10 +212,9 @@ function extent(positions: ArrayLike<number>, indices: Uint32Array, axis: number
 }
 
 function numbersOf(key: string, value: unknown): ArrayLike<number> {
-  const list = (typeof value === 'object' && value !== null ? value : {}) as ArrayLike<unknown>;
-  const isList = Array.isArray(list) || ArrayBuffer.isView(list);
-  let isRight = isList && Number.isInteger(list.length);
-  for (let i = 0; isRight && i < list.length; i += 1) isRight = typeof list[i] === 'number';
+  const list = isList(value) ? value : undefined;
+  let isRight = list !== undefined;
+  for (let i = 0; isRight && i < list!.length; i += 1) isRight = typeof list![i] === 'number';
   if (!isRight) throw wrongType(key, value, 'a list of numbers', LOG);
   return list as ArrayLike<number>;
 }

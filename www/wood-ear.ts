@@ -5,6 +5,7 @@ import { loadPreferences } from './controls/preferences.ts';
 import { WoodEarPanel } from './controls/wood-ear-controls.ts';
 import { WoodEarStore } from './controls/wood-ear-store.ts';
 import { errorInfo, isAbort } from './errors.ts';
+import { isLink } from './link.ts';
 import { openPage } from './page.ts';
 import { loadJapanese } from './strings.ts';
 import { same } from './table.ts';
@@ -19,7 +20,7 @@ import type { WoodEars } from './wood-ears.ts';
 const OPENING: WoodEarPresetName = 'fallen-log';
 
 function readLink(text: string): OpenedLink<WoodEars> {
-  return decodeWoodEarLink(text || `#preset=${OPENING}`);
+  return decodeWoodEarLink(isLink(WOOD_EARS, text) ? text : `#preset=${OPENING}`);
 }
 
 const preferences = loadPreferences();

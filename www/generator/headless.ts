@@ -2,6 +2,7 @@
 
 import { errorInfo, RockFieldError } from '../errors.ts';
 import type { Field } from '../field.ts';
+import { checkNumber, objectOf, wrongType } from '../param-checks.ts';
 import { encodeParams, flatRequest, resolveParams } from '../params-flat.ts';
 import type { FieldRequest } from '../params-flat.ts';
 import { defaultMaxBytes } from './budget.ts';
@@ -118,6 +119,18 @@ interface HeadlessOptions<Result, Stage extends string> extends RunOptions<Resul
   maxBytes?: number | undefined;
 }
 
+/** What a caller may do wrong names itself, before anything runs. */
+function checkOptions<Result, Stage extends string>(options: HeadlessOptions<Result, Stage>) {
+  const given = objectOf(options, 'options') as HeadlessOptions<Result, Stage>;
+  const { signal, maxBytes = defaultMaxBytes() } = given;
+  if (signal !== undefined && typeof (signal as AbortSignal | null)?.throwIfAborted !== 'function') throw wrongType('signal', signal, 'an AbortSignal');
+  for (const key of ['onProgress', 'onPreview'] as const) {
+    if (given[key] !== undefined && typeof given[key] !== 'function') throw wrongType(key, given[key], 'a function');
+  }
+  checkNumber('maxBytes', maxBytes, { min: 0, max: Infinity }, false);
+  return { ...given, maxBytes };
+}
+
 /** What every generator without a worker does, whatever it generates. */
 export abstract class Headless<Module extends { fresh_seed(): number }, Request, Flat, Result, Stage extends string> {
   #realm: Realm<Module>;
@@ -138,7 +151,7 @@ export abstract class Headless<Module extends { fresh_seed(): number }, Request,
   protected abstract open(module: Module): Runs<Flat, Result, Stage>;
 
   async generate(request?: Request, options: HeadlessOptions<Result, Stage> = {}): Promise<Result> {
-    const { signal, onProgress, onPreview, maxBytes = defaultMaxBytes() } = options;
+    const { signal, onProgress, onPreview, maxBytes } = checkOptions(options);
     // Read now: what the caller does to the object afterwards is no part of the request.
     const flat = this.encode(request, maxBytes);
     signal?.throwIfAborted();
