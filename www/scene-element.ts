@@ -16,7 +16,7 @@ import type { Interaction, Theme } from './attribute-reader.ts';
 import { CAN_SHOW } from './document-styles.ts';
 import type { Field } from './field.ts';
 import { FramePacer } from './frame-pacer.ts';
-import { OrbitControls } from './orbit-controls.ts';
+import type { OrbitControls } from './orbit-controls.ts';
 import type { PictureOptions } from './picture.ts';
 import { errorText, RendererKeeper } from './renderer-keeper.ts';
 import { wantedBackend } from './renderer/load.ts';
@@ -459,10 +459,21 @@ export abstract class SceneElement extends Base {
     this.#view.addEventListener('afterprint', () => this.#tree.print(null), { signal });
     dark.addEventListener('change', () => this.#restyle({ dark: this.#isDark() }), { signal });
     this.#restyle({ dark: this.#isDark() });
+    // Without hands the picture is still a picture.
+    this.#steer(signal).catch((thrown: unknown) => console.warn(thrown));
+  }
+
+  /** The first picture needs no hands: they come after it. */
+  async #steer(signal: AbortSignal): Promise<void> {
+    const { OrbitControls } = await import('./orbit-controls.ts');
+    if (signal.aborted) return;
     this.#controls = new OrbitControls(
       this.#tree.stage,
       () => this.camera,
-      (camera) => (this.camera = camera),
+      (camera) => {
+        this.#camera.current = camera;
+        this.invalidate();
+      },
       {
         onInteract: () => {
           this.#camera.pauseRotation(performance.now());
