@@ -4,6 +4,8 @@
 //! or a cell touches one or two strips, and in each of them consecutive words, so that stamping a disc of
 //! radius 10 writes about 160 contiguous bytes instead of one cache line per row.
 
+use std::collections::BTreeMap;
+
 /// Pixels per word.
 const STRIP: u32 = 64;
 
@@ -103,7 +105,7 @@ impl Bitmap {
     pub(crate) fn push_clear(&self, out: &mut Vec<[u16; 2]>) {
         for (strip, column) in self.words.chunks_exact(self.height as usize).enumerate() {
             let first = strip as u32 * STRIP;
-            let inside = !0_u64 >> (STRIP - STRIP.min(self.width - first));
+            let inside = self.inside(strip);
             for (y, word) in column.iter().enumerate() {
                 let mut clear = !word & inside;
                 while clear != 0 {
@@ -114,10 +116,107 @@ impl Bitmap {
         }
     }
 
+    /// The clear pixels, in the order of the words.
+    pub(crate) fn clear_pixels(&self) -> ClearPixels {
+        ClearPixels::new(self)
+    }
+
+    /// The clear pixel with so many clear ones before it.
+    #[cold]
+    fn clear_pixel(&self, before: &[u32], rank: u32) -> [u16; 2] {
+        let block = before.partition_point(|&count| count <= rank) - 1;
+        let mut left = rank - before[block];
+        let mut at = block * BLOCK;
+        while left >= self.words[at].count_zeros() {
+            left -= self.words[at].count_zeros();
+            at += 1;
+        }
+        let mut clear = !self.words[at];
+        for _ in 0..left {
+            clear &= clear - 1;
+        }
+        let height = self.height as usize;
+        [((at / height) as u32 * STRIP + clear.trailing_zeros()) as u16, (at % height) as u16]
+    }
+
+    /// The bits of strip `strip` that lie within the image.
+    fn inside(&self, strip: usize) -> u64 {
+        !0_u64 >> (STRIP - STRIP.min(self.width - strip as u32 * STRIP))
+    }
+
     /// Number of flagged pixels.
     #[cfg(test)]
     pub(crate) fn count(&self) -> u64 {
         self.words.iter().map(|word| u64::from(word.count_ones())).sum()
+    }
+}
+
+/// The clear pixels of a bitmap as a list that pixels are taken out of, as `Vec::swap_remove` takes them.
+///
+/// A list takes 4 bytes a pixel, and of a large disc's image most pixels may be clear. Where it would be larger than the bitmap, a copy
+/// of the bitmap stands for it: entry i is the i-th clear pixel, but for the few that have been moved.
+#[derive(Debug)]
+pub(crate) enum ClearPixels {
+    /// All of them.
+    Listed(Vec<[u16; 2]>),
+    /// As they are found in a bitmap.
+    Found {
+        /// As it was when the pixels were counted, with everything beside the image flagged.
+        bitmap: Bitmap,
+        /// Clear pixels before every [`BLOCK`] words.
+        before: Vec<u32>,
+        /// Entries left.
+        len: u32,
+        /// What stands in an entry that was taken: the entry that was the last one then.
+        moved: BTreeMap<u32, u32>,
+    },
+}
+
+/// Words that are counted together.
+const BLOCK: usize = 32;
+
+impl ClearPixels {
+    fn new(bitmap: &Bitmap) -> Self {
+        let clear = |words: &[u64], inside: u64| words.iter().map(|word| (!word & inside).count_ones()).sum::<u32>();
+        let height = bitmap.height as usize;
+        let columns = bitmap.words.chunks_exact(height).enumerate();
+        let len: u32 = columns.map(|(strip, column)| clear(column, bitmap.inside(strip))).sum();
+        if len as usize <= 2 * bitmap.words.len() {
+            let mut pixels = Vec::with_capacity(len as usize);
+            bitmap.push_clear(&mut pixels);
+            return ClearPixels::Listed(pixels);
+        }
+        let mut bitmap = bitmap.clone();
+        let last = bitmap.words.len() / height - 1;
+        let beside = !bitmap.inside(last);
+        bitmap.words[last * height..].iter_mut().for_each(|word| *word |= beside);
+        let counts = bitmap.words.chunks(BLOCK).map(|words| clear(words, !0));
+        let before = counts.scan(0, |sum, count| {
+            *sum += count;
+            Some(*sum - count)
+        });
+        ClearPixels::Found { before: before.collect(), bitmap, len, moved: BTreeMap::new() }
+    }
+
+    pub(crate) fn len(&self) -> u32 {
+        match self {
+            ClearPixels::Listed(pixels) => pixels.len() as u32,
+            ClearPixels::Found { len, .. } => *len,
+        }
+    }
+
+    /// Takes out entry `index`; the last one takes its place.
+    #[inline]
+    pub(crate) fn swap_remove(&mut self, index: u32) -> [u16; 2] {
+        match self {
+            ClearPixels::Listed(pixels) => pixels.swap_remove(index as usize),
+            ClearPixels::Found { bitmap, before, len, moved } => {
+                *len -= 1;
+                let last = moved.remove(len).unwrap_or(*len);
+                let entry = if index == *len { last } else { moved.insert(index, last).unwrap_or(index) };
+                bitmap.clear_pixel(before, entry)
+            }
+        }
     }
 }
 
@@ -175,6 +274,7 @@ impl Disc {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::rng::{Purpose, Stream};
 
     #[test]
     fn a_disc_flags_exactly_the_pixels_nearer_than_r() {
@@ -194,13 +294,28 @@ mod tests {
     }
 
     #[test]
-    fn clear_pixels_are_listed_once_and_only_within_the_image() {
+    fn clear_pixels_are_listed_once_and_only_within_the_image_however_they_are_kept() {
         let mut bitmap = Bitmap::new(70, 3);
         bitmap.fill_span(1, 10, 68);
         let mut clear = Vec::new();
         bitmap.push_clear(&mut clear);
         assert_eq!(clear.len() as u64, 70 * 3 - bitmap.count());
         assert!(clear.iter().all(|&[x, y]| x < 70 && y < 3 && !bitmap.get(x.into(), y.into())));
+        for stamped in [0, 40] {
+            let mut bitmap = Bitmap::new(200, 90);
+            bitmap.stamp(&Disc::new(f64::from(stamped), 200), 60, 40);
+            let mut listed = Vec::new();
+            bitmap.push_clear(&mut listed);
+            let mut found = bitmap.clear_pixels();
+            assert!(matches!(found, ClearPixels::Found { .. }));
+            let mut stream = Stream::new(1, Purpose::Darts, 0, stamped);
+            while !listed.is_empty() {
+                assert_eq!(found.len() as usize, listed.len());
+                let index = stream.below(found.len());
+                assert_eq!(found.swap_remove(index), listed.swap_remove(index as usize));
+            }
+            assert_eq!(found.len(), 0);
+        }
         assert!(bitmap.any_in_span(1, 68, 69) && !bitmap.any_in_span(1, 69, 69) && !bitmap.any_in_span(1, 0, 9));
     }
 }

@@ -44,12 +44,21 @@ impl Mesh {
         self.indices.len() / 3
     }
 
+    /// What positions, normals and indices take, filled or not.
+    pub(crate) fn bytes(&self) -> [usize; 3] {
+        [self.positions.capacity(), self.normals.capacity(), self.indices.capacity()].map(|n| 4 * n)
+    }
+
     /// Makes room for exactly `total`; what is written stays where it is.
     pub(crate) fn resize(&mut self, total: Extent) {
         // Grown to the exact size: doubling would put the peak of a large field far above what it needs.
         fn fit<T: Copy>(buffer: &mut Vec<T>, len: usize, value: T) {
             buffer.reserve_exact(len.saturating_sub(buffer.len()));
             buffer.resize(len, value);
+            // A field that once was large would keep its memory for good.
+            if buffer.capacity() > 2 * len {
+                buffer.shrink_to_fit();
+            }
         }
         fit(&mut self.positions, 3 * total.vertices, 0.0);
         fit(&mut self.normals, 3 * total.vertices, 0.0);

@@ -163,14 +163,14 @@ fn assert_refused(bad: &Params, max_bytes: u64, is_right: impl Fn(&Error) -> boo
     for steps in [0, 3, usize::MAX] {
         let mut generator = Generator::new();
         generator.start(good.clone(), u64::MAX).unwrap();
-        (0..steps).find(|_| generator.step());
+        (0..steps).find(|_| generator.step().unwrap());
         let before = state(&generator);
         let error = generator.start(bad.clone(), max_bytes).unwrap_err();
         assert!(is_right(&error), "{error:?}\n  {}", link(bad));
         assert!(error.to_string().contains(error.key()), "{error}");
         assert_eq!(before, state(&generator), "{error}");
         // The run goes on where it was.
-        while !generator.step() {}
+        while !generator.step().unwrap() {}
         assert_eq!(common::difference(&generator.into_field(), &expected), None);
     }
     assert!(Generator::new().start(bad.clone(), max_bytes).is_err());
@@ -249,7 +249,7 @@ field_test! {
         generator.start(Params { image_width: 300, image_height: 300, ..Params::default() }, u64::MAX).unwrap();
         let mut last = generator.progress();
         assert_eq!(last, 0.0);
-        while !generator.step() {
+        while !generator.step().unwrap() {
             let now = generator.progress();
             assert!((last..=1.0).contains(&now), "{last} → {now}");
             last = now;

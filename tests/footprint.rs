@@ -21,7 +21,7 @@ fn params() -> Params {
 
 fn run(generator: &mut Generator, params: &Params) {
     generator.start(params.clone(), u64::MAX).unwrap();
-    while !generator.step() {}
+    while !generator.step().unwrap() {}
 }
 
 fn grow(footprint: &[f64]) -> Field {

@@ -79,7 +79,7 @@ fn cached_is_full(random: &mut Random, mut params: Params) -> Result<(), String>
     };
     start(&mut generator, &params)?;
     if random.chance(0.7) {
-        while !generator.step() {}
+        while !generator.step().unwrap() {}
     }
     let edits = 2 + random.below(4);
     for edit in 1..=edits {
@@ -87,10 +87,10 @@ fn cached_is_full(random: &mut Random, mut params: Params) -> Result<(), String>
         chain.push(link(&params));
         start(&mut generator, &params)?;
         if edit == edits || random.chance(0.3) {
-            while !generator.step() {}
+            while !generator.step().unwrap() {}
         } else {
             for _ in 0..random.below(12) {
-                generator.step();
+                generator.step().unwrap();
             }
         }
     }

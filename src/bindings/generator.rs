@@ -38,8 +38,8 @@ impl JsGenerator {
         Ok(self.0.start(Params::from_flat(params)?, max_bytes as u64)?)
     }
 
-    pub fn step(&mut self) -> bool {
-        self.0.step()
+    pub fn step(&mut self) -> Result<bool, JsValue> {
+        Ok(self.0.step()?)
     }
 
     pub fn stage(&self) -> u32 {

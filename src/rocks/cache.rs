@@ -4,8 +4,10 @@ use super::field::area_reached;
 use super::select::{Selection, Threshold};
 use super::shape::Shapes;
 use super::sites::Sites;
+use super::subdivide::counts as counts_of;
 use super::voronoi::Cells;
 use super::wear::Wear;
+use crate::memory::{Counts, Load};
 use crate::mesh::Extent;
 use crate::params::{Border, Darts, Layer, Params, Swing};
 
@@ -73,8 +75,47 @@ pub(super) struct LayerCache {
     pub(super) sites: Cached<SitesKey, Sites>,
     pub(super) cells: Cached<u64, Cells>,
     pub(super) selection: Cached<SelectionKey, Selection>,
+    /// Vertices of the selected cells, all together.
+    pub(super) rims: usize,
     pub(super) shapes: Cached<u64, Shapes>,
     pub(super) mesh: Option<MeshKey>,
+}
+
+impl LayerCache {
+    /// Bytes of the stages' results.
+    pub(super) fn bytes(&self) -> usize {
+        let Cells { starts, vertices, neighbors, grid } = &self.cells.value;
+        bytes(&self.sites.value.pixels)
+            + bytes(starts)
+            + bytes(vertices)
+            + bytes(neighbors)
+            + grid.bytes()
+            + bytes(&self.selection.value.selected)
+            + self.shapes.value.bytes()
+    }
+
+    /// What is known of the layer, and what is still to be made for it; `expected` sites where they are not known.
+    pub(super) fn load(&self, params: &Params, expected: f64, selected: bool) -> Option<Load> {
+        let layer = self.layer.as_ref()?;
+        let sites = !self.sites.is_current(&SitesKey::new(params, layer));
+        let cells = sites || !self.cells.is_current(&self.sites.version);
+        let shapes = !self.shapes.is_current(&self.selection.version);
+        let count = if sites { expected } else { self.sites.value.pixels.len() as f64 };
+        let corners = if cells { 6.0 * count + 4.0 } else { self.cells.value.vertices.len() as f64 };
+        let mut counts = Counts { sites: count, corners, ..Counts::default() };
+        if selected {
+            let rocks = self.selection.value.selected.len();
+            let [vertices, triangles] = counts_of(rocks, self.rims, Wear::of(layer).segments());
+            [counts.rocks, counts.rims] = [rocks as f64, self.rims as f64];
+            [counts.vertices, counts.triangles] = [vertices as f64, triangles as f64];
+        }
+        Some(Load { counts, sites, cells, shapes })
+    }
+}
+
+/// What a list takes, filled or not.
+pub(super) fn bytes<T>(list: &Vec<T>) -> usize {
+    list.capacity() * size_of::<T>()
 }
 
 impl SitesKey {

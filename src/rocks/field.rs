@@ -60,6 +60,6 @@ pub(crate) fn area_reached(sites: &Sites, selection: &Selection) -> f64 {
 pub fn generate(params: &Params) -> Result<Field, Error> {
     let mut generator = Generator::new();
     generator.start(params.clone(), u64::MAX)?;
-    while !generator.step() {}
+    while !generator.step()? {}
     Ok(generator.into_field())
 }

@@ -2,6 +2,7 @@
 
 use glam::DVec2;
 
+use super::cache::bytes;
 use crate::bitmap::Bitmap;
 use crate::error::Error;
 
@@ -29,6 +30,16 @@ impl Footprint {
         limits(triangles.len() as f64, 0.0, MAX_TRIANGLES as f64)?;
         numbers.iter().try_for_each(|&value| limits(value, -FARTHEST, FARTHEST))?;
         Ok(Footprint(triangles.map(|t| [0, 2, 4].map(|i| DVec2::new(t[i], t[i + 1]))).collect()))
+    }
+
+    /// Whether nothing stands there.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+
+    /// What it takes.
+    pub(super) fn bytes(&self) -> usize {
+        bytes(&self.0)
     }
 
     /// Flags every pixel that a triangle touches, be it by a corner.

@@ -4,7 +4,7 @@
 //! whose key differs from the wanted one, and work on it. So an edit re-runs from the first stage it touches, a
 //! superseded run leaves its finished stages behind, and a cached result is the full result by construction.
 
-use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey};
+use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey, bytes};
 use super::field::{Field, FieldLayer};
 use super::footprint::Footprint;
 use super::mesher::{Mesher, Source};
@@ -16,7 +16,7 @@ use super::voronoi::VoronoiBuilder;
 use super::wear::Wear;
 use crate::bitmap::Bitmap;
 use crate::error::Error;
-use crate::memory::memory_estimate;
+use crate::memory::{Load, MemoryEstimate, Need, estimate_before, expected_sites};
 use crate::mesh::{Extent, Mesh};
 use crate::params::{Border, Darts, Layer, Params, Stage};
 
@@ -40,6 +40,13 @@ pub struct Generator {
     /// Pixels taken by the coarser layers while a selection runs.
     taken: Option<Taken>,
     versions: u64,
+    max_bytes: u64,
+    /// Bytes of the run before that were there at the start.
+    held_before: f64,
+    /// The largest estimate of the run.
+    estimate: u64,
+    /// Why the run cannot go on.
+    refused: Option<Error>,
 }
 
 #[derive(Debug)]
@@ -93,7 +100,12 @@ impl Generator {
     /// A parameter out of range, or an estimate over `max_bytes`; then nothing has changed.
     pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
         params.validate()?;
-        memory_estimate(&params).check(max_bytes)?;
+        let footprint = self.next_footprint.as_ref().unwrap_or(&self.footprint.0);
+        let estimate = estimate_before(&params, footprint.is_empty());
+        estimate.check(max_bytes)?;
+        // What the run before has left goes before anything comes, but it was there.
+        self.held_before = self.held();
+        (self.max_bytes, self.estimate, self.refused) = (max_bytes, estimate.bytes, None);
         self.task = None;
         self.taken = None;
         if let Some(footprint) = self.next_footprint.take() {
@@ -114,6 +126,7 @@ impl Generator {
                     cache.cells.clear();
                     cache.selection.clear();
                     cache.shapes.clear();
+                    cache.rims = 0;
                 }
                 cache.layer = Some(layer);
                 cache
@@ -124,20 +137,72 @@ impl Generator {
             self.mesh = Mesh::default();
         }
         self.params = Some(params);
-        self.task = self.next_task();
+        self.go_on();
         Ok(())
     }
 
     /// Does a bounded piece of work. True when the run is finished.
-    pub fn step(&mut self) -> bool {
-        let Some(mut task) = self.task.take() else { return true };
-        if self.advance(&mut task) {
-            self.complete(task);
-            self.task = self.next_task();
-        } else {
-            self.task = Some(task);
+    ///
+    /// # Errors
+    /// [`Error::OverBudget`], now that more is known than at the start; see [`Generator::estimate`]. The run has ended, and the stages
+    /// that are finished are kept.
+    pub fn step(&mut self) -> Result<bool, Error> {
+        if let Some(mut task) = self.task.take() {
+            if self.advance(&mut task) {
+                self.complete(task);
+                self.go_on();
+            } else {
+                self.task = Some(task);
+            }
         }
-        self.task.is_none()
+        self.refused.take().map_or(Ok(self.task.is_none()), Err)
+    }
+
+    fn go_on(&mut self) {
+        match self.next_task() {
+            Ok(task) => self.task = task,
+            Err(error) => {
+                self.taken = None;
+                self.refused = Some(error);
+            }
+        }
+    }
+
+    /// Bytes that the run needs at its peak, output included, as far as that is known: the largest of what was estimated at the start and
+    /// before each stage since; see [`crate::memory_estimate`].
+    pub fn estimate(&self) -> u64 {
+        self.estimate
+    }
+
+    /// Bytes of all results that are kept.
+    fn held(&self) -> f64 {
+        let layers: usize = self.layers.iter().map(LayerCache::bytes).sum();
+        let footprints = self.footprint.0.bytes() + self.next_footprint.as_ref().map_or(0, Footprint::bytes);
+        let Mesh { rock_starts, vertex_starts, rock_layer, .. } = &self.mesh;
+        let rest = bytes(rock_starts) + bytes(vertex_starts) + bytes(rock_layer);
+        (layers + footprints + self.mesh.bytes().iter().sum::<usize>() + rest) as f64
+    }
+
+    /// Estimates again with what is known by now, before a stage allocates.
+    fn check_memory(&mut self, selected: bool) -> Result<(), Error> {
+        let Some(params) = self.params.clone() else { return Ok(()) };
+        let params = &params;
+        let load = |cache: &LayerCache| {
+            let expected = cache.layer.as_ref().map_or(0.0, |layer| expected_sites(params, layer.radius));
+            cache.load(params, expected, selected)
+        };
+        let loads: Vec<Load> = self.layers.iter().filter_map(load).collect();
+        let of = |this: &Generator| Need::of(this.held(), params, &loads, this.mesh.bytes().map(|bytes| bytes as f64));
+        let mut need = of(self);
+        if need.bytes(0.0) > self.max_bytes && self.mesh.rocks() > 0 {
+            // Rocks of the run before would be overwritten sooner or later.
+            self.mesh = Mesh::default();
+            self.layers.iter_mut().for_each(|cache| cache.mesh = None);
+            need = of(self);
+        }
+        self.estimate = self.estimate.max(need.bytes(self.held_before));
+        let key = estimate_before(params, true).key;
+        MemoryEstimate { bytes: need.bytes(0.0), key }.check(self.max_bytes)
     }
 
     /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
@@ -210,39 +275,55 @@ impl Generator {
     }
 
     /// The first piece of work whose result is not in the cache.
-    fn next_task(&mut self) -> Option<Task> {
-        let params = self.params.as_ref()?;
-        for (k, cache) in self.layers.iter().enumerate() {
-            let layer = cache.layer.as_ref()?;
-            let key = SitesKey::new(params, layer);
-            if !cache.sites.is_current(&key) {
-                let attempts = params.darts == Darts::Attempts;
-                let [width, height] = key.image;
-                let thrower =
-                    DartThrower::new(width, height, layer.radius, params.packing, attempts, params.seed, layer.id);
-                return Some(Task { layer: k, work: Work::Sites(key, Box::new(thrower)) });
-            }
+    fn next_task(&mut self) -> Result<Option<Task>, Error> {
+        if let Some(k) = self.first(|cache, params| {
+            let key = cache.layer.as_ref().map(|layer| SitesKey::new(params, layer));
+            key.is_some_and(|key| !cache.sites.is_current(&key))
+        }) {
+            self.check_memory(false)?;
+            return Ok(self.new_sites(k));
         }
-        for (k, cache) in self.layers.iter().enumerate() {
-            if !cache.cells.is_current(&cache.sites.version) {
-                let sites = &cache.sites.value;
-                let builder = VoronoiBuilder::new(sites);
-                return Some(Task { layer: k, work: Work::Cells(Box::new(builder)) });
-            }
+        if let Some(k) = self.first(|cache, _| !cache.cells.is_current(&cache.sites.version)) {
+            self.check_memory(false)?;
+            let builder = VoronoiBuilder::new(&self.layers[k].sites.value);
+            return Ok(Some(Task { layer: k, work: Work::Cells(Box::new(builder)) }));
         }
         if let Some(task) = self.next_selection() {
-            return Some(task);
+            return Ok(Some(task));
         }
         self.taken = None;
-        let params = self.params.as_ref()?;
-        for (k, cache) in self.layers.iter().enumerate() {
-            if !cache.shapes.is_current(&cache.selection.version) {
-                let id = cache.layer.as_ref()?.id;
-                let shaper = Shaper::new(&cache.selection.value.selected, cache.cells.value.len(), params.seed, id);
-                return Some(Task { layer: k, work: Work::Shapes(Box::new(shaper)) });
-            }
+        self.check_memory(true)?;
+        if let Some(k) = self.first(|cache, _| !cache.shapes.is_current(&cache.selection.version)) {
+            return Ok(self.new_shapes(k));
         }
-        self.next_mesh()
+        Ok(self.next_mesh())
+    }
+
+    /// The first layer with a stage that is to be made.
+    fn first(&self, is_stale: impl Fn(&LayerCache, &Params) -> bool) -> Option<usize> {
+        let params = self.params.as_ref()?;
+        self.layers.iter().position(|cache| is_stale(cache, params))
+    }
+
+    fn new_sites(&self, k: usize) -> Option<Task> {
+        let (params, layer) = (self.params.as_ref()?, self.layers[k].layer.as_ref()?);
+        let key = SitesKey::new(params, layer);
+        let thrower = DartThrower::new(
+            key.image,
+            layer.radius,
+            params.packing,
+            params.darts == Darts::Attempts,
+            [params.seed, layer.id],
+            expected_sites(params, layer.radius) as usize,
+        );
+        Some(Task { layer: k, work: Work::Sites(key, Box::new(thrower)) })
+    }
+
+    fn new_shapes(&mut self, k: usize) -> Option<Task> {
+        let (seed, cache) = (self.params.as_ref()?.seed, &self.layers[k]);
+        let shaper =
+            Shaper::new(&cache.selection.value.selected, cache.cells.value.len(), seed, cache.layer.as_ref()?.id);
+        Some(Task { layer: k, work: Work::Shapes(Box::new(shaper)) })
     }
 
     /// Layers by descending mean cell area W·H / n, equal ones in input order (decision A7).
@@ -369,6 +450,11 @@ impl Generator {
                 let same = cache.selection.key.as_ref().is_some_and(|old| old.cells == key.cells)
                     && cache.selection.value == value;
                 let version = if same { cache.selection.version } else { version };
+                if !same {
+                    // Shapes of rocks that stand no longer.
+                    cache.shapes.clear();
+                }
+                cache.rims = value.selected.iter().map(|&site| cache.cells.value.polygon(site as usize).len()).sum();
                 cache.selection = Cached { key: Some(key), version, value };
             }
             Work::Shapes(shaper) => {

@@ -37,6 +37,11 @@ impl Grid {
         Grid { side, columns, rows, starts, order }
     }
 
+    /// What it takes.
+    pub(crate) fn bytes(&self) -> usize {
+        4 * (self.starts.capacity() + self.order.capacity())
+    }
+
     /// All sites, bucket by bucket.
     pub(crate) fn order(&self) -> &[u32] {
         &self.order

@@ -336,7 +336,8 @@ impl Selector {
         self.decided as f64 / self.order.len().max(1) as f64
     }
 
-    pub(crate) fn finish(self) -> Selection {
+    pub(crate) fn finish(mut self) -> Selection {
+        self.selection.selected.shrink_to_fit();
         self.selection
     }
 }

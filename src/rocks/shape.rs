@@ -2,6 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
+use super::cache::bytes;
 use super::triangulate::Triangulator;
 use super::voronoi::Cells;
 use crate::params::Swing;
@@ -41,6 +42,11 @@ impl Shapes {
     /// Triangles of all rocks together.
     pub fn triangles(&self) -> usize {
         self.triangles.len()
+    }
+
+    /// What they take.
+    pub(super) fn bytes(&self) -> usize {
+        bytes(&self.places) + bytes(&self.starts) + bytes(&self.top) + bytes(&self.triangles)
     }
 
     /// p_add of rock `k`, px.
@@ -128,6 +134,7 @@ fn in_order_of_sites(selected: &[u32], sites: usize) -> Vec<u32> {
         rock_of[site as usize] = rock;
     }
     rock_of.retain(|&rock| rock != NONE);
+    rock_of.shrink_to_fit();
     rock_of
 }
 

@@ -1,7 +1,7 @@
 //! Stage 1: dart throwing on a bitmap (journal §3.1, Fig. 4, Eq. 1).
 
 use super::grid::Grid;
-use crate::bitmap::{Bitmap, Disc};
+use crate::bitmap::{Bitmap, ClearPixels, Disc};
 use crate::rng::{Purpose, Stream};
 
 /// A site as a pixel (column, row); its position is the pixel's centre, (column + 0.5, row + 0.5).
@@ -65,7 +65,7 @@ const LIST_COST: u64 = 1024;
 /// and discarding what is flagged, then drawing from a list of the clear pixels, is the same
 /// distribution as picking among the clear pixels throughout. With `attempts` exactly N_p picks are made.
 ///
-/// Cost: O(n·r²/64) bit writes, plus a pass over the bitmap; the list holds about 2 % of the image.
+/// Cost: O(n·r²/64) bit writes, plus a pass over the bitmap; the list is never larger than the bitmap.
 #[derive(Debug)]
 pub(crate) struct DartThrower {
     sites: Sites,
@@ -75,7 +75,7 @@ pub(crate) struct DartThrower {
     /// Picks still allowed; only the literal reading of Fig. 4 limits them.
     picks_left: Option<u64>,
     /// Clear pixels, some of them stale; present from the second phase on.
-    free: Option<Vec<Pixel>>,
+    free: Option<ClearPixels>,
     /// Picks that hit nothing since the clear pixels were listed.
     misses: u32,
     batch: Batch,
@@ -107,18 +107,19 @@ impl Batch {
 }
 
 impl DartThrower {
+    /// Throws at an image of this size, where about `expected` sites will stand.
     pub(crate) fn new(
-        width: u32,
-        height: u32,
+        [width, height]: [u32; 2],
         radius: f64,
         packing: f64,
         attempts: bool,
-        seed: u32,
-        layer: u32,
+        [seed, layer]: [u32; 2],
+        expected: usize,
     ) -> Self {
         let target = target_sites(f64::from(width) * f64::from(height), packing, radius) as u64;
+        let pixels = Vec::with_capacity(expected);
         DartThrower {
-            sites: Sites { width, height, radius, pixels: Vec::new(), target, saturated: false },
+            sites: Sites { width, height, radius, pixels, target, saturated: false },
             bitmap: Bitmap::new(width, height),
             disc: Disc::new(radius, width.max(height)),
             stream: Stream::new(seed, Purpose::Darts, layer, 0),
@@ -147,16 +148,16 @@ impl DartThrower {
                     });
                     limit
                 }
-                Some(free) if free.is_empty() => {
+                Some(free) if free.len() == 0 => {
                     self.sites.saturated = true;
                     continue;
                 }
                 // Every entry is drawn at most once, so this ends.
                 Some(free) => {
-                    let drawn = limit.min(free.len() as u32);
+                    let drawn = limit.min(free.len());
                     self.batch.sift(&self.bitmap, &mut self.stream, drawn, |stream| {
-                        let index = stream.below(free.len() as u32);
-                        free.swap_remove(index as usize)
+                        let index = stream.below(free.len());
+                        free.swap_remove(index)
                     });
                     drawn
                 }
@@ -183,10 +184,8 @@ impl DartThrower {
                         Some(_) => 2 * hits < drawn && u64::from(self.misses) > self.bitmap.pixels() / LIST_COST,
                     };
                     if is_worth_it {
-                        let mut free = self.free.take().unwrap_or_default();
-                        free.clear();
-                        self.bitmap.push_clear(&mut free);
-                        self.free = Some(free);
+                        self.free = None;
+                        self.free = Some(self.bitmap.clear_pixels());
                         self.misses = 0;
                     }
                 }
@@ -218,9 +217,12 @@ impl DartThrower {
         (self.sites.pixels.len() as f64 / expected).min(1.0)
     }
 
-    pub(crate) fn finish(mut self) -> Sites {
-        sort_by_bucket(&mut self.sites);
-        self.sites
+    pub(crate) fn finish(self) -> Sites {
+        // What is not needed any more goes first.
+        let DartThrower { mut sites, bitmap, free, .. } = self;
+        drop((bitmap, free));
+        sort_by_bucket(&mut sites);
+        sites
     }
 }
 
@@ -235,7 +237,7 @@ fn sort_by_bucket(sites: &mut Sites) {
 
 /// Throws at given pixels: which picks were accepted, and how many pixels stay free.
 pub fn accept_picks(width: u32, height: u32, radius: f64, picks: &[Pixel]) -> (Vec<usize>, u64) {
-    let mut thrower = DartThrower::new(width, height, radius, 1.0, true, 0, 0);
+    let mut thrower = DartThrower::new([width, height], radius, 1.0, true, [0, 0], 0);
     let accepted =
         picks.iter().enumerate().filter(|&(_, &pick)| thrower.try_place(pick)).map(|(index, _)| index).collect();
     let mut clear = Vec::new();

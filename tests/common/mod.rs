@@ -2,6 +2,8 @@
 #![allow(dead_code, unused_macros, unused_imports, reason = "every test takes its share")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+#[cfg(not(target_arch = "wasm32"))]
+pub mod memory;
 pub mod wood_ear;
 
 use rock_field::params::{Border, Darts, Kind, Layer, Notation, PARAMS, Params, Scope, Swing, TEXTS};

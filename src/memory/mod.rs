@@ -1,0 +1,182 @@
+//! The memory a run needs: estimated before anything is allocated, and again whenever more of its numbers are known.
+
+mod expect;
+
+use crate::error::Error;
+use crate::params::Params;
+
+pub(crate) use expect::expected_sites;
+
+/// An estimate of the peak, with the parameter that would lower it most.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct MemoryEstimate {
+    /// Bytes at the peak of a run, output included.
+    pub bytes: u64,
+    /// The parameter to change: what saves most of halving the image's longer side and
+    /// doubling the radius of one layer.
+    pub key: &'static str,
+}
+
+impl MemoryEstimate {
+    /// # Errors
+    /// [`Error::OverBudget`] where the estimate exceeds the budget.
+    pub fn check(self, budget: u64) -> Result<(), Error> {
+        if self.bytes > budget {
+            return Err(Error::OverBudget { key: self.key, estimate: self.bytes, budget });
+        }
+        Ok(())
+    }
+}
+
+/// Estimates the peak memory of a run from its parameters alone: the generator's own, and the buffers once more as they are copied
+/// out to JavaScript.
+///
+/// How many sites there will be is known well in advance; how many rocks find room between coarser ones is not, where few cells
+/// decide about much ground. Here as many are counted as are sure to be there. A run therefore estimates again, with the numbers
+/// it has by then and what it holds already, before each stage allocates: when the sites are known, and when the rocks are.
+/// [`crate::rocks::Generator::estimate`] is the largest of these, and lies between the real peak and twice it for any parameters, on a
+/// fresh generator as on one that has run before, unless both are below 4 MiB; `tests/memory.rs` measures it. A run whose estimate
+/// exceeds the budget ends in [`Error::OverBudget`] before the stage in question has allocated anything.
+pub fn memory_estimate(params: &Params) -> MemoryEstimate {
+    estimate_before(params, true)
+}
+
+/// The same; without rocks where `rocks` is false, because something may keep them all away.
+pub(crate) fn estimate_before(params: &Params, rocks: bool) -> MemoryEstimate {
+    let bytes = |params: &Params| {
+        let mut counts = expect::expect(params);
+        if !rocks {
+            counts.iter_mut().for_each(Counts::without_rocks);
+        }
+        let layers: Vec<Load> = counts.into_iter().map(Load::all).collect();
+        Need::of(0.0, params, &layers, [0.0; 3]).bytes(0.0)
+    };
+    let [width, height] = [params.image_width, params.image_height];
+    // Halving the longer side.
+    let (key, changed) = if height > width {
+        ("imageHeight", Params { image_height: height.div_ceil(2), ..params.clone() })
+    } else {
+        ("imageWidth", Params { image_width: width.div_ceil(2), ..params.clone() })
+    };
+    let mut best = (bytes(&changed), key);
+    for k in 0..params.layers.len() {
+        let mut changed = params.clone();
+        changed.layers[k].radius *= 2.0;
+        let bytes = bytes(&changed);
+        if bytes < best.0 {
+            best = (bytes, "radius");
+        }
+    }
+    MemoryEstimate { bytes: bytes(params), key: best.1 }
+}
+
+/// A wasm instance before its first run: stack and static data.
+const INSTANCE: f64 = 1.2e6;
+
+/// What a heap takes over what lies in it, after several runs: a memory of wasm never shrinks.
+const HOLES: f64 = 1.12;
+
+/// Bytes per pixel of a flag, and of what finds the clear ones among them ([`crate::bitmap::ClearPixels`]).
+const FLAG: f64 = 1.0 / 8.0;
+const CLEAR: f64 = 0.15;
+
+/// Most vertices that the cells of one layer have on average (Euler).
+const MOST_CORNERS: f64 = 6.0;
+
+/// Numbers of one layer, counted or expected.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Counts {
+    pub(crate) sites: f64,
+    /// Vertices of all cells.
+    pub(crate) corners: f64,
+    pub(crate) rocks: f64,
+    /// Vertices of the rocks' cells.
+    pub(crate) rims: f64,
+    /// Of all rocks, in the buffers.
+    pub(crate) vertices: f64,
+    pub(crate) triangles: f64,
+}
+
+impl Counts {
+    fn without_rocks(&mut self) {
+        *self = Counts { sites: self.sites, corners: self.corners, ..Counts::default() };
+    }
+}
+
+/// What a layer still has to have made for it.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Load {
+    pub(crate) counts: Counts,
+    pub(crate) sites: bool,
+    pub(crate) cells: bool,
+    pub(crate) shapes: bool,
+}
+
+impl Load {
+    fn all(counts: Counts) -> Self {
+        Load { counts, sites: true, cells: true, shapes: true }
+    }
+}
+
+/// Bytes that the rest of a run needs.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Need {
+    /// At its peak, before the buffers are copied out.
+    peak: f64,
+    /// Of the copies.
+    copies: f64,
+}
+
+/// The peak is the largest of the stages' peaks, each with what the stages before it have left:
+///
+/// | | kept | beside it, while the stage runs |
+/// |---|---|---|
+/// | a pixel | – | 1/8 as a flag; 0.15 to find the last clear ones |
+/// | a site | 4 | 13 while they are sorted into buckets |
+/// | its cell, with c vertices (under 6) | 4 + c·(16 + 4) + 8 | (6 − c)·(16 + 4) + c·16, as the lists are cut to size |
+/// | a cell that is selected from | – | 8 and 1/8 |
+/// | a rock of c corners: p_add and 3c − 2 triangles | 12 + c·16 + (3c − 2)·6 | 4, and 4 a site |
+/// | its 2c vertices and 3c − 2 triangles in the buffers, more of them with detail | 24 a vertex, 12 a triangle, 9 | what a buffer had before it grew |
+/// | copied out | 8 + 4 + c·8 a site, 4 + the buffers a rock | c·8 a site |
+impl Need {
+    /// `held` bytes are in the cache already; `buffers` of them hold positions, normals and indices.
+    pub(crate) fn of(held: f64, params: &Params, layers: &[Load], buffers: [f64; 3]) -> Self {
+        let pixels = params.pixels() as f64;
+        let mut kept = held;
+        let mut peak = held;
+        for Load { counts, .. } in layers.iter().filter(|load| load.sites) {
+            peak = peak.max(kept + (FLAG + CLEAR) * pixels + counts.sites * 4.0).max(kept + counts.sites * 17.0);
+            kept += counts.sites * 4.0;
+        }
+        for Load { counts: Counts { sites, corners, .. }, .. } in layers.iter().filter(|load| load.cells) {
+            peak = peak.max(kept + sites * (12.0 + 20.0 * MOST_CORNERS) + 16.0 * corners);
+            kept += sites * 12.0 + corners * 20.0;
+        }
+        let most = |of: fn(&Counts) -> f64| layers.iter().fold(0.0_f64, |most, load| most.max(of(&load.counts)));
+        peak = peak.max(kept + FLAG * pixels + most(|counts| counts.sites) * 8.125);
+        for Load { counts: Counts { sites, rocks, rims, .. }, .. } in layers.iter().filter(|load| load.shapes) {
+            let shapes = rocks * 12.0 + 16.0 * rims + (3.0 * rims - 2.0 * rocks) * 6.0;
+            // The lists have room for a little more than six corners a rock.
+            let room = rocks * 12.0 + 6.125 * rocks * 34.0;
+            peak = peak.max(kept + shapes.max(room) + sites * 4.0);
+            kept += shapes;
+        }
+        let sum = |of: fn(&Counts) -> f64| layers.iter().map(|load| of(&load.counts)).sum::<f64>();
+        let [vertices, triangles] = [sum(|counts| counts.vertices), sum(|counts| counts.triangles)];
+        for (old, new) in buffers.into_iter().zip([12.0 * vertices, 12.0 * vertices, 12.0 * triangles]) {
+            if new > old {
+                peak = peak.max(kept + new);
+                kept += new - old;
+            }
+        }
+        kept += sum(|counts| counts.rocks) * 9.0;
+        peak = peak.max(kept + most(|counts| counts.sites)).max(kept + 8.0 * most(|counts| counts.corners));
+        let copies = sum(|counts| 12.0 * counts.sites + 8.0 * counts.corners + 13.0 * counts.rocks);
+        Need { peak, copies: copies + 24.0 * vertices + 12.0 * triangles }
+    }
+
+    /// All of it together, where so many bytes had been held before.
+    pub(crate) fn bytes(&self, before: f64) -> u64 {
+        (INSTANCE + HOLES * self.peak.max(before) + self.copies) as u64
+    }
+}
