@@ -1,0 +1,41 @@
+// What is asked of a whole page, in the page itself: the first script in its head, so that nothing goes unheard.
+{
+  const WAIT_MS = 90_000;
+  const complaints = [];
+  addEventListener('error', ({ message }) => message && complaints.push(`uncaught: ${message}`));
+  addEventListener('unhandledrejection', ({ reason }) => complaints.push(`unhandled: ${reason}`));
+  console.error = (...words) => complaints.push(`console error: ${words.join(' ')}`);
+
+  // The next visit shall get the page from the server, with this script in it.
+  if (globalThis.ServiceWorkerContainer) ServiceWorkerContainer.prototype.register = () => new Promise(() => {});
+
+  if (document.currentScript.dataset.backend === 'webgl') Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined });
+
+  /** The first element of ours in the page, or in one of the documentation's examples. */
+  function element() {
+    const examples = Array.from(document.querySelectorAll('.result'), ({ shadowRoot }) => shadowRoot);
+    return [document, ...examples].map((root) => root?.querySelector('rock-field, wood-ear-log')).find((found) => found?.backend);
+  }
+
+  /** Waits for the picture, or for something to go wrong. */
+  async function visited() {
+    const shown = await until(() => complaints.length > 0 || element());
+    if (complaints.length > 0) return { complaints };
+    await shown.ready;
+    const { hashColony, hashField } = await import('/golden.mjs');
+    const isColony = shown.localName === 'wood-ear-log';
+    const hash = isColony ? await hashColony(await shown.getColony()) : await hashField(await shown.getField());
+    return { element: shown.localName, backend: shown.backend, hash, params: isColony ? null : shown.params, complaints };
+  }
+
+  async function until(found) {
+    for (const deadline = performance.now() + WAIT_MS; performance.now() < deadline; ) {
+      const value = found();
+      if (value) return value;
+      await new Promise((resolve) => setTimeout(resolve, 20));
+    }
+    throw new Error(`no picture came in ${WAIT_MS / 1000} s`);
+  }
+
+  globalThis.examined = { visited };
+}
