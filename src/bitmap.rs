@@ -4,8 +4,6 @@
 //! or a cell touches one or two strips, and in each of them consecutive words, so that stamping a disc of
 //! radius 10 writes about 160 contiguous bytes instead of one cache line per row.
 
-use std::collections::BTreeMap;
-
 /// Pixels per word.
 const STRIP: u32 = 64;
 
@@ -123,6 +121,7 @@ impl Bitmap {
 
     /// The clear pixel with so many clear ones before it.
     #[cold]
+    #[inline(never)]
     fn clear_pixel(&self, before: &[u32], rank: u32) -> [u16; 2] {
         let block = before.partition_point(|&count| count <= rank) - 1;
         let mut left = rank - before[block];
@@ -168,7 +167,7 @@ pub(crate) enum ClearPixels {
         /// Entries left.
         len: u32,
         /// What stands in an entry that was taken: the entry that was the last one then.
-        moved: BTreeMap<u32, u32>,
+        moved: Moved,
     },
 }
 
@@ -176,6 +175,8 @@ pub(crate) enum ClearPixels {
 const BLOCK: usize = 32;
 
 impl ClearPixels {
+    #[cold]
+    #[inline(never)]
     fn new(bitmap: &Bitmap) -> Self {
         let clear = |words: &[u64], inside: u64| words.iter().map(|word| (!word & inside).count_ones()).sum::<u32>();
         let height = bitmap.height as usize;
@@ -195,7 +196,7 @@ impl ClearPixels {
             *sum += count;
             Some(*sum - count)
         });
-        ClearPixels::Found { before: before.collect(), bitmap, len, moved: BTreeMap::new() }
+        ClearPixels::Found { before: before.collect(), bitmap, len, moved: Moved::default() }
     }
 
     pub(crate) fn len(&self) -> u32 {
@@ -212,11 +213,58 @@ impl ClearPixels {
             ClearPixels::Listed(pixels) => pixels.swap_remove(index as usize),
             ClearPixels::Found { bitmap, before, len, moved } => {
                 *len -= 1;
-                let last = moved.remove(len).unwrap_or(*len);
-                let entry = if index == *len { last } else { moved.insert(index, last).unwrap_or(index) };
+                let last = moved.get(*len);
+                let entry = moved.replace(index, last);
                 bitmap.clear_pixel(before, entry)
             }
         }
+    }
+}
+
+/// Entries that do not hold their own number, in a table with open addressing. None of them is ever taken out.
+#[derive(Debug, Default)]
+pub(crate) struct Moved {
+    /// Pairs of an entry and what it holds, at least half of them free.
+    table: Vec<[u32; 2]>,
+    used: usize,
+}
+
+const FREE: u32 = u32::MAX;
+
+impl Moved {
+    fn slot(&self, entry: u32) -> usize {
+        let mask = self.table.len() - 1;
+        let mut slot = (entry.wrapping_mul(0x9e37_79b1) >> 8) as usize & mask;
+        while self.table[slot][0] != entry && self.table[slot][0] != FREE {
+            slot = (slot + 1) & mask;
+        }
+        slot
+    }
+
+    fn get(&self, entry: u32) -> u32 {
+        if self.table.is_empty() {
+            return entry;
+        }
+        let [found, held] = self.table[self.slot(entry)];
+        if found == FREE { entry } else { held }
+    }
+
+    /// Puts something else into an entry; what it held.
+    fn replace(&mut self, entry: u32, new: u32) -> u32 {
+        if 2 * (self.used + 1) > self.table.len() {
+            let room = (4 * self.used).max(1024).next_power_of_two();
+            let old = core::mem::replace(&mut self.table, vec![[FREE, 0]; room]);
+            for pair in old {
+                if pair[0] != FREE {
+                    let slot = self.slot(pair[0]);
+                    self.table[slot] = pair;
+                }
+            }
+        }
+        let slot = self.slot(entry);
+        let [found, held] = core::mem::replace(&mut self.table[slot], [entry, new]);
+        self.used += usize::from(found == FREE);
+        if found == FREE { entry } else { held }
     }
 }
 

@@ -55,10 +55,6 @@ impl Mesh {
         fn fit<T: Copy>(buffer: &mut Vec<T>, len: usize, value: T) {
             buffer.reserve_exact(len.saturating_sub(buffer.len()));
             buffer.resize(len, value);
-            // A field that once was large would keep its memory for good.
-            if buffer.capacity() > 2 * len {
-                buffer.shrink_to_fit();
-            }
         }
         fit(&mut self.positions, 3 * total.vertices, 0.0);
         fit(&mut self.normals, 3 * total.vertices, 0.0);

@@ -219,7 +219,7 @@ field_test! {
 
 field_test! {
     fn a_request_over_the_budget_is_refused_with_the_numbers_and_what_saves_most() {
-        let dense = params(8192, 8192, vec![layer(0, 1.5, 1.0), layer(1, 90.0, 0.2)]);
+        let dense = params(8192, 8192, vec![layer(0, 2.0, 1.0), layer(1, 90.0, 0.2)]);
         let wide = params(8192, 64, vec![layer(0, 8000.0, 0.0)]);
         let high = params(64, 8192, Vec::new());
         for (params, key) in [(dense, "radius"), (wide, "imageWidth"), (high, "imageHeight")] {
@@ -230,6 +230,31 @@ field_test! {
             assert_eq!(expected.numbers(), [needed.bytes as f64, 0.0, budget as f64]);
             assert!(Generator::new().start(params, needed.bytes).is_ok());
         }
+    }
+}
+
+field_test! {
+    fn a_run_that_turns_out_too_large_ends_before_its_rocks_are_made_and_the_next_one_is_as_on_a_new_generator() {
+        let good = params(200, 150, vec![layer(0, 12.0, 0.4), layer(1, 5.0, 0.4)]);
+        // Nobody can know beforehand how many rocks stand beside a footprint.
+        let large = params(600, 600, vec![Layer { detail: 3, ..layer(0, 4.0, 1.0) }]);
+        let budget = 20 << 20;
+        let mut generator = Generator::new();
+        generator.set_footprint(&[0.0, 0.0, 1.0, 0.0, 0.0, 1.0]).unwrap();
+        generator.start(large, budget).unwrap();
+        let error = loop {
+            match generator.step() {
+                Ok(done) => assert!(!done),
+                Err(error) => break error,
+            }
+        };
+        let Error::OverBudget { key: "radius", estimate, budget: told } = error else { panic!("{error:?}") };
+        assert!(estimate > budget && told == budget && generator.mesh().rocks() == 0);
+        assert_eq!(generator.step(), Ok(true));
+        generator.set_footprint(&[]).unwrap();
+        generator.start(good.clone(), budget).unwrap();
+        while !generator.step().unwrap() {}
+        assert_eq!(common::difference(&generator.into_field(), &generate(&good).unwrap()), None);
     }
 }
 

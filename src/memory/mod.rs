@@ -3,9 +3,9 @@
 mod expect;
 
 use crate::error::Error;
-use crate::params::Params;
+use crate::params::{Darts, Params};
 
-pub(crate) use expect::expected_sites;
+pub(crate) use expect::{coarsest_first, expected_sites};
 
 /// An estimate of the peak, with the parameter that would lower it most.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -31,18 +31,35 @@ impl MemoryEstimate {
 /// Estimates the peak memory of a run from its parameters alone: the generator's own, and the buffers once more as they are copied
 /// out to JavaScript.
 ///
-/// How many sites there will be is known well in advance; how many rocks find room between coarser ones is not, where few cells
-/// decide about much ground. Here as many are counted as are sure to be there. A run therefore estimates again, with the numbers
-/// it has by then and what it holds already, before each stage allocates: when the sites are known, and when the rocks are.
-/// [`crate::rocks::Generator::estimate`] is the largest of these, and lies between the real peak and twice it for any parameters, on a
-/// fresh generator as on one that has run before, unless both are below 4 MiB; `tests/memory.rs` measures it. A run whose estimate
-/// exceeds the budget ends in [`Error::OverBudget`] before the stage in question has allocated anything.
+/// For fields as they are usually asked for this lies between the real peak and twice it (`tests/memory.rs`). How many rocks find room
+/// between coarser ones is only expected here, though, and where few cells decide about much ground it comes otherwise. A run therefore
+/// estimates again before its stages allocate, with the numbers it has by then and what it holds already: when the sites are known,
+/// and when the rocks are. [`crate::rocks::Generator::estimate`] is the largest of these. It lies between the real peak and twice it for
+/// any parameters, on a fresh generator as on one that has run before, unless both are below 4 MiB (`tests/memory_random.rs`). A run whose
+/// estimate exceeds the budget ends in [`Error::OverBudget`] before the stage in question has allocated anything.
 pub fn memory_estimate(params: &Params) -> MemoryEstimate {
     estimate_before(params, true)
 }
 
-/// The same; without rocks where `rocks` is false, because something may keep them all away.
-pub(crate) fn estimate_before(params: &Params, rocks: bool) -> MemoryEstimate {
+/// Refuses what is sure to exceed the budget before a run has begun, whatever is in its cache. `open` ground has nothing on it that
+/// could keep the rocks away.
+///
+/// # Errors
+/// [`Error::OverBudget`]
+pub(crate) fn check_before(params: &Params, open: bool, budget: u64) -> Result<(), Error> {
+    estimate_before(params, open && is_usual(params)).check(budget)
+}
+
+/// Whether the rocks of a field come out as expected: their layers are few, dense, and larger than pixels.
+fn is_usual(params: &Params) -> bool {
+    let side = params.image_width.min(params.image_height);
+    let is_coarse = |layer| params.layer_in_px(layer).radius >= 2.0;
+    let is_dense = params.packing >= 0.5 && params.darts == Darts::Saturate;
+    is_dense && side >= 100 && params.layers.len() <= 4 && params.layers.iter().all(is_coarse)
+}
+
+/// Without rocks where there may be none.
+fn estimate_before(params: &Params, rocks: bool) -> MemoryEstimate {
     let bytes = |params: &Params| {
         let mut counts = expect::expect(params);
         if !rocks {
@@ -140,8 +157,10 @@ pub(crate) struct Need {
 /// | copied out | 8 + 4 + c·8 a site, 4 + the buffers a rock | c·8 a site |
 impl Need {
     /// `held` bytes are in the cache already; `buffers` of them hold positions, normals and indices.
+    #[inline(never)]
     pub(crate) fn of(held: f64, params: &Params, layers: &[Load], buffers: [f64; 3]) -> Self {
         let pixels = params.pixels() as f64;
+        let flags = if layers.is_empty() { 0.0 } else { FLAG * pixels };
         let mut kept = held;
         let mut peak = held;
         for Load { counts, .. } in layers.iter().filter(|load| load.sites) {
@@ -153,7 +172,7 @@ impl Need {
             kept += sites * 12.0 + corners * 20.0;
         }
         let most = |of: fn(&Counts) -> f64| layers.iter().fold(0.0_f64, |most, load| most.max(of(&load.counts)));
-        peak = peak.max(kept + FLAG * pixels + most(|counts| counts.sites) * 8.125);
+        peak = peak.max(kept + flags + most(|counts| counts.sites) * 8.125);
         for Load { counts: Counts { sites, rocks, rims, .. }, .. } in layers.iter().filter(|load| load.shapes) {
             let shapes = rocks * 12.0 + 16.0 * rims + (3.0 * rims - 2.0 * rocks) * 6.0;
             // The lists have room for a little more than six corners a rock.

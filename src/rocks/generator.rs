@@ -4,7 +4,8 @@
 //! whose key differs from the wanted one, and work on it. So an edit re-runs from the first stage it touches, a
 //! superseded run leaves its finished stages behind, and a cached result is the full result by construction.
 
-use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey, bytes};
+use super::budget::Known;
+use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey};
 use super::field::{Field, FieldLayer};
 use super::footprint::Footprint;
 use super::mesher::{Mesher, Source};
@@ -16,7 +17,7 @@ use super::voronoi::VoronoiBuilder;
 use super::wear::Wear;
 use crate::bitmap::Bitmap;
 use crate::error::Error;
-use crate::memory::{Load, MemoryEstimate, Need, estimate_before, expected_sites};
+use crate::memory::{check_before, coarsest_first, expected_sites};
 use crate::mesh::{Extent, Mesh};
 use crate::params::{Border, Darts, Layer, Params, Stage};
 
@@ -28,23 +29,25 @@ const ROCKS_PER_STEP: usize = 1 << 10;
 /// Grows fields, keeping the stages of the last one.
 #[derive(Debug, Default)]
 pub struct Generator {
-    params: Option<Params>,
+    pub(super) params: Option<Params>,
     /// With its version.
-    footprint: (Footprint, u64),
+    pub(super) footprint: (Footprint, u64),
     /// The footprint from the next start on, where it is another.
-    next_footprint: Option<Footprint>,
+    pub(super) next_footprint: Option<Footprint>,
     /// In input order.
-    layers: Vec<LayerCache>,
-    mesh: Mesh,
+    pub(super) layers: Vec<LayerCache>,
+    pub(super) mesh: Mesh,
     task: Option<Task>,
     /// Pixels taken by the coarser layers while a selection runs.
     taken: Option<Taken>,
     versions: u64,
-    max_bytes: u64,
+    pub(super) max_bytes: u64,
+    /// What was known when the memory was last estimated.
+    pub(super) checked: Known,
     /// Bytes of the run before that were there at the start.
-    held_before: f64,
+    pub(super) held_before: f64,
     /// The largest estimate of the run.
-    estimate: u64,
+    pub(super) estimate: u64,
     /// Why the run cannot go on.
     refused: Option<Error>,
 }
@@ -101,11 +104,11 @@ impl Generator {
     pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
         params.validate()?;
         let footprint = self.next_footprint.as_ref().unwrap_or(&self.footprint.0);
-        let estimate = estimate_before(&params, footprint.is_empty());
-        estimate.check(max_bytes)?;
+        check_before(&params, footprint.is_empty(), max_bytes)?;
         // What the run before has left goes before anything comes, but it was there.
         self.held_before = self.held();
-        (self.max_bytes, self.estimate, self.refused) = (max_bytes, estimate.bytes, None);
+        self.checked = Known::Nothing;
+        (self.max_bytes, self.estimate, self.refused) = (max_bytes, 0, None);
         self.task = None;
         self.taken = None;
         if let Some(footprint) = self.next_footprint.take() {
@@ -166,43 +169,6 @@ impl Generator {
                 self.refused = Some(error);
             }
         }
-    }
-
-    /// Bytes that the run needs at its peak, output included, as far as that is known: the largest of what was estimated at the start and
-    /// before each stage since; see [`crate::memory_estimate`].
-    pub fn estimate(&self) -> u64 {
-        self.estimate
-    }
-
-    /// Bytes of all results that are kept.
-    fn held(&self) -> f64 {
-        let layers: usize = self.layers.iter().map(LayerCache::bytes).sum();
-        let footprints = self.footprint.0.bytes() + self.next_footprint.as_ref().map_or(0, Footprint::bytes);
-        let Mesh { rock_starts, vertex_starts, rock_layer, .. } = &self.mesh;
-        let rest = bytes(rock_starts) + bytes(vertex_starts) + bytes(rock_layer);
-        (layers + footprints + self.mesh.bytes().iter().sum::<usize>() + rest) as f64
-    }
-
-    /// Estimates again with what is known by now, before a stage allocates.
-    fn check_memory(&mut self, selected: bool) -> Result<(), Error> {
-        let Some(params) = self.params.clone() else { return Ok(()) };
-        let params = &params;
-        let load = |cache: &LayerCache| {
-            let expected = cache.layer.as_ref().map_or(0.0, |layer| expected_sites(params, layer.radius));
-            cache.load(params, expected, selected)
-        };
-        let loads: Vec<Load> = self.layers.iter().filter_map(load).collect();
-        let of = |this: &Generator| Need::of(this.held(), params, &loads, this.mesh.bytes().map(|bytes| bytes as f64));
-        let mut need = of(self);
-        if need.bytes(0.0) > self.max_bytes && self.mesh.rocks() > 0 {
-            // Rocks of the run before would be overwritten sooner or later.
-            self.mesh = Mesh::default();
-            self.layers.iter_mut().for_each(|cache| cache.mesh = None);
-            need = of(self);
-        }
-        self.estimate = self.estimate.max(need.bytes(self.held_before));
-        let key = estimate_before(params, true).key;
-        MemoryEstimate { bytes: need.bytes(0.0), key }.check(self.max_bytes)
     }
 
     /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
@@ -280,11 +246,11 @@ impl Generator {
             let key = cache.layer.as_ref().map(|layer| SitesKey::new(params, layer));
             key.is_some_and(|key| !cache.sites.is_current(&key))
         }) {
-            self.check_memory(false)?;
+            self.check_memory(Known::Nothing)?;
             return Ok(self.new_sites(k));
         }
         if let Some(k) = self.first(|cache, _| !cache.cells.is_current(&cache.sites.version)) {
-            self.check_memory(false)?;
+            self.check_memory(Known::Sites)?;
             let builder = VoronoiBuilder::new(&self.layers[k].sites.value);
             return Ok(Some(Task { layer: k, work: Work::Cells(Box::new(builder)) }));
         }
@@ -292,7 +258,7 @@ impl Generator {
             return Ok(Some(task));
         }
         self.taken = None;
-        self.check_memory(true)?;
+        self.check_memory(Known::Rocks)?;
         if let Some(k) = self.first(|cache, _| !cache.shapes.is_current(&cache.selection.version)) {
             return Ok(self.new_shapes(k));
         }
@@ -328,9 +294,7 @@ impl Generator {
 
     /// Layers by descending mean cell area W·H / n, equal ones in input order (decision A7).
     fn selection_order(&self) -> Vec<usize> {
-        let mut order: Vec<usize> = (0..self.layers.len()).collect();
-        order.sort_by_key(|&k| self.layers[k].sites.value.pixels.len());
-        order
+        coarsest_first(self.layers.len(), |k| self.layers[k].sites.value.pixels.len() as f64)
     }
 
     fn next_selection(&mut self) -> Option<Task> {
@@ -389,6 +353,11 @@ impl Generator {
             || self.mesh.positions.len() != 3 * at.vertices
             || self.mesh.indices.len() != 3 * at.triangles
         {
+            // A field that once was large would keep its memory for good.
+            if self.mesh.bytes().iter().sum::<usize>() > 2 * (24 * at.vertices + 12 * at.triangles) {
+                self.mesh = Mesh::default();
+                self.layers.iter_mut().for_each(|cache| cache.mesh = None);
+            }
             self.mesh.resize(at);
         }
         let stale = self.layers.iter().position(|cache| cache.mesh.is_none())?;

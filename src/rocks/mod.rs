@@ -1,6 +1,7 @@
 //! The rock method: sites → cells → selection → shape → mesh.
 
 mod body;
+mod budget;
 mod cache;
 mod cell;
 mod field;

@@ -36,7 +36,7 @@ export interface FieldGenerator {
   generate(request?: FieldRequest, options?: GenerateOptions): Promise<Field>;
   /** A fresh random seed. */
   freshSeed(): number;
-  /** Bytes a request would need at its peak. */
+  /** Bytes a request is expected to need at its peak. Where little ground is shared by layers of large rocks, only the run itself can tell, and says so in time. */
   memoryEstimate(request?: FieldRequest): number;
   /** Frees the cache; calls after it reject. */
   dispose(): void;
