@@ -8,7 +8,7 @@ import { bundle } from './web.mjs';
 
 const ENTRIES = ['www/rock-field.ts', 'www/element.ts', 'www/wood-ear-log.ts', 'www/core.ts'];
 /** Each with the function of www/inline-worker.ts that gives its address. */
-const WORKERS = { worker: 'workerAddress', 'wood-ear-worker': 'woodEarWorkerAddress' };
+const WORKERS = { worker: 'workerAddress', 'wood-ear-worker': 'woodEarWorkerAddress', 'wood-ear-file-worker': 'woodEarFileWorkerAddress' };
 
 /** The forms that bundlers recognise, and ours are written in. */
 const WASM = /new URL\('\.\/([\w-]+)_bg\.wasm', import\.meta\.url\)/g;

@@ -21,7 +21,7 @@ const NODE_ENTRIES = ['www/core.node.ts'];
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
 const CDN = { entryPoints: { cdn: 'www/rock-field.ts', 'wood-ear-cdn': 'www/wood-ear-log.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser' };
 // In one file: it shares little with the pages that start it, and what it shares would be cut out of their files.
-const WORKERS = ['www/generator/worker.ts', 'www/generator/wood-ear-worker.ts'];
+const WORKERS = ['www/generator/worker.ts', 'www/generator/wood-ear-worker.ts', 'www/generator/wood-ear-file-worker.ts'];
 // What an element with `controls` loads when its panel is opened. In one file: what it shares with the element is little, and would
 // be cut out of the element's file, which everybody loads.
 const PANELS = ['www/panel.ts', 'www/wood-ear-panel.ts'];
@@ -37,7 +37,7 @@ const PAGES = [
     name: 'wood-ear.html',
     script: 'www/wood-ear.ts',
     // The log lies on rocks.
-    workers: ['www/generator/wood-ear-worker.ts', 'www/generator/worker.ts'],
+    workers: ['www/generator/wood-ear-worker.ts', 'www/generator/worker.ts', 'www/generator/wood-ear-file-worker.ts'],
     wasm: ['wood-ear_bg.wasm', 'generator_bg.wasm'],
     title: 'rock-field – wood ears on a fallen log',
     description: 'A colony of wood-ear fungus on a fallen log, grown in the browser from one seed. Place it, let it dry, wrinkle and curl, share the link.',

@@ -1,6 +1,7 @@
 /** The one error class of the package, and its flat form for the way between worker and page. */
 
 import type { ErrorName } from './error-list.ts';
+import type { Words } from './params.ts';
 
 export type { ErrorName };
 
@@ -19,6 +20,8 @@ export interface ErrorInfo {
   value?: unknown;
   min?: number | undefined;
   max?: number | undefined;
+  /** The message in each language of the page, of errors that say more than name, value and bounds. */
+  words?: Words | undefined;
 }
 
 export class RockFieldError extends Error {
@@ -28,6 +31,7 @@ export class RockFieldError extends Error {
   readonly value: unknown;
   readonly min: number | undefined;
   readonly max: number | undefined;
+  readonly words: Words | undefined;
 
   constructor(info: ErrorInfo, options?: ErrorOptions) {
     super(info.message, options);
@@ -37,14 +41,15 @@ export class RockFieldError extends Error {
     this.value = info.value;
     this.min = info.min;
     this.max = info.max;
+    this.words = info.words;
   }
 }
 
 /** The flat form of anything that was thrown; what has no code of ours is `Internal`. */
 export function errorInfo(thrown: unknown): ErrorInfo {
   if (isCoded(thrown)) {
-    const { name, message, key, layer, value, min, max } = thrown;
-    return { name, message, key, layer, value, min, max };
+    const { name, message, key, layer, value, min, max, words } = thrown;
+    return { name, message, key, layer, value, min, max, words };
   }
   const text = thrown instanceof Error ? `${thrown.name}: ${thrown.message}` : typeof thrown;
   return { name: 'Internal', message: `the generator failed (${text}); please report this with its link` };

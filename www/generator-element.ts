@@ -7,7 +7,7 @@ import { METRES_PER_PIXEL } from './camera-orbit.ts';
 import type { Edition } from './controls/scene-store.ts';
 import { CAN_SHOW } from './document-styles.ts';
 import type { ControlsButton, PanelModule } from './controls-button.ts';
-import { errorInfo, RockFieldError } from './errors.ts';
+import { errorInfo, isAbort, RockFieldError } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Progress } from './generator/protocol.ts';
 import { History } from './history.ts';
@@ -115,6 +115,10 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   #shown: K['params'] | null = null;
   /** What runs under way were written against. */
   #presets = new WeakMap<K['params'], K['preset']>();
+  /** Parameters that are taken when the generator has made them, and what is then to be done. */
+  #candidate: { params: K['params']; taken: () => void } | null = null;
+  /** All that ever were one. */
+  #candidates = new WeakSet<K['params']>();
   #interaction: Interaction = INTERACTIONS[0];
   #metresPerPixel = METRES_PER_PIXEL;
 
@@ -124,7 +128,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.#unread = new Set(parameterAttributes(scene));
     this.#runs = scene.newRuns({
       onResult: (result, { superseded, isPreview }, params) => this.#show(result, superseded, isPreview, params),
-      onProgress: (progress) => this.#tellProgress(progress),
+      onProgress: (progress) => this.tellProgress(progress),
       onError: (error) => this.report(error),
     });
   }
@@ -198,12 +202,12 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   /** What says the same as the present is no step: the panel's edits come here when they are in the history already. */
-  #record(preset: K['preset'] = this.presetInUse): void {
+  #record(preset: K['preset'] = this.presetInUse, label = 'edit'): void {
     if (!this.#params) return;
     const edition: Edition<K> = { params: this.#params, preset };
     const present = this.#history?.present;
     if (!present) this.#history = new History(edition);
-    else if (preset !== present.preset || !same(this.#scene.table, edition.params, present.params)) this.#history?.record(edition, 'edit', performance.now());
+    else if (preset !== present.preset || !same(this.#scene.table, edition.params, present.params)) this.#history?.record(edition, label, performance.now());
     this.#controls?.sync();
   }
 
@@ -382,7 +386,48 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   /** For what a scene has to say of its runs; null: the run has ended. */
   protected heard(_progress: Progress<K['stage']> | null): void {}
 
-  #tellProgress(progress: Progress<K['stage']> | null): void {
+  /**
+   * Takes what `change` makes of the parameters once the generator has made it. Where it is refused, everything stays as it was, and
+   * the picture is that of the old parameters. Edits that come meanwhile are kept: they are changed and tried again.
+   *
+   * @throws {RockFieldError} by the generator; `AbortError` when `signal` says so, or the run is cancelled.
+   */
+  protected async adopt(change: (params: K['params']) => K['params'], { signal, taken }: { signal: AbortSignal; taken: () => void }): Promise<void> {
+    for (;;) {
+      signal.throwIfAborted();
+      const candidate = { params: this.#scene.table.resolve(change(this.params)), taken };
+      this.#candidate = candidate;
+      this.#candidates.add(candidate.params);
+      this.#presets.set(candidate.params, this.presetInUse);
+      try {
+        await this.#runs.attempt(candidate.params);
+        // The renderer may have refused what the generator made.
+        if (this.#candidate === candidate) this.#take(candidate);
+        return;
+      } catch (thrown) {
+        const isSuperseded = isAbort(thrown) && this.#candidate === candidate && this.#runs.isOpen && !this.#runs.isSettled;
+        if (this.#candidate === candidate) this.#candidate = null;
+        if (this.#runs.stale) this.#schedule();
+        if (!isSuperseded) throw thrown;
+      }
+    }
+  }
+
+  /** No candidate is taken any more. */
+  protected dropCandidate(): void {
+    this.#candidate = null;
+  }
+
+  #take({ params, taken }: { params: K['params']; taken: () => void }): void {
+    this.#candidate = null;
+    this.#scene.properties.forget(this);
+    this.#params = params;
+    this.#record(this.presetInUse, '');
+    taken();
+  }
+
+  /** Of what takes longer; null when it has ended. */
+  protected tellProgress(progress: Progress<K['stage']> | null): void {
     this.showProgress(progress?.fraction ?? null);
     if (progress) this.emit('progress', progress);
     this.heard(progress);
@@ -477,6 +522,10 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   #show(result: K['result'], superseded: boolean, isPreview: boolean, params: K['params']): void {
+    const candidate = this.#candidate;
+    if (candidate?.params === params && !superseded && !isPreview) this.#take(candidate);
+    // One that is not taken is not shown.
+    else if (this.#candidates.has(params) && params !== this.#params) return;
     if (!this.present(result)) return;
     this.#result = result;
     this.#shown = params;

@@ -1,10 +1,12 @@
 /** The workers of the build with everything in it: their scripts are texts of this one. Put by scripts/inline.mjs in the place of the workers' addresses. */
 
+import fileScript from 'inlined:wood-ear-file-worker';
 import woodEarScript from 'inlined:wood-ear-worker';
 import script from 'inlined:worker';
 
 let address: string | undefined;
 let woodEarAddress: string | undefined;
+let fileAddress: string | undefined;
 
 /** One for all workers of the page. Needs `worker-src blob:`, where the page has a Content-Security-Policy. */
 export function workerAddress(): string {
@@ -16,6 +18,12 @@ export function workerAddress(): string {
 export function woodEarWorkerAddress(): string {
   woodEarAddress ??= addressOf(woodEarScript);
   return woodEarAddress;
+}
+
+/** As `workerAddress`. */
+export function woodEarFileWorkerAddress(): string {
+  fileAddress ??= addressOf(fileScript);
+  return fileAddress;
 }
 
 function addressOf(text: string): string {

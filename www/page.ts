@@ -7,6 +7,7 @@ import { savePreferences } from './controls/preferences.ts';
 import { RockFieldError, errorInfo } from './errors.ts';
 import { isLink } from './link.ts';
 import { translate } from './strings.ts';
+import { same } from './table.ts';
 import type { Actions, ScenePanel } from './controls/scene-panel.ts';
 import type { Change, OpenedLink, SceneStore } from './controls/scene-store.ts';
 import type { GeneratorElement, SceneEventMap } from './generator-element.ts';
@@ -44,9 +45,15 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     if (change === 'params' || change === 'look' || change === 'camera') scheduleAddress();
   }
 
+  /** The preset that the element was told last. */
+  let told = store.preset;
+
   function showParams(): void {
+    // The element has them already where a change of it came here: assigning them would be another run.
+    if (told === store.preset && same(store.table, element.params, store.params)) return;
     try {
       element.params = { ...store.params, preset: store.preset };
+      told = store.preset;
     } catch (thrown) {
       void store.fail(errorInfo(thrown));
     }

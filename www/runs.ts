@@ -39,6 +39,8 @@ export class Runs<Request, Result, Stage extends string> {
   #client: RunClient<Request, Result, Stage> | undefined;
   /** The newest run; settles with its result. */
   #run: Promise<Result> | undefined;
+  /** Runs of parameters that are not taken yet: their failure is nobody's but the caller's. */
+  readonly #attempts = new WeakSet<Promise<Result>>();
 
   constructor(host: RunsHost<Request, Result, Stage>, newClient: (options: { onResult: OnResult<Request, Result> }) => RunClient<Request, Result, Stage>) {
     this.#host = host;
@@ -83,6 +85,32 @@ export class Runs<Request, Result, Stage extends string> {
     return run;
   }
 
+  /**
+   * A run of parameters that are taken only when they have given a result. Its errors are the caller's alone, and leave things as they
+   * were: what was under way before is stale, so that it is begun again.
+   */
+  async attempt(request: Request): Promise<Result> {
+    if (!this.#isOpen) throw notConnected();
+    const before = this.isSettled ? this.#run : undefined;
+    const wasStale = !this.isSettled;
+    this.stale = false;
+    const run = this.#generator().generate(request, { onProgress: (progress) => this.#host.onProgress(progress) });
+    this.#attempts.add(run);
+    this.#run = run;
+    try {
+      return await run;
+    } catch (thrown) {
+      if (this.#run === run) {
+        this.#run = before;
+        this.stale ||= wasStale;
+        this.#host.onProgress(null);
+      }
+      throw thrown;
+    } finally {
+      this.#ended(run);
+    }
+  }
+
   #ended(run: Promise<Result>): void {
     if (this.#run === run) this.#host.onProgress(null);
   }
@@ -109,7 +137,7 @@ export class Runs<Request, Result, Stage extends string> {
       try {
         return await run;
       } catch (thrown) {
-        const isSuperseded = isAbort(thrown) && (this.stale || this.#run !== run);
+        const isSuperseded = (isAbort(thrown) || this.#attempts.has(run)) && (this.stale || this.#run !== run);
         if (!isSuperseded) throw thrown;
       }
     }

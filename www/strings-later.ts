@@ -76,6 +76,8 @@ const ERRORS: Partial<Record<ErrorName, Words>> = {
 
 export function errorText(language: Language, error: ErrorInfo): string {
   const words = ERRORS[error.name];
+  // Nothing is to be filled into these, and they quote what files say.
+  if (error.words) return error.words[language];
   if (!words) return error.message;
   const mebibytes = (bytes: unknown) => (typeof bytes === 'number' ? Math.ceil(bytes / 2 ** 20) : '?');
   const { min, max } = error;

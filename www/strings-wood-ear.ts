@@ -38,6 +38,7 @@ export const WOOD_EAR_STRINGS = {
   logFile: { en: 'Open a GLB or OBJ file', ja: 'GLB・OBJ ファイルを開く' },
   removeLogFile: { en: 'Back to the grown log', ja: '生成した丸太に戻す' },
   logFileNote: { en: 'This log is from a file. It is in no link.', ja: 'ファイルの丸太です。リンクには含まれません。' },
+  logLeftOut: { en: 'The log from your file is not in it; it shows a grown log.', ja: 'ファイルの丸太は含まれず、生成した丸太が表示されます。' },
   ground: { en: 'Ground', ja: '地面' },
   groundHelp: { en: 'The rocks that the log lies on; none grows through it.', ja: '丸太が載る地面。岩は丸太を貫きません。' },
   bare: { en: 'Bare soil', ja: '土のみ' },

@@ -4,13 +4,15 @@ import { BaseHandles } from './base-handles.ts';
 import type { HandlesOwner } from './base-handles.ts';
 import type { Subject } from './camera.ts';
 import type { WoodEarColony, WoodEarLog, WoodEarStats } from './colony.ts';
-import { errorInfo, isAbort } from './errors.ts';
+import { abortError, errorInfo, isAbort } from './errors.ts';
 import type { Field } from './field.ts';
 import type { Progress } from './generator/protocol.ts';
 import type { WoodEarStage } from './generator/wood-ear-session.ts';
 import { GeneratorElement, observedAttributes } from './generator-element.ts';
 import type { Scene, SceneEventMap } from './generator-element.ts';
 import { loadWoodEarPanel } from './load-wood-ear-panel.ts';
+import { besideNotice, listenToDrops, logAmong } from './log-drop.ts';
+import type { LogSource } from './log-file/client.ts';
 import { RowProperties } from './parameter-properties.ts';
 import { firstHit } from './pick.ts';
 import { defineReflectedProperties, writeAttribute } from './reflected-properties.ts';
@@ -53,6 +55,13 @@ const SCENE: Scene<WoodEars> = {
   loadPanel: loadWoodEarPanel,
 };
 
+export interface LoadLogOptions {
+  /** Ends the reading; the old log stays. */
+  signal?: AbortSignal | undefined;
+  /** Called while a file is read that takes longer than a moment, with 0 … 1. */
+  onProgress?: ((fraction: number) => void) | undefined;
+}
+
 type EventMap = Omit<HTMLElementEventMap, keyof WoodEarLogEventMap> & WoodEarLogEventMap;
 
 /** The accessors are made from lists: of the parameter table, and of attributes. */
@@ -73,8 +82,9 @@ const AROUND = { share: 0.15, cm: 6 };
  * @attribute ground - What the log lies on: a preset of rocks, a link to a field of them, or `none`; natural presets lie on `forest-floor`.
  * @attribute view - `3d` or `wireframe`.
  * @attribute color - `plain` or `natural`; when absent, `natural` for natural presets and `plain` for the thesis's.
- * @attribute editable - Bases can be placed, moved and removed on the picture, and logs dropped on it as GLB or OBJ files.
+ * @attribute editable - Bases can be placed, moved and removed on the picture, and logs dropped on it as GLB, glTF or OBJ files.
  * @csspart handles - What marks the bases, where they can be edited.
+ * @csspart drop - Covers the picture while files are dragged over it.
  * @fires generate - A colony is on screen; `detail` has its statistics.
  * @fires change - The user placed, moved or removed a base, or brought a log.
  */
@@ -92,6 +102,8 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
   #isSlowTold = false;
   /** A base is being dragged. */
   #isHeld = false;
+  /** The file that is being read or tried. */
+  #loading: AbortController | undefined;
 
   constructor() {
     super(SCENE);
@@ -140,16 +152,57 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
   }
 
   /**
-   * A log from a GLB or OBJ file, in place of the one that is made.
+   * Shows the log of a GLB, glTF or OBJ file in place of the one that is made. Resolves when it is on screen; a later call takes its place.
    *
-   * @throws {RockFieldError} saying what is wrong with the file; the old log stays.
+   * @param source - A `File`, a `Blob` or its bytes. Fetch addresses first: `loadLog(await (await fetch(address)).blob())`.
+   * @throws {RockFieldError} saying what is wrong with the file, or why no colony can be grown on it; the old log stays.
+   * @throws {DOMException} `AbortError` when `signal` says so, `cancel()` was called, or another file took its place.
    */
-  async loadLog(file: Blob & { name?: string }): Promise<void> {
-    const { readLogFile } = await import('./log-file.ts');
-    const { mesh, notices } = await readLogFile(file);
-    for (const notice of notices) this.notify(notice);
-    this.#change({ ...this.params, mesh });
-    await this.newest();
+  async loadLog(source: LogSource, { signal, onProgress }: LoadLogOptions = {}): Promise<void> {
+    this.#loading?.abort(abortError('superseded by a newer file'));
+    this.dropCandidate();
+    const loading = new AbortController();
+    this.#loading = loading;
+    const onAbort = () => loading.abort(signal?.reason);
+    if (signal?.aborted) onAbort();
+    signal?.addEventListener('abort', onAbort, { once: true });
+    try {
+      const { readLogInWorker } = await import('./log-file/client.ts');
+      const tell = (fraction: number): void => {
+        this.tellProgress({ stage: 'log', fraction });
+        onProgress?.(fraction);
+      };
+      const { mesh, notices } = await readLogInWorker(source, { signal: loading.signal, onProgress: tell });
+      const taken = (): void => {
+        for (const notice of notices) this.notify(notice[this.language]);
+        this.emit('change', { params: this.params, held: false });
+        this.invalidate();
+      };
+      await this.adopt((params) => ({ ...params, mesh }), { signal: loading.signal, taken });
+    } finally {
+      signal?.removeEventListener('abort', onAbort);
+      if (this.#loading === loading) {
+        this.#loading = undefined;
+        this.tellProgress(null);
+      }
+    }
+  }
+
+  /** Gives the running run up, and a log file that is being read; what is shown stays. */
+  override cancel(): void {
+    this.#loading?.abort(abortError('cancelled'));
+    super.cancel();
+  }
+
+  /** Of files that were dropped or chosen together, the log. */
+  #open(files: readonly File[]): void {
+    const file = logAmong(files);
+    if (!file) return;
+    const notice = besideNotice(files, this.language);
+    if (notice) this.notify(notice);
+    this.loadLog(file).catch((thrown: unknown) => {
+      if (!isAbort(thrown)) this.report(errorInfo(thrown));
+    });
   }
 
   /** Once for each run. */
@@ -209,27 +262,19 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     this.#listening = new AbortController();
     const { signal } = this.#listening;
     this.#handles = new BaseHandles(this.shadowRoot as ShadowRoot, this.#handlesOwner(), signal);
-    this.addEventListener('dragover', (event) => this.editable && event.preventDefault(), { signal });
-    this.addEventListener('drop', (event) => this.#drop(event), { signal });
+    const root = this.shadowRoot as ShadowRoot;
+    listenToDrops(this, { root, language: () => this.language, isOpen: () => this.editable && !this.hasAttribute('disabled'), open: (files) => this.#open(files) }, signal);
   }
 
   protected override closed(): void {
     this.#listening?.abort();
+    this.#loading?.abort(abortError('the element was taken out of the document'));
     this.#handles = undefined;
     super.closed();
   }
 
   protected override drawn(): void {
     this.#handles?.update();
-  }
-
-  #drop(event: DragEvent): void {
-    const [file] = event.dataTransfer?.files ?? [];
-    if (!this.editable || !file) return;
-    event.preventDefault();
-    this.loadLog(file).catch((thrown: unknown) => {
-      if (!isAbort(thrown)) this.report(errorInfo(thrown));
-    });
   }
 
   /** The user's doing: whoever keeps the parameters is told. */

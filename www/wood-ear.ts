@@ -6,6 +6,7 @@ import { WoodEarPanel } from './controls/wood-ear-controls.ts';
 import { WoodEarStore } from './controls/wood-ear-store.ts';
 import { errorInfo, isAbort } from './errors.ts';
 import { isLink } from './link.ts';
+import { hasFiles, logAmong } from './log-drop.ts';
 import { openPage } from './page.ts';
 import { loadJapanese } from './strings.ts';
 import { same } from './table.ts';
@@ -57,3 +58,14 @@ element.addEventListener('change', (event) => {
   wasHeld = held;
 });
 element.editable = true;
+
+// A file that is dropped beside the picture is meant for it; the browser would leave the page for the file.
+window.addEventListener('dragover', (event) => {
+  if (hasFiles(event)) event.preventDefault();
+});
+window.addEventListener('drop', (event) => {
+  if (event.defaultPrevented || !hasFiles(event)) return;
+  event.preventDefault();
+  const file = logAmong(event.dataTransfer?.files ?? []);
+  if (file) loadLog(file);
+});

@@ -13,7 +13,7 @@ import { RunLoop } from '../../www/generator/loop.ts';
 import type { FromWorker } from '../../www/generator/protocol.ts';
 import type { RunOptions } from '../../www/generator/session.ts';
 import { woodEarLoop } from '../../www/generator/wood-ear-session.ts';
-import { readLogFile } from '../../www/log-file.ts';
+import { readLogFile } from '../../www/log-file/read.ts';
 import { firstHit, project, rayThrough } from '../../www/pick.ts';
 import { same } from '../../www/table.ts';
 import { readWoodEarAttributes } from '../../www/wood-ear-attributes.ts';

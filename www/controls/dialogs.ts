@@ -12,6 +12,8 @@ import type { Kind } from '../table.ts';
 import type { SceneStore } from './scene-store.ts';
 
 const TOAST_MS = 2500;
+/** For a sentence more. */
+const LONG_TOAST_MS = 7000;
 
 const PICTURE_KEYS: readonly [LaterKey, LaterKey][] = [
   ['orbit', 'orbitBy'],
@@ -45,12 +47,13 @@ export function showKeys<K extends Kind>(store: SceneStore<K>, place: Place): vo
 
 /** Copies and says so; or, the last way when the browser gives no clipboard, shows the text. */
 export async function copyOrShow<K extends Kind>(store: SceneStore<K>, place: Place, text: string, done: LaterKey, heading: StringKey): Promise<void> {
-  if (await copyText(text, place)) toast(place, later(store.language, done));
+  const said = [later(store.language, done), store.leftOut].filter(Boolean).join(store.language === 'ja' ? '。' : '. ');
+  if (await copyText(text, place)) toast(place, said, store.leftOut ? LONG_TOAST_MS : TOAST_MS);
   else showText(store, place, store.text(heading), text);
 }
 
 function showText<K extends Kind>(store: SceneStore<K>, place: Place, heading: string, text: string): void {
-  showDialog(store, place, heading, html`<p>${later(store.language, 'copyByHand')}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`);
+  showDialog(store, place, heading, html`<p>${later(store.language, 'copyByHand')} ${store.leftOut}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`);
   place.querySelector<HTMLTextAreaElement>('.dialog .copy-text')?.select();
 }
 
@@ -79,13 +82,13 @@ export function showDialog<K extends Kind>(store: SceneStore<K>, place: Place, h
 const toastTimers = new WeakMap<HTMLElement, ReturnType<typeof setTimeout>>();
 
 /** Says that something was done; read out by screen readers. */
-function toast(place: Place, text: string): void {
+function toast(place: Place, text: string, ms: number): void {
   const line = place.querySelector<HTMLElement>('.toast') ?? made(place, 'p', 'toast');
   line.setAttribute('role', 'status');
   line.textContent = text;
   line.classList.add('is-shown');
   clearTimeout(toastTimers.get(line));
-  toastTimers.set(line, setTimeout(() => line.classList.remove('is-shown'), TOAST_MS));
+  toastTimers.set(line, setTimeout(() => line.classList.remove('is-shown'), ms));
 }
 
 function made<K extends 'dialog' | 'p'>(place: Place, name: K, className: string): HTMLElementTagNameMap[K] {

@@ -152,6 +152,11 @@ export abstract class SceneStore<K extends Kind> {
     return 0;
   }
 
+  /** What links of this do not hold, in a sentence; empty where they hold everything. */
+  get leftOut(): string {
+    return '';
+  }
+
   /** Edits one row of the table, of item `item` for a row of items. */
   setParam(row: Row, item: number | null, value: number | string | null): void {
     const { table, params } = this;

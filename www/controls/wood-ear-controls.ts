@@ -5,6 +5,7 @@ import { PRESETS } from '../params.ts';
 import { presetName } from '../strings.ts';
 import { woodEarPresetName, woodEarText } from '../strings-wood-ear.ts';
 import { decodeLink } from '../url-codec.ts';
+import { logAmong } from '../log-drop.ts';
 import { BASE_ROWS, LOG_ROWS } from '../wood-ear-flat.ts';
 import { icon } from './icons.ts';
 import { paramControl, problemOf } from './param-control.ts';
@@ -141,7 +142,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
     const { mesh } = store.params;
     const choose = ({ target }: Event) => {
       const input = target as HTMLInputElement;
-      const [file] = input.files ?? [];
+      const file = logAmong(input.files ?? []);
       // So that the same file can be chosen again.
       input.value = '';
       if (file) actions.loadLog(file);
@@ -152,7 +153,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
         ${mesh ? html`<p class="quiet">${this.#t('logFileNote')}</p>` : nothing} ${LOG_ROWS.filter(({ key }) => !mesh || key === 'logSpacing').map((row) => paramControl(store, row, null))}
         ${description('log', '', problem?.key === 'log' ? problem.text(store.language) : null)}
         <div class="button-row">
-          <label class="button file-button">${this.#t('logFile')}<input class="visually-hidden" type="file" accept=".glb,.obj,model/gltf-binary" @change=${choose} /></label>
+          <label class="button file-button">${this.#t('logFile')}<input class="visually-hidden" type="file" accept=".glb,.gltf,.obj,model/gltf-binary,model/gltf+json,model/obj" @change=${choose} /></label>
           ${mesh ? html`<button class="button" type="button" @click=${() => store.removeMesh()}>${this.#t('removeLogFile')}</button>` : nothing}
         </div>
       </details>

@@ -44,6 +44,10 @@ export class WoodEarStore extends SceneStore<WoodEars> {
     return woodEarText(this.language, `stage-${stage}`);
   }
 
+  override get leftOut(): string {
+    return this.params.mesh ? woodEarText(this.language, 'logLeftOut') : '';
+  }
+
   override get listKeys(): readonly string[] {
     return ['bases', 'log'];
   }
