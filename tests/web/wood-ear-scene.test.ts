@@ -253,7 +253,7 @@ test('an OBJ file may have quads, negative indices, comments and no faces’ nor
   const { mesh, notices } = await readLogFile(file('planks.obj', obj));
   assert.equal(mesh.indices.length / 3, 3);
   assert.equal(mesh.positions.length / 3, 5);
-  assert.match(notices[0]!, /planks\.obj is 3 cm long; it is shown 200 cm long/);
+  assert.match(notices[0]!.en, /planks\.obj is 3 cm long; it is shown 200 cm long/);
   const along = mesh.positions.filter((_, i) => i % 3 === 0);
   assert.deepEqual([Math.min(...along), Math.max(...along)], [-100, 100]);
 });
@@ -270,7 +270,7 @@ test('whatever else a file is, it is refused by name and nothing hangs', async (
     [file('half.glb', whole.slice(0, whole.length / 2)), 'LogFileBroken'],
     [file('head.glb', whole.slice(0, 12)), 'LogFileBroken'],
     [file('nowhere.glb', await glb((positions) => (positions[3] = NaN))), 'LogFileBroken'],
-    [file('flat.glb', await glb((positions) => positions.fill(1))), 'LogFileNoMesh'],
+    [file('flat.glb', await glb((positions) => positions.fill(1))), 'LogNoArea'],
   ];
   for (const [given, name] of cases) await assert.rejects(readLogFile(given), { name, key: 'log' }, given.name);
   const huge = file('huge.obj', 'v 0 0 0');

@@ -62,12 +62,7 @@ class Reader {
       this.#endLine();
     }
     const count = this.#coordinates.length / 3;
-    if (count === 0) {
-      throw refused('LogFileUnknown', {
-        en: `${this.#name} is neither a GLB nor an OBJ file; save the log as one of those`,
-        ja: `${this.#name} は GLB・OBJ ファイルではありません。どちらかの形式で保存してください`,
-      });
-    }
+    if (count === 0) throw this.#unknown();
     if (this.#ahead.vertex > count) throw this.#missing(this.#ahead.vertex, count, this.#ahead.line);
     return this.#soup();
   }
@@ -75,6 +70,8 @@ class Reader {
   #vertex(): void {
     for (let axis = 0; axis < 3; axis += 1) {
       const token = this.#token();
+      // A word of some text that has nothing to do with vertices.
+      if (token === '' && this.#coordinates.length === 0) throw this.#unknown();
       if (token === '') throw this.#broken({ en: `a vertex has ${axis} coordinates; it needs three`, ja: `頂点の座標が ${axis} 個です。3 個必要です` }, axis);
       const value = Number(token);
       if (!NUMBER.test(token)) {
@@ -171,6 +168,13 @@ class Reader {
       start = end;
     });
     return { positions, indices: indices.values };
+  }
+
+  #unknown(): Error {
+    return refused('LogFileUnknown', {
+      en: `${this.#name} is neither a GLB nor an OBJ file; save the log as one of those`,
+      ja: `${this.#name} は GLB・OBJ ファイルではありません。どちらかの形式で保存してください`,
+    });
   }
 
   #broken(reason: Words, value: unknown, line = this.#line): Error {

@@ -25,9 +25,9 @@ export function triangulated(positions: Float64Array, corners: Uint32Array, emit
   const [u, v] = plane(normal);
   const flat = Array.from(corners).flatMap((corner) => [positions[3 * corner + u]!, positions[3 * corner + v]!]);
   const cut = earcut(flat);
-  // Ears come in the winding of the cutter, not of the face.
-  const isTurned = doubleArea(flat, cut) < 0 !== doubleArea(flat, [...corners.keys()]) < 0;
   if (cut.length === 0) return fan();
+  // Ears come in the winding of the cutter, not of the face.
+  const isTurned = doubleArea(flat, cut, 3) < 0 !== doubleArea(flat, [...corners.keys()], corners.length) < 0;
   for (let k = 0; k + 2 < cut.length; k += 3) {
     const [a, b, c] = [corners[cut[k]!]!, corners[cut[k + 1]!]!, corners[cut[k + 2]!]!];
     if (isTurned) emit(a, c, b);
@@ -56,8 +56,9 @@ function isConvex(positions: Float64Array, corners: Uint32Array, normal: Vector)
   for (let k = 0; k < count; k += 1) {
     const [a, b, c] = [k, k + 1, k + 2].map((n) => at(positions, corners[n % count]!)) as [Vector, Vector, Vector];
     const [along, on] = [from(a, b), from(b, c)];
-    if (dot(cross(along, on), normal) < least) return false;
-    turned += angle(along, on);
+    const turn = dot(cross(along, on), normal);
+    if (turn < least) return false;
+    turned += Math.sign(turn) * angle(along, on);
   }
   // A star turns the same way at all its corners, and around more than once.
   return turned < 3 * Math.PI;
@@ -75,10 +76,8 @@ function plane([x, y, z]: Vector): [number, number] {
   return ay >= az ? [0, 2] : [0, 1];
 }
 
-/** Of a list of triangles, or of the ring of all corners. */
-function doubleArea(flat: readonly number[], list: readonly number[]): number {
-  const isRing = list.length * 2 === flat.length && list.every((corner, k) => corner === k);
-  const size = isRing ? list.length : 3;
+/** Of polygons of `size` corners each, seen along the plane's normal; negative where they go round clockwise. */
+function doubleArea(flat: readonly number[], list: readonly number[], size: number): number {
   let area = 0;
   for (let start = 0; start < list.length; start += size) {
     for (let k = 0; k < size; k += 1) {
