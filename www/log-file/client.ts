@@ -1,6 +1,7 @@
 /** The page's side of the file worker: one worker for each file, which is ended when the file is read or given up. */
 
 import { abortError, RockFieldError } from '../errors.ts';
+import { startWorker } from '../generator/start-worker.ts';
 import { wrongType } from '../param-checks.ts';
 import type { LogFile } from './mesh.ts';
 import type { FromFileWorker, ToFileWorker } from './protocol.ts';
@@ -95,5 +96,5 @@ function workerUnavailable(detail: string | undefined): RockFieldError {
 
 function spawnWorker(): FileWorkerLike {
   // This literal form is the one that bundlers recognise.
-  return new Worker(new URL('./wood-ear-file-worker.js', import.meta.url), { type: 'module' }) as FileWorkerLike;
+  return startWorker(() => new Worker(new URL('./wood-ear-file-worker.js', import.meta.url), { type: 'module' })) as unknown as FileWorkerLike;
 }
