@@ -293,7 +293,7 @@ export abstract class SceneElement extends Base {
       if (field !== this.#field) this.#kept.renderer?.setField(field);
       if (wood !== this.#wood) this.#kept.renderer?.setWood(wood);
     } catch (thrown) {
-      this.report({ name: 'RendererFailed', message: `the field could not be shown: ${errorText(thrown)}` });
+      this.report({ name: 'RendererFailed', message: `the result could not be shown: ${errorText(thrown)}` });
       return false;
     }
     this.#field = field;
