@@ -1,5 +1,6 @@
 /** From triangles as they stand in a file to a log: cleaned, measured, laid down, rounded, merged. In this order. */
 
+import { LOG_LENGTH, scaleOfLog } from '../log-units.ts';
 import type { Words } from '../params.ts';
 import type { LogMesh } from '../wood-ear-flat.ts';
 import { MOST_TRIANGLES, MOST_VERTICES } from './limits.ts';
@@ -17,9 +18,6 @@ export interface LogFile {
   /** What was changed, a sentence each. */
   notices: Words[];
 }
-
-/** A log that is shorter or longer than these has been made in other units, cm. */
-const LENGTH = { min: 20, max: 1000, instead: 200 };
 
 /** @throws {RockFieldError} `LogFileNoMesh`, `LogNoArea`, `LogFileBroken` or `LogTooLarge`. */
 export function logOf({ positions, indices: given }: Soup, name: string): LogFile {
@@ -72,11 +70,10 @@ function laidDown(given: Float64Array, indices: Uint32Array, name: string): { po
   const isAlongX = sides[0]! >= sides[2]!;
   const length = Math.max(sides[0]!, sides[2]!);
   if (length === 0) throw refused('LogFileNoMesh', { en: `${name} stands upright and has no length: x or z has to be the longest side`, ja: `${name} には水平方向の長さがありません` });
-  const isOdd = length < LENGTH.min || length > LENGTH.max;
-  const scale = isOdd ? LENGTH.instead / length : 1;
+  const scale = scaleOfLog(length);
   const rounded = Number(length.toPrecision(3));
-  const notices = isOdd
-    ? [{ en: `${name} is ${rounded} cm long; it is shown ${LENGTH.instead} cm long`, ja: `${name} の長さは ${rounded} cm です。${LENGTH.instead} cm にして表示します` }]
+  const notices = scale !== 1
+    ? [{ en: `${name} is ${rounded} cm long; it is shown ${LOG_LENGTH.instead} cm long`, ja: `${name} の長さは ${rounded} cm です。${LOG_LENGTH.instead} cm にして表示します` }]
     : [];
   const middle = low.map((value, k) => value + sides[k]! / 2);
   const positions = new Float32Array(given.length);
