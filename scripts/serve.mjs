@@ -43,7 +43,8 @@ export async function serve(folder, { port = 0, host = '127.0.0.1', intercept } 
   };
 }
 
-async function answer(folder, request, response) {
+/** Answers with the file of `folder` that a request is for. */
+export async function answer(folder, request, response) {
   if (request.method !== 'GET' && request.method !== 'HEAD') return void response.writeHead(405, { allow: 'GET, HEAD' }).end();
   let name;
   try {

@@ -5,7 +5,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { writeDocs } from './docs.mjs';
 import { dist, hashOf, pkg, root } from './env.mjs';
-import { copyHashed, filesIn, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
+import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { Failure, step } from './run.mjs';
 import { nodeless, panelApart, panelByAddress, sheetsAsText, tinyCopied } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
@@ -146,7 +146,7 @@ async function finish(staging, meta, hashedNames) {
     entryPoints: { sw: SERVICE_WORKER },
     outdir: staging,
     sourcemap: false,
-    define: { __BUILD__: JSON.stringify(build), __FILES__: JSON.stringify(files), __PAGES__: JSON.stringify(pages) },
+    define: { __BUILD__: JSON.stringify(build), __HASHED__: JSON.stringify(HASHED.source), __FILES__: JSON.stringify(files), __PAGES__: JSON.stringify(pages) },
   });
 }
 

@@ -222,6 +222,12 @@ export const ERRORS = /* @__PURE__ */ listed({
     cause: 'The `.wasm` file did not arrive, stopped arriving for 10 s, arrived damaged, or a policy forbids compiling it. The next run tries again.',
     remedy: 'Look at the browser’s network panel; allow `wasm-unsafe-eval`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
   },
+  ScriptUnavailable: {
+    group: 'loading',
+    message: 'a script could not be fetched',
+    cause: 'A part that is loaded when it is wanted is not on the server any more, since a newer version was put there while the page was open; or there is no network.',
+    remedy: 'Reload the page. On your own server, keep the files of the last version for a while: see [your own server](recipes.html#on-a-server-of-your-own).',
+  },
   WorkerUnavailable: {
     group: 'loading',
     message: 'the generator’s worker could not be started',

@@ -60,6 +60,12 @@ export function isCoded(thrown: unknown): thrown is Error & ErrorInfo {
   return thrown instanceof RockFieldError || (thrown instanceof Error && typeof (thrown as Error & ErrorInfo).key === 'string');
 }
 
+/** A script that is fetched when it is wanted cannot be had; `cause` is what the browser threw. */
+export function scriptUnavailable(cause: unknown): RockFieldError {
+  const reason = cause instanceof Error ? cause.message : String(cause);
+  return new RockFieldError({ name: 'ScriptUnavailable', message: `a script could not be fetched (${reason}); reload the page` }, { cause });
+}
+
 export function abortError(message: string): DOMException {
   return new DOMException(message, 'AbortError');
 }

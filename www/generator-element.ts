@@ -15,6 +15,7 @@ import type { SceneLink } from './link.ts';
 import type { Language } from './params.ts';
 import { shown, wrongType } from './param-checks.ts';
 import type { RowProperties } from './parameter-properties.ts';
+import { lazily } from './lazy.ts';
 import { REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
 import { QUALITY_CHOICES } from './renderer/quality.ts';
 import type { WantedQuality } from './renderer/quality.ts';
@@ -490,7 +491,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   /** Few elements have a panel: for the others nothing of it is fetched. */
   async #loadControls(): Promise<void> {
     try {
-      const { ControlsButton } = await import('./controls-button.ts');
+      const { ControlsButton } = await lazily(() => import('./controls-button.ts'));
       this.#controls ??= this.#newControls(ControlsButton);
       this.#controls.update();
     } catch (thrown) {

@@ -5,6 +5,7 @@ import { listenToKeys } from './controls/keys.ts';
 import { loadLater } from './controls/load-later.ts';
 import { savePreferences } from './controls/preferences.ts';
 import { RockFieldError, errorInfo } from './errors.ts';
+import { lazily, onMissingFile, tellMissingFile } from './lazy.ts';
 import { isLink } from './link.ts';
 import { translate } from './strings.ts';
 import { same } from './table.ts';
@@ -18,6 +19,9 @@ import type { Kind } from './table.ts';
 /** A drag makes some 60 edits a second; Safari allows 100 changes of the address in 30 s. */
 const ADDRESS_DELAY_MS = 300;
 
+/** Errors that a file may be the reason of which is not there any more. */
+const UNAVAILABLE = /^(Wasm|Worker)Unavailable$/;
+
 /** What the page is made of. */
 export interface Page<K extends Kind> {
   store: SceneStore<K>;
@@ -29,12 +33,16 @@ export interface Page<K extends Kind> {
   shown: () => K['result'] | null;
   /** Of the scene's own panel. */
   actions?: object;
+  /** Whether a reload would lose a log from a file, which is not in the address. */
+  hasUnsavedLog?: () => boolean;
   /** Other parameters by lot. */
   random: (params: K['params'], seed: number) => Promise<K['params']>;
 }
 
-export function openPage<K extends Kind>({ store, element, panel, readLink, encode, shown, random, actions: own = {} }: Page<K>): void {
+export function openPage<K extends Kind>({ store, element, panel, readLink, encode, shown, random, hasUnsavedLog = () => false, actions: own = {} }: Page<K>): void {
   const stage = found('.stage');
+  // What helps when a file cannot be had has to be there before that.
+  const offline = lazily(() => import('./offline.ts'));
 
   // The element follows the store …
 
@@ -80,7 +88,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
 
   listen('load', () => {
     store.setBackend(element.backend);
-    void import('./offline.ts').then(({ keepOffline }) => keepOffline());
+    void offline.then(({ keepOffline }) => keepOffline());
   });
   listen('generate', ({ detail }: CustomEvent<{ superseded: boolean }>) => {
     store.setBackend(element.backend);
@@ -88,7 +96,10 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     if (result) store.showResult(result, detail.superseded ? null : store.params);
   });
   listen('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
-  listen('error', ({ detail }: SceneEventMap<string>['error']) => void store.fail(detail.error));
+  listen('error', ({ detail }: SceneEventMap<string>['error']) => {
+    if (UNAVAILABLE.test(detail.error.name)) tellMissingFile();
+    void store.fail(detail.error);
+  });
   listen('restored', () => {
     store.setBackend(element.backend);
     store.say((language) => translate(language, 'lostPicture'));
@@ -209,10 +220,12 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   });
   found('.boot').remove();
 
+  void offline.then(({ offerNewerVersion }) => offerNewerVersion(onMissingFile, store, writeAddress, hasUnsavedLog));
+
   // What nobody caught is said, not swallowed.
   window.addEventListener('unhandledrejection', ({ reason }) => {
     const message = reason instanceof RockFieldError ? reason.message : String(reason);
-    if (reason?.name !== 'AbortError') store.say((language) => translate(language, 'pageFailed', { message }));
+    if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => translate(language, 'pageFailed', { message }));
   });
 }
 

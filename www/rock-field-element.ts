@@ -6,6 +6,7 @@ import { GeneratorClient } from './generator/client.ts';
 import type { StageName } from './generator/protocol.ts';
 import { GeneratorElement, observedAttributes } from './generator-element.ts';
 import type { Scene, SceneEventMap } from './generator-element.ts';
+import { lazily } from './lazy.ts';
 import { loadPanel } from './load-panel.ts';
 import { lookOf } from './look.ts';
 import type { Layer } from './params.ts';
@@ -36,8 +37,8 @@ const SCENE: Scene<Rocks> = {
   lookOf,
   groundSize: ({ imageWidth, imageHeight }) => [imageWidth, imageHeight],
   encode: encodeLink,
-  describe: async (field, metresPerPixel, language) => (await import('./field-description.ts')).describeField(field, metresPerPixel, language),
-  random: async (params, seed) => (await import('./controls/randomise.ts')).randomParams(params, seed),
+  describe: async (field, metresPerPixel, language) => (await lazily(() => import('./field-description.ts'))).describeField(field, metresPerPixel, language),
+  random: async (params, seed) => (await lazily(() => import('./controls/randomise.ts'))).randomParams(params, seed),
   loadPanel,
 };
 

@@ -2,6 +2,7 @@
 
 import type { Field } from './field.ts';
 import type { StageName } from './generator/protocol.ts';
+import { lazily } from './lazy.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import type { Layer, Params, PresetName } from './params.ts';
 import { boundsOf, defaultLayer, FIELD_ROWS, LAYER_ROWS, presetParams, readValue, resolveParams, writeValue } from './params-flat.ts';
@@ -36,7 +37,7 @@ export const ROCKS: Table<Rocks> = {
     return copy;
   },
   resolve: resolveParams,
-  docs: async () => (await import('./param-docs.gen.ts')).PARAM_DOCS,
+  docs: async () => (await lazily(() => import('./param-docs.gen.ts'))).PARAM_DOCS,
   // Triangles smaller than a pixel are wasted.
   pictured: (params) => ({ ...params, layers: params.layers.map((layer) => ({ ...layer, detail: Math.min(layer.detail, 2) })) }),
   sameBesides: (one, other) => one.layers.every(({ id }, index) => id === other.layers[index]?.id),

@@ -16,6 +16,7 @@ import type { Interaction, Theme } from './attribute-reader.ts';
 import { CAN_SHOW } from './document-styles.ts';
 import type { Field } from './field.ts';
 import { FramePacer } from './frame-pacer.ts';
+import { lazily } from './lazy.ts';
 import type { OrbitControls } from './orbit-controls.ts';
 import type { PictureOptions } from './picture.ts';
 import { errorText, RendererKeeper } from './renderer-keeper.ts';
@@ -217,7 +218,7 @@ export abstract class SceneElement extends Base {
    *   browser gives none; what the element reports where there will be no picture.
    */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
-    const [{ pictureSize, takePicture }] = await Promise.all([import('./picture.ts'), this.#drawable()]);
+    const [{ pictureSize, takePicture }] = await Promise.all([lazily(() => import('./picture.ts')), this.#drawable()]);
     const renderer = this.#kept.renderer;
     if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
     // In a tab that nobody sees, nobody has told the size yet.
@@ -465,7 +466,7 @@ export abstract class SceneElement extends Base {
 
   /** The first picture needs no hands: they come after it. */
   async #steer(signal: AbortSignal): Promise<void> {
-    const { OrbitControls } = await import('./orbit-controls.ts');
+    const { OrbitControls } = await lazily(() => import('./orbit-controls.ts'));
     if (signal.aborted) return;
     this.#controls = new OrbitControls(
       this.#tree.stage,
@@ -496,7 +497,7 @@ export abstract class SceneElement extends Base {
 
   async #saying(hint: keyof typeof HINTS, say: (text: string) => void): Promise<void> {
     try {
-      say((await import('./scene-hints.ts')).HINTS[hint][this.language]);
+      say((await lazily(() => import('./scene-hints.ts'))).HINTS[hint][this.language]);
     } catch (thrown) {
       console.warn(thrown);
     }

@@ -67,6 +67,10 @@ const ERRORS: Partial<Record<ErrorName, Words>> = {
     en: 'The generator could not be loaded. Check the connection, then reload the page.',
     ja: '生成プログラムを読み込めませんでした。接続を確認して、ページを再読み込みしてください。',
   },
+  ScriptUnavailable: {
+    en: 'A part of this could not be fetched. Check the connection, then reload the page.',
+    ja: '必要なファイルを読み込めませんでした。接続を確認して、ページを再読み込みしてください。',
+  },
   WorkerUnavailable: {
     en: 'The browser refused to start the generator’s worker. Reload the page, or try another browser.',
     ja: 'ブラウザが生成用ワーカーを起動できませんでした。再読み込みするか、別のブラウザをお試しください。',

@@ -4,6 +4,7 @@
  */
 
 import { filled } from './filled.ts';
+import { lazily } from './lazy.ts';
 import type { Slots } from './filled.ts';
 import type { Language, Preset, PRESETS, Words } from './params.ts';
 import type * as Japanese from './strings.ja.ts';
@@ -134,7 +135,7 @@ let japanese: typeof Japanese | undefined;
 /** Few read Japanese, so its sentences are fetched; until they are there, and where they cannot be had, they are English. */
 export async function loadJapanese(): Promise<void> {
   try {
-    japanese ??= await import('./strings.ja.ts');
+    japanese ??= await lazily(() => import('./strings.ja.ts'));
   } catch (thrown) {
     console.warn(thrown);
   }

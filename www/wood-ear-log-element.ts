@@ -10,6 +10,7 @@ import type { Progress } from './generator/protocol.ts';
 import type { WoodEarStage } from './generator/wood-ear-session.ts';
 import { GeneratorElement, observedAttributes } from './generator-element.ts';
 import type { Scene, SceneEventMap } from './generator-element.ts';
+import { lazily } from './lazy.ts';
 import { loadWoodEarPanel } from './load-wood-ear-panel.ts';
 import { besideNotice, listenToDrops, logAmong } from './log-drop.ts';
 import type { LogSource } from './log-file/client.ts';
@@ -50,8 +51,8 @@ const SCENE: Scene<WoodEars> = {
   lookOf: woodEarLook,
   groundSize: (params) => [groundSide(params), groundSide(params)],
   encode: encodeWoodEarLink,
-  describe: async ({ colony }, metresPerPixel, language) => (await import('./wood-ear-words.ts')).describeColony(colony, metresPerPixel, language),
-  random: async (params, seed) => (await import('./controls/randomise-wood-ears.ts')).randomWoodEars(params, seed),
+  describe: async ({ colony }, metresPerPixel, language) => (await lazily(() => import('./wood-ear-words.ts'))).describeColony(colony, metresPerPixel, language),
+  random: async (params, seed) => (await lazily(() => import('./controls/randomise-wood-ears.ts'))).randomWoodEars(params, seed),
   loadPanel: loadWoodEarPanel,
 };
 
@@ -167,7 +168,7 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     if (signal?.aborted) onAbort();
     signal?.addEventListener('abort', onAbort, { once: true });
     try {
-      const { readLogInWorker } = await import('./log-file/client.ts');
+      const { readLogInWorker } = await lazily(() => import('./log-file/client.ts'));
       const tell = (fraction: number): void => {
         this.tellProgress({ stage: 'log', fraction });
         onProgress?.(fraction);

@@ -5,6 +5,7 @@ import { loadPreferences } from './controls/preferences.ts';
 import { WoodEarPanel } from './controls/wood-ear-controls.ts';
 import { WoodEarStore } from './controls/wood-ear-store.ts';
 import { errorInfo, isAbort } from './errors.ts';
+import { lazily } from './lazy.ts';
 import { isLink } from './link.ts';
 import { hasFiles, logAmong } from './log-drop.ts';
 import { openPage } from './page.ts';
@@ -44,7 +45,8 @@ openPage({
   readLink,
   encode: encodeWoodEarLink,
   shown: () => element.scene,
-  random: async (params, seed) => (await import('./controls/randomise-wood-ears.ts')).randomWoodEars(params, seed),
+  random: async (params, seed) => (await lazily(() => import('./controls/randomise-wood-ears.ts'))).randomWoodEars(params, seed),
+  hasUnsavedLog: () => Boolean(store.params.mesh),
   actions: { loadLog, rocksPage: './' },
 });
 

@@ -5,6 +5,7 @@ import { RockFieldError } from './errors.ts';
 import type { Field } from './field.ts';
 import type { WoodEarStage } from './generator/wood-ear-session.ts';
 import type { PresetName } from './params.ts';
+import { lazily } from './lazy.ts';
 import { presetParams } from './params-flat.ts';
 import type { Kind, Table } from './table.ts';
 import { encodeLink } from './url-codec.ts';
@@ -108,7 +109,7 @@ export const WOOD_EARS: Table<WoodEars> = {
     return { ...owner, position: (owner as WoodEarBase).position.map((old, k) => (k === 'xyz'.indexOf(key) ? value : old)) };
   },
   resolve,
-  docs: async () => (await import('./wood-ear-docs.gen.ts')).WOOD_EAR_DOCS,
+  docs: async () => (await lazily(() => import('./wood-ear-docs.gen.ts'))).WOOD_EAR_DOCS,
   pictured: (params) => params,
   sameBesides: (one, other) => one.ground === other.ground && one.mesh === other.mesh,
 };

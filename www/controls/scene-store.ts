@@ -41,6 +41,13 @@ export interface Offer {
 /** A line for the whole page. */
 export type Message = (language: Language) => string;
 
+/** What helps when the page itself is not whole any more, with a button for it. */
+export interface Remedy {
+  text: Message;
+  label: Message;
+  act: () => void;
+}
+
 /** What changed, so that the wiring does no more than it must. */
 export type Change = 'params' | 'look' | 'camera' | 'preferences' | 'result' | 'progress' | 'messages';
 
@@ -70,6 +77,7 @@ export abstract class SceneStore<K extends Kind> {
   progress: Progress<K['stage']> | null = null;
   problem: Problem | null = null;
   messages: Message[] = [];
+  remedy: Remedy | null = null;
 
   #docs: Readonly<Record<string, Words>> = {};
   readonly #history: History<Edition<K>>;
@@ -336,6 +344,12 @@ export abstract class SceneStore<K extends Kind> {
     const ofItem = row ? undefined : this.table.itemRows.find((candidate) => candidate.key === key);
     if (!row && !ofItem && !this.listKeys.includes(key)) this.say(text);
     else if (this.params === params) this.setProblem({ key, item: ofItem ? (layer ?? this.itemAtFault()) : null, component: null, text });
+  }
+
+  /** Stands before all messages. */
+  setRemedy(remedy: Remedy | null): void {
+    this.remedy = remedy;
+    this.notify('messages');
   }
 
   say(message: Message): void {

@@ -10,7 +10,16 @@ import type { SceneStore } from './scene-store.ts';
 
 /** Only text goes in here: much of it comes from links. */
 export function messageLine<K extends Kind>(store: SceneStore<K>): TemplateResult | typeof nothing {
-  const { messages, language } = store;
+  const { messages, language, remedy } = store;
+  if (remedy) {
+    return html`
+      <div class="message" role="alert">
+        <p>${remedy.text(language)}</p>
+        <button class="button" type="button" @click=${remedy.act}>${remedy.label(language)}</button>
+        ${iconButton({ icon: 'close', label: store.text('dismiss'), action: () => store.setRemedy(null) })}
+      </div>
+    `;
+  }
   const [first] = messages;
   if (!first) return nothing;
   return html`

@@ -1,6 +1,6 @@
 /** Generators without a worker, for Node, workers and bundlers: what `core.ts` and `core.node.ts` share. */
 
-import { errorInfo, RockFieldError } from '../errors.ts';
+import { errorInfo, RockFieldError, scriptUnavailable } from '../errors.ts';
 import type { Field } from '../field.ts';
 import { checkNumber, objectOf, wrongType } from '../param-checks.ts';
 import { encodeParams, flatRequest, resolveParams } from '../params-flat.ts';
@@ -67,7 +67,11 @@ export class Realm<Module> {
   }
 
   async #load(source: WasmSource | Promise<WasmSource> | undefined): Promise<Module> {
-    this.#glue = await this.#loadGlue();
+    try {
+      this.#glue = await this.#loadGlue();
+    } catch (cause) {
+      throw scriptUnavailable(cause);
+    }
     return loadGenerator<Module>(this.#glue, source ?? this.#source());
   }
 

@@ -1,5 +1,6 @@
 /** Starts every worker of the package, wherever the page stands. */
 
+import { lazily } from '../lazy.ts';
 import type { WorkerLike } from './pool-worker.ts';
 
 /** The part of `trustedTypes` that is used; TypeScript's DOM library has none of it. */
@@ -37,7 +38,7 @@ export function startWorker(spawn: () => Worker): WorkerLike {
     }
   } as unknown as typeof Worker;
   try {
-    return Object.assign(spawn(), { probe: async (heard: () => void) => (await import('./probe.ts')).probeScript(script, heard) });
+    return Object.assign(spawn(), { probe: async (heard: () => void) => (await lazily(() => import('./probe.ts'))).probeScript(script, heard) });
   } catch (thrown) {
     throw isPolicyRefused ? new Error("the page's Content-Security-Policy has to allow the policy: trusted-types rock-field", { cause: thrown }) : thrown;
   } finally {

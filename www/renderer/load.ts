@@ -1,5 +1,6 @@
 /** Finds the best backend that really works and makes a renderer of it. */
 
+import { lazily } from '../lazy.ts';
 import { GpuRenderer } from './gpu.ts';
 import type { Backend, SceneRenderer } from './renderer.ts';
 
@@ -34,9 +35,9 @@ export async function loadRenderer(makeCanvas: () => HTMLCanvasElement, wanted: 
 async function open(backend: Backend, makeCanvas: () => HTMLCanvasElement): Promise<SceneRenderer> {
   switch (backend) {
     case 'null':
-      return new (await import('./null.ts')).NullRenderer(makeCanvas());
+      return new (await lazily(() => import('./null.ts'))).NullRenderer(makeCanvas());
     case 'canvas2d':
-      return new (await import('./canvas2d.ts')).Canvas2dRenderer(makeCanvas());
+      return new (await lazily(() => import('./canvas2d.ts'))).Canvas2dRenderer(makeCanvas());
     case 'webgpu':
     case 'webgl':
       return GpuRenderer.create(backend, makeCanvas);

@@ -1,0 +1,58 @@
+/** What a page does when a file of its build cannot be had: it says so, in words that are true, and offers to reload. */
+
+import type { SceneStore } from './controls/scene-store.ts';
+import type { onMissingFile } from './lazy.ts';
+import type { Words } from './params.ts';
+import type { Kind } from './table.ts';
+
+const WORDS = {
+  newer: { en: 'There is a newer version of this page. Reload to go on from here.', ja: 'このページには新しいバージョンがあります。再読み込みすると、今の状態から続けられます。' },
+  missing: { en: 'A part of this page could not be fetched. Check the connection, then reload.', ja: 'ページの一部を読み込めませんでした。接続を確認して、再読み込みしてください。' },
+  log: { en: 'The log from a file has to be chosen again.', ja: 'ファイルから読み込んだ丸太は、もう一度選び直す必要があります。' },
+  reload: { en: 'Reload', ja: '再読み込み' },
+} as const satisfies Record<string, Words>;
+
+const BUILD = 'meta[name=rock-field-build]';
+
+/** The build that this page was made by. */
+export function ownBuild(): string {
+  return document.querySelector<HTMLMetaElement>(BUILD)?.content ?? '';
+}
+
+/** The build that a visitor would get now; undefined when the server cannot be reached. */
+async function newestBuild(): Promise<string | undefined> {
+  try {
+    const response = await fetch(location.pathname, { cache: 'no-cache' });
+    const page = new DOMParser().parseFromString(await response.text(), 'text/html');
+    return response.ok ? (page.querySelector<HTMLMetaElement>(BUILD)?.content ?? '') : undefined;
+  } catch {
+    return undefined;
+  }
+}
+
+/** `listen` is how to hear of files that are missing. `save` is called before the page is reloaded; `hasUnsavedLog` says whether a log from a file will be lost all the same. */
+export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, store: SceneStore<K>, save: () => void, hasUnsavedLog: () => boolean): void {
+  let isAsking = false;
+
+  async function offer(): Promise<void> {
+    if (isAsking || store.remedy) return;
+    isAsking = true;
+    const newest = await newestBuild();
+    isAsking = false;
+    const words = newest === undefined || newest === ownBuild() ? WORDS.missing : WORDS.newer;
+    store.setRemedy({
+      text: (language) => words[language] + (hasUnsavedLog() ? ` ${WORDS.log[language]}` : ''),
+      label: (language) => WORDS.reload[language],
+      act: () => void reload(),
+    });
+  }
+
+  async function reload(): Promise<void> {
+    // Without a network the page as it is is better than none.
+    if ((await newestBuild()) === undefined) return;
+    save();
+    location.reload();
+  }
+
+  listen(() => void offer());
+}
