@@ -147,13 +147,18 @@ export function subjectCamera({ low, high }: Subject, aspect: number): CameraSta
   const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
   const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
   const between = ([tall, flat]: readonly [number, number]): number => tall + (flat - tall) * wide;
+  return boxCamera({ low, high }, ratio, between(SUBJECT.azimuth), between(SUBJECT.elevation), SUBJECT.room);
+}
+
+/** The nearest camera at the given angles whose picture shows all of a box in its inner part, `room` of 1, with the box's middle in its own. */
+export function boxCamera({ low, high }: Subject, aspect: number, azimuth: number, elevation: number, room: number): CameraState {
   const target = low.map((value, k) => (value + high[k]!) / 2) as Vector;
-  const camera: CameraState = { azimuth: between(SUBJECT.azimuth), elevation: between(SUBJECT.elevation), distance: MIN_DISTANCE_PX, target };
+  const camera: CameraState = { azimuth, elevation, distance: MIN_DISTANCE_PX, target };
   const { right, up, forward } = cameraAxes(camera);
   for (let corner = 0; corner < 8; corner += 1) {
     const from = low.map((value, k) => (corner & (1 << k) ? high[k]! : value) - target[k]!);
     const along = (axis: Vector): number => axis[0] * from[0]! + axis[1] * from[1]! + axis[2] * from[2]!;
-    const reach = Math.max(Math.abs(along(right)) / (TAN * ratio), Math.abs(along(up)) / TAN) / SUBJECT.room;
+    const reach = Math.max(Math.abs(along(right)) / (TAN * aspect), Math.abs(along(up)) / TAN) / room;
     camera.distance = Math.max(camera.distance, reach - along(forward));
   }
   return camera;

@@ -98,7 +98,8 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     if (detail.message !== store.offer?.text) store.say(() => detail.message);
   });
   listen('camera-change', ({ detail }: SceneEventMap<string>['camera-change']) => {
-    store.camera = detail.framed ? null : detail.camera;
+    // The default camera is no part of a link.
+    store.camera = JSON.stringify(detail.camera) === JSON.stringify(element.defaultCamera) ? null : detail.camera;
     store.notify('camera');
   });
 
@@ -137,7 +138,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     clearTimeout(addressTimer);
     const opened = readLink(location.hash);
     store.open(opened);
-    element.camera = opened.camera;
+    element.camera = store.camera = opened.camera;
   });
 
   // What the buttons do.
