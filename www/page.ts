@@ -6,7 +6,8 @@ import { loadLater } from './controls/load-later.ts';
 import { savePreferences } from './controls/preferences.ts';
 import { RockFieldError, errorInfo } from './errors.ts';
 import { isLink } from './link.ts';
-import { translate } from './strings.ts';
+import { rememberScene } from './scenes.ts';
+import { pageTitle, translate } from './strings.ts';
 import { same } from './table.ts';
 import type { Actions, ScenePanel } from './controls/scene-panel.ts';
 import type { Change, OpenedLink, SceneStore } from './controls/scene-store.ts';
@@ -35,6 +36,7 @@ export interface Page<K extends Kind> {
 
 export function openPage<K extends Kind>({ store, element, panel, readLink, encode, shown, random, actions: own = {} }: Page<K>): void {
   const stage = found('.stage');
+  const { title } = document;
 
   // The element follows the store …
 
@@ -64,6 +66,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     savePreferences({ language, theme });
     const page = document.documentElement;
     page.lang = language;
+    document.title = pageTitle(language, element.localName) ?? title;
     if (theme === 'auto') delete page.dataset.theme;
     else page.dataset.theme = theme;
     element.theme = theme;
@@ -129,7 +132,14 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     } catch {
       // A frame without an address of its own, or a browser that has counted too many changes. Links are made without it.
     }
+    rememberScene(link());
   }
+
+  // Whoever leaves the page finds it again as it was left. A click comes before the page is left, a closed window does not.
+  const writeAtOnce = () => addressTimer !== undefined && writeAddress();
+  document.addEventListener('click', writeAtOnce, true);
+  window.addEventListener('pagehide', writeAtOnce);
+  if (isLink(store.table, location.hash)) rememberScene(link());
 
   window.addEventListener('hashchange', () => {
     // A place on the page, not a scene: what is shown stays.
@@ -154,6 +164,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   const actions: Actions<K> = {
     freshSeed: () => void withFreshSeed((seed) => store.setSeed(seed)),
     randomise: () => void withFreshSeed(async (seed) => store.edit(await random(store.params, seed))),
+    link,
     newElement: () => document.createElement(element.localName) as GeneratorElement<K>,
     share: async () => {
       writeAddress();
@@ -213,7 +224,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   // What nobody caught is said, not swallowed.
   window.addEventListener('unhandledrejection', ({ reason }) => {
     const message = reason instanceof RockFieldError ? reason.message : String(reason);
-    if (reason?.name !== 'AbortError') store.say((language) => translate(language, 'pageFailed', { message }));
+    if (reason?.name !== 'AbortError') store.say((language) => translate(language, 'pageFailed', { message }), true);
   });
 }
 

@@ -41,6 +41,12 @@ export interface Offer {
 /** A line for the whole page. */
 export type Message = (language: Language) => string;
 
+export interface Line {
+  text: Message;
+  /** Something went wrong; else something is merely said. */
+  isProblem: boolean;
+}
+
 /** What changed, so that the wiring does no more than it must. */
 export type Change = 'params' | 'look' | 'camera' | 'preferences' | 'result' | 'progress' | 'messages';
 
@@ -69,7 +75,7 @@ export abstract class SceneStore<K extends Kind> {
   backend: Backend | null = null;
   progress: Progress<K['stage']> | null = null;
   problem: Problem | null = null;
-  messages: Message[] = [];
+  messages: Line[] = [];
 
   #docs: Readonly<Record<string, Words>> = {};
   readonly #history: History<Edition<K>>;
@@ -196,9 +202,9 @@ export abstract class SceneStore<K extends Kind> {
     this.edit({ ...this.table.presetParams(preset), seed: this.params.seed }, '', preset);
   }
 
-  /** The preset as printed, with seed 0. */
+  /** The preset as printed; the seed stays. */
   reset(): void {
-    this.edit(this.table.presetParams(this.preset));
+    this.edit({ ...this.table.presetParams(this.preset), seed: this.params.seed });
   }
 
   /** Whether anything but the seed differs from the preset. */
@@ -223,6 +229,11 @@ export abstract class SceneStore<K extends Kind> {
 
   release(): void {
     this.#history.release();
+  }
+
+  /** The pointer is taken away, as by a scroll: back to where it was put down. */
+  abandon(): void {
+    if (this.#history.abandon()) this.#moved();
   }
 
   undo(): void {
@@ -253,14 +264,14 @@ export abstract class SceneStore<K extends Kind> {
   }
 
   /** In English at once; the words of the other language may have to be fetched. */
-  #messagesOf(notices: readonly Notice[]): Message[] {
+  #messagesOf(notices: readonly Notice[]): Line[] {
     let inJapanese: ((notice: Notice) => string) | undefined;
     const fetched = ({ japaneseNotice }: Later) => {
       inJapanese = japaneseNotice;
       this.notify('messages');
     };
     if (notices.length > 0) loadLater().then(fetched, () => undefined);
-    return notices.map((notice) => (language) => (language === 'ja' && inJapanese?.(notice)) || notice.text);
+    return notices.map((notice) => ({ text: (language) => (language === 'ja' && inJapanese?.(notice)) || notice.text, isProblem: true }));
   }
 
   setView(view: View): void {
@@ -334,12 +345,12 @@ export abstract class SceneStore<K extends Kind> {
     const text = (language: Language) => errorText(language, error);
     const row = this.table.rows.find((candidate) => candidate.key === key && layer === undefined);
     const ofItem = row ? undefined : this.table.itemRows.find((candidate) => candidate.key === key);
-    if (!row && !ofItem && !this.listKeys.includes(key)) this.say(text);
+    if (!row && !ofItem && !this.listKeys.includes(key)) this.say(text, true);
     else if (this.params === params) this.setProblem({ key, item: ofItem ? (layer ?? this.itemAtFault()) : null, component: null, text });
   }
 
-  say(message: Message): void {
-    this.messages = [...this.messages, message];
+  say(text: Message, isProblem = false): void {
+    this.messages = [...this.messages, { text, isProblem }];
     this.notify('messages');
   }
 

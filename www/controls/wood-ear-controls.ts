@@ -4,6 +4,7 @@ import { html, nothing } from 'lit';
 import { PRESETS } from '../params.ts';
 import { presetName } from '../strings.ts';
 import { woodEarPresetName, woodEarText } from '../strings-wood-ear.ts';
+import { beginGroundEdit } from '../scenes.ts';
 import { decodeLink } from '../url-codec.ts';
 import { logAmong } from '../log-drop.ts';
 import { BASE_ROWS, LOG_ROWS } from '../wood-ear-flat.ts';
@@ -86,7 +87,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
       <section class="section" aria-labelledby="bases-heading">
         <div class="section-head">
           <h2 id="bases-heading">${this.#t('bases')} <span class="quiet">${bases.length} / ${max}</span></h2>
-          <button class="button" type="button" ?disabled=${bases.length >= max} @click=${() => store.addBase()}>${icon('add')}${this.#t('addBase')}</button>
+          <button class="button" type="button" ?disabled=${bases.length >= max} @click=${() => (store.addBase(), this.focusItem(bases.length))}>${icon('add')}${this.#t('addBase')}</button>
         </div>
         ${description('bases', '', problem?.key === 'bases' ? problem.text(store.language) : null)}
         <p class="quiet">${this.#t('basesHint')}</p>
@@ -108,7 +109,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
             <span class="layer-numbers">${base.position.map((value) => Math.round(value)).join(', ')} cm</span>
             ${icon('down')}
           </button>
-          ${iconButton({ icon: 'remove', label: this.#t('removeBase', { n }), action: () => store.removeItem(index), disabled: store.params.bases.length <= min })}
+          ${iconButton({ icon: 'remove', label: this.#t('removeBase', { n }), action: () => (store.removeItem(index), void this.focusItem(index)), disabled: store.params.bases.length <= min })}
         </div>
         <div class="layer-body" id="base-${index}" ?hidden=${!isOpen}>${isOpen ? this.#baseControls(base, index) : nothing}</div>
       </li>
@@ -176,7 +177,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
         ${opened
           ? html`<div class="button-row">
               <button class="button" type="button" @click=${() => store.chooseGround(opened.preset, opened.params.seed + 1)}>${icon('dice')}${this.#t('groundSeed')}</button>
-              ${actions.rocksPage ? html`<a class="button" href="${actions.rocksPage}#${ground}">${this.#t('openGround')}</a>` : nothing}
+              ${actions.rocksPage ? html`<a class="button" href="${actions.rocksPage}#${ground}" @click=${beginGroundEdit}>${this.#t('openGround')}</a>` : nothing}
             </div>`
           : nothing}
       </section>
