@@ -220,9 +220,10 @@ export abstract class SceneElement extends Base {
 
   /** Changes the colour: a camera that nobody moved stays where it is. */
   protected recolor(change: () => void): void {
+    const { isDefault } = this.#camera;
     if (this.#painted) this.#camera.hold();
     change();
-    this.#tellCamera();
+    if (this.#camera.isDefault !== isDefault) this.#tellCamera();
   }
 
   /** After `recolor`: the default camera is the present colour's again. */

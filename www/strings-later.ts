@@ -36,7 +36,7 @@ export const LATER = {
   panBy: { en: 'right drag, two fingers, or Shift + arrow keys', ja: '右ドラッグ、2本指、Shift + 矢印キー' },
   zoom: { en: 'Zoom', ja: '拡大・縮小' },
   zoomBy: { en: 'wheel, pinch, or + and −', ja: 'ホイール、ピンチ、+ と −' },
-  frameBy: { en: 'F or double-click', ja: 'F またはダブルクリック' },
+  frameBy: { en: 'F or double-click; again: closer', ja: 'F またはダブルクリック（もう一度で近づく）' },
   viewsBy: { en: '1, 2, 3, 4', ja: '1、2、3、4' },
   seeds: { en: 'Previous, next seed', ja: '前・次のシード' },
   seedsBy: { en: '[ and ]', ja: '[ と ]' },
