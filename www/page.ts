@@ -1,7 +1,6 @@
 /** A page of one scene: wires an element, the controls and the address bar to one store. */
 
 import './controls/stage-overlay.ts';
-import { listenToKeys } from './controls/keys.ts';
 import { loadLater } from './controls/load-later.ts';
 import { savePreferences } from './controls/preferences.ts';
 import { RockFieldError, errorInfo } from './errors.ts';
@@ -212,7 +211,8 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   element.interaction = 'always';
   stage.append(element, overlay);
   stage.after(panel);
-  listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() });
+  // No key is pressed before there is something to see.
+  void import('./controls/keys.ts').then(({ listenToKeys }) => listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() }));
 
   found('.skip-link').addEventListener('click', (event) => {
     // Not by the address: that is the scene's.

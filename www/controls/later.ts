@@ -7,6 +7,7 @@ export { nextLayer } from './next-layer.ts';
 export { lastSection, wayToLog } from './last-section.ts';
 export { layerControls } from './layer-controls.ts';
 export { inNotation } from './notation.ts';
+export { numberField, paramControl } from './param-control.ts';
 export { randomParams } from './randomise.ts';
 export { scaledLayer } from './scaled-layer.ts';
 export { statistics } from './statistics.ts';

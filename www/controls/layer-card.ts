@@ -4,7 +4,7 @@ import { html, nothing } from 'lit';
 import { MAX_LAYERS } from '../params.ts';
 import { LAYER_ROWS } from '../params-flat.ts';
 import { icon } from './icons.ts';
-import { problemOf, shownNumber } from './param-control.ts';
+import { problemOf, shownNumber } from './numbers.ts';
 import { iconButton } from './parts.ts';
 import { rockCount } from './summary.ts';
 import type { TemplateResult } from 'lit';

@@ -3,14 +3,12 @@
 import { html } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { translate } from '../strings.ts';
+import { problemOf, shownNumber } from './numbers.ts';
 import { describedBy, description, mathText, menu, segments } from './parts.ts';
 import { sliderScale } from './slider-scale.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind, Row } from '../table.ts';
 import type { SceneStore } from './scene-store.ts';
-
-/** Digits shown of a number; its value keeps all of them. */
-const SHOWN_DIGITS = 7;
 
 /** How far from the middle of the thumb a finger may be to take it; the thumb is as wide as tokens.css has it for fingers. */
 const REACH_PX = 24;
@@ -24,12 +22,6 @@ const MOST_SEGMENTS = 4;
 /** The control of a row, for the item `item` (an index) or, with `null`, for the whole. `beside`: what stands beside the number of a slider. */
 export function paramControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null, beside?: TemplateResult): TemplateResult {
   return spec.kind === 'choice' ? choiceControl(store, spec, item) : numberControl(store, spec, item, beside);
-}
-
-export function problemOf<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): string | null {
-  const { problem } = store;
-  const isHere = problem?.key === spec.key && problem.item === item && (problem.component ?? 0) === (spec.component ?? 0);
-  return problem && isHere ? problem.text(store.language) : null;
 }
 
 /** The page's id of a control; also how tests find it. */
@@ -153,21 +145,6 @@ export function numberField<K extends Kind>({ store, spec, item, id, shown, unit
       ${unit ? html`<span class="unit" aria-hidden="true">${unit}</span>` : ''}
     </span>
   `;
-}
-
-/**
- * Puts the values into the number fields below `root`, but for the one being typed in: “1.” must not turn into “1” under the fingers.
- * Call it after every render.
- */
-export function fillNumberFields(root: ParentNode): void {
-  for (const field of root.querySelectorAll<HTMLInputElement>('.number-field')) {
-    const { shown = '', typing } = field.dataset;
-    if (typing === undefined && field.value !== shown) field.value = shown;
-  }
-}
-
-export function shownNumber(value: number): string {
-  return String(Number.isInteger(value) ? value : Number(value.toPrecision(SHOWN_DIGITS)));
 }
 
 /** The filled part of a track, as shares of its length: from zero, or from the end where zero is not on it. */

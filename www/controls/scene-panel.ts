@@ -5,7 +5,7 @@ import { sceneAddress, SCENES } from '../scenes.ts';
 import { icon } from './icons.ts';
 import { loadLater } from './load-later.ts';
 import { colorChoice, viewChoice } from './look.ts';
-import { fillNumberFields, numberField, paramControl, problemOf } from './param-control.ts';
+import { fillNumberFields, problemOf } from './numbers.ts';
 import { description, iconButton } from './parts.ts';
 import { messageLine, progressLine } from './status.ts';
 import type { TemplateResult } from 'lit';
@@ -68,6 +68,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     super.connectedCallback();
     this.#unsubscribe = this.store.subscribe(() => this.requestUpdate());
     void this.store.loadDocs();
+    this.loadLater().catch((thrown: unknown) => console.warn(thrown));
   }
 
   override disconnectedCallback(): void {
@@ -183,7 +184,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
         <div class="control" data-param="seed" data-help=${store.help(seed)}>
           <label class="control-label" for="seed-number">${seed.label[language]}</label>
           <div class="field-row">
-            ${numberField({ store, spec: seed, item: null, id: 'seed', shown: String(params.seed), unit: '', problem })}
+            ${this.later?.numberField({ store, spec: seed, item: null, id: 'seed', shown: String(params.seed), unit: '', problem }) ?? html`<span class="number"></span>`}
             ${iconButton({ icon: 'previous', label: store.text('previousSeed'), action: () => store.setSeed(params.seed - 1) })}
             ${iconButton({ icon: 'next', label: store.text('nextSeed'), action: () => store.setSeed(params.seed + 1) })}
             ${iconButton({ icon: 'dice', label: store.text('freshSeed'), action: this.actions.freshSeed })}
@@ -235,9 +236,14 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     return html`
       <details class="section" ?open=${isOpen}>
         <summary><h2>${heading}</h2>${icon('down')}</summary>
-        ${rows.map((row) => paramControl(this.store, row, null))}
+        ${rows.map((row) => this.control(row, null))}
       </details>
     `;
+  }
+
+  /** The control of a row, as soon as it is loaded. */
+  protected control(row: Row, item: number | null): TemplateResult | undefined {
+    return this.later?.paramControl(this.store, row, item);
   }
 
   #openPresets = async (): Promise<void> => {

@@ -9,7 +9,7 @@ import { decodeLink } from '../url-codec.ts';
 import { logAmong } from '../log-drop.ts';
 import { BASE_ROWS, LOG_ROWS } from '../wood-ear-flat.ts';
 import { icon } from './icons.ts';
-import { paramControl, problemOf } from './param-control.ts';
+import { problemOf } from './numbers.ts';
 import { description, iconButton, menu, segments } from './parts.ts';
 import { register, ScenePanel } from './scene-panel.ts';
 import { woodEarStatistics } from './wood-ear-statistics.ts';
@@ -128,7 +128,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
         value: base.range === null ? ofColony : 'own',
         action: (value) => store.setParam(RANGE, index, value === ofColony ? null : store.params.range),
       })}
-      ${base.range === null ? nothing : paramControl(store, RANGE, index)} ${BASE_ROWS.slice(0, 3).map((row) => paramControl(store, row, index))}
+      ${base.range === null ? nothing : this.control(RANGE, index)} ${BASE_ROWS.slice(0, 3).map((row) => this.control(row, index))}
     `;
   }
 
@@ -151,7 +151,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
     return html`
       <details class="section" ?open=${mesh !== null}>
         <summary><h2>${this.#t('log')}</h2>${icon('down')}</summary>
-        ${mesh ? html`<p class="quiet">${this.#t('logFileNote')}</p>` : nothing} ${LOG_ROWS.filter(({ key }) => !mesh || key === 'logSpacing').map((row) => paramControl(store, row, null))}
+        ${mesh ? html`<p class="quiet">${this.#t('logFileNote')}</p>` : nothing} ${LOG_ROWS.filter(({ key }) => !mesh || key === 'logSpacing').map((row) => this.control(row, null))}
         ${description('log', '', problem?.key === 'log' ? problem.text(store.language) : null)}
         <div class="button-row">
           <label class="button file-button">${this.#t('logFile')}<input class="visually-hidden" type="file" accept=".glb,.gltf,.obj,model/gltf-binary,model/gltf+json,model/obj" @change=${choose} /></label>
