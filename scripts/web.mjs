@@ -28,7 +28,7 @@ const PANELS = ['www/panel.ts', 'www/wood-ear-panel.ts'];
 // The documentation is a guest of the package like any other: it loads rock-field.js and shares no chunk with the page.
 const DOCS = { entryPoints: ['www/docs/docs.ts', 'www/styles/docs.css'], entryNames: HASHED_NAME, platform: 'browser' };
 const SERVICE_WORKER = 'www/service-worker.ts';
-const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg'];
+const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg', 'www/apple-touch-icon.png'];
 const PAGE = 'index.html';
 /** The pages that are made of it, each with its script, what a visit needs beside it, and what it says of itself where that is not the first's. */
 const PAGES = [

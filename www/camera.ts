@@ -1,5 +1,5 @@
 /**
- * The orbit camera as pure functions: framing, orbiting, zooming, panning. Nothing here draws or listens.
+ * The orbit camera as pure functions: its axes, and what it frames; `camera-moves.ts` moves it. Nothing here draws or listens.
  *
  * At azimuth 0 the eye looks along +y; growing azimuth carries it counter-clockwise round the target.
  * Elevation π/2 looks straight down with +y up. Plans (`diagrams`, `selection`) are seen from straight
@@ -13,12 +13,8 @@ import type { CameraState, View } from './renderer/renderer.ts';
 
 /** Half the picture's height at a distance of one. */
 export const TAN = Math.tan(FOV_Y / 2);
-const MIN_ELEVATION = (5 * Math.PI) / 180;
-const MAX_ELEVATION = Math.PI / 2;
 /** Close enough to fill the picture with one small rock. */
-const MIN_DISTANCE_PX = 6;
-/** A dozen times what frames the largest image. */
-const MAX_DISTANCE_PX = 250_000;
+export const MIN_DISTANCE_PX = 6;
 /** Steeper in tall pictures, where 35° would leave a thin band of rocks. */
 const ELEVATION_WIDE = (35 * Math.PI) / 180;
 const ELEVATION_TALL = (58 * Math.PI) / 180;
@@ -147,13 +143,18 @@ export function subjectCamera({ low, high }: Subject, aspect: number): CameraSta
   const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
   const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
   const between = ([tall, flat]: readonly [number, number]): number => tall + (flat - tall) * wide;
+  return boxCamera({ low, high }, ratio, between(SUBJECT.azimuth), between(SUBJECT.elevation), SUBJECT.room);
+}
+
+/** The nearest camera at the given angles whose picture shows all of a box in its inner part, `room` of 1, with the box's middle in its own. */
+export function boxCamera({ low, high }: Subject, aspect: number, azimuth: number, elevation: number, room: number): CameraState {
   const target = low.map((value, k) => (value + high[k]!) / 2) as Vector;
-  const camera: CameraState = { azimuth: between(SUBJECT.azimuth), elevation: between(SUBJECT.elevation), distance: MIN_DISTANCE_PX, target };
+  const camera: CameraState = { azimuth, elevation, distance: MIN_DISTANCE_PX, target };
   const { right, up, forward } = cameraAxes(camera);
   for (let corner = 0; corner < 8; corner += 1) {
     const from = low.map((value, k) => (corner & (1 << k) ? high[k]! : value) - target[k]!);
     const along = (axis: Vector): number => axis[0] * from[0]! + axis[1] * from[1]! + axis[2] * from[2]!;
-    const reach = Math.max(Math.abs(along(right)) / (TAN * ratio), Math.abs(along(up)) / TAN) / SUBJECT.room;
+    const reach = Math.max(Math.abs(along(right)) / (TAN * aspect), Math.abs(along(up)) / TAN) / room;
     camera.distance = Math.max(camera.distance, reach - along(forward));
   }
   return camera;
@@ -201,60 +202,4 @@ function heights(camera: CameraState, width: number, height: number): [number, n
     high = Math.max(high, at);
   }
   return [low, high];
-}
-
-/** Turned by angles in radians; the elevation stays between 5° and 90°. */
-export function orbit(camera: CameraState, azimuth: number, elevation: number): CameraState {
-  const turned = (camera.azimuth + azimuth) % (2 * Math.PI);
-  const raised = Math.min(MAX_ELEVATION, Math.max(MIN_ELEVATION, camera.elevation + elevation));
-  return { ...camera, azimuth: turned, elevation: raised };
-}
-
-/** `factor` below 1 comes closer. The ground under `about` (picture coordinates) stays where it is. */
-export function zoom(
-  camera: CameraState,
-  factor: number,
-  about: readonly [number, number] = [0, 0],
-  aspect = 1,
-  plan = false,
-): CameraState {
-  const wanted = camera.distance * factor;
-  const distance = Math.min(MAX_DISTANCE_PX, Math.max(MIN_DISTANCE_PX, wanted));
-  const scale = distance / camera.distance;
-  const point = groundPoint(camera, about[0], about[1], aspect, plan);
-  const [x, y, z] = camera.target;
-  // Near the horizon the ground runs away to infinity; a pointer there zooms about the middle.
-  if (!point || Math.hypot(point[0] - x, point[1] - y) > 4 * camera.distance) {
-    return { ...camera, distance };
-  }
-  return {
-    ...camera,
-    distance,
-    target: [point[0] + (x - point[0]) * scale, point[1] + (y - point[1]) * scale, z * scale],
-  };
-}
-
-/**
- * Dragged by (dx, dy) pixels of a picture `heightPx` high, dy down: the ground at the target follows the
- * pointer.
- */
-export function pan(
-  camera: CameraState,
-  dx: number,
-  dy: number,
-  heightPx: number,
-  plan = false,
-): CameraState {
-  const perPixel = (2 * camera.distance * TAN) / Math.max(heightPx, 1);
-  const azimuth = plan ? 0 : camera.azimuth;
-  // Seen at a grazing angle a pixel spans much ground; beyond a third the drag would run away.
-  const foreshortening = plan ? 1 : Math.max(Math.sin(camera.elevation), 1 / 3);
-  const across = -dx * perPixel;
-  const along = (dy * perPixel) / foreshortening;
-  const [sin, cos] = [Math.sin(azimuth), Math.cos(azimuth)];
-  const [x, y, z] = camera.target;
-  return {
-    ...camera,
-    target: [x + cos * across - sin * along, y + sin * across + cos * along, z],
-  };
 }

@@ -207,6 +207,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     if (!this.#params) return;
     const edition: Edition<K> = { params: this.#params, preset };
     const present = this.#history?.present;
+    if (present && preset !== present.preset) this.releaseCamera();
     if (!present) this.#history = new History(edition);
     else if (preset !== present.preset || !same(this.#scene.table, edition.params, present.params)) this.#history?.record(edition, label, performance.now());
     this.#controls?.sync();
@@ -234,7 +235,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   set color(color: ColorMode | null) {
     const checked = color === null || color === undefined ? null : checkChoice('color', color, this.#scene.table.colors);
     this.#readAttributes();
-    this.#chooseColor(checked);
+    if (checked !== this.#color) this.recolor(() => this.#chooseColor(checked));
     this.#controls?.sync();
   }
 
@@ -331,8 +332,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   /** A link that shows this: `base`, the page's own address by default, with the parameters as its fragment. */
   shareURL(base: string = document.baseURI): string {
     const url = new URL(base, document.baseURI);
-    const { params, view, color, framed, camera } = this;
-    url.hash = this.#scene.encode({ params, preset: this.presetInUse, view, color, camera: framed ? null : camera });
+    const { params, view, color, camera } = this;
+    url.hash = this.#scene.encode({ params, preset: this.presetInUse, view, color, camera: this.hasDefaultCamera ? null : camera });
     return url.href;
   }
 

@@ -12,6 +12,7 @@ export class History<T> {
   #label = '';
   #at = 0;
   #held = false;
+  #atHold: { past: T[]; future: T[]; present: T } | undefined;
 
   constructor(initial: T) {
     this.#present = initial;
@@ -49,11 +50,23 @@ export class History<T> {
   hold(): void {
     this.#label = '';
     this.#held = true;
+    this.#atHold = { past: [...this.#past], future: this.#future, present: this.#present };
   }
 
   release(): void {
     this.#label = '';
     this.#held = false;
+  }
+
+  /** Lets go of what is held as if nothing had happened since. False where nothing has. */
+  abandon(): boolean {
+    const before = this.#held ? this.#atHold : undefined;
+    this.release();
+    if (!before || before.present === this.#present) return false;
+    this.#past = before.past;
+    this.#future = before.future;
+    this.#present = before.present;
+    return true;
   }
 
   undo(): boolean {

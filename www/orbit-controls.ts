@@ -4,7 +4,7 @@
  * A picture stands on a page that scrolls: unless told otherwise it takes only what is surely meant for it, see `Interaction`.
  */
 
-import { orbit, pan, zoom } from './camera.ts';
+import { orbit, pan, zoom } from './camera-moves.ts';
 import type { Interaction } from './attribute-reader.ts';
 import { Fingers } from './gesture.ts';
 import type { CameraState } from './renderer/renderer.ts';

@@ -1,13 +1,13 @@
 /** A page of one scene: wires an element, the controls and the address bar to one store. */
 
 import './controls/stage-overlay.ts';
-import { listenToKeys } from './controls/keys.ts';
 import { loadLater } from './controls/load-later.ts';
 import { savePreferences } from './controls/preferences.ts';
 import { RockFieldError, errorInfo } from './errors.ts';
 import { lazily, onMissingFile, tellMissingFile } from './lazy.ts';
 import { isLink } from './link.ts';
-import { translate } from './strings.ts';
+import { rememberScene } from './scenes.ts';
+import { pageTitle, translate } from './strings.ts';
 import { same } from './table.ts';
 import type { Actions, ScenePanel } from './controls/scene-panel.ts';
 import type { Change, OpenedLink, SceneStore } from './controls/scene-store.ts';
@@ -43,6 +43,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   const stage = found('.stage');
   // What helps when a file cannot be had has to be there before that.
   const offline = lazily(() => import('./offline.ts'));
+  const { title } = document;
 
   // The element follows the store …
 
@@ -72,6 +73,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     savePreferences({ language, theme });
     const page = document.documentElement;
     page.lang = language;
+    document.title = pageTitle(language, element.localName) ?? title;
     if (theme === 'auto') delete page.dataset.theme;
     else page.dataset.theme = theme;
     element.theme = theme;
@@ -109,7 +111,8 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     if (detail.message !== store.offer?.text) store.say(() => detail.message);
   });
   listen('camera-change', ({ detail }: SceneEventMap<string>['camera-change']) => {
-    store.camera = detail.framed ? null : detail.camera;
+    // The default camera is no part of a link.
+    store.camera = JSON.stringify(detail.camera) === JSON.stringify(element.defaultCamera) ? null : detail.camera;
     store.notify('camera');
   });
 
@@ -139,7 +142,14 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     } catch {
       // A frame without an address of its own, or a browser that has counted too many changes. Links are made without it.
     }
+    rememberScene(link());
   }
+
+  // Whoever leaves the page finds it again as it was left. A click comes before the page is left, a closed window does not.
+  const writeAtOnce = () => addressTimer !== undefined && writeAddress();
+  document.addEventListener('click', writeAtOnce, true);
+  window.addEventListener('pagehide', writeAtOnce);
+  if (isLink(store.table, location.hash)) rememberScene(link());
 
   window.addEventListener('hashchange', () => {
     // A place on the page, not a scene: what is shown stays.
@@ -148,7 +158,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     clearTimeout(addressTimer);
     const opened = readLink(location.hash);
     store.open(opened);
-    element.camera = opened.camera;
+    element.camera = store.camera = opened.camera;
   });
 
   // What the buttons do.
@@ -164,6 +174,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   const actions: Actions<K> = {
     freshSeed: () => void withFreshSeed((seed) => store.setSeed(seed)),
     randomise: () => void withFreshSeed(async (seed) => store.edit(await random(store.params, seed))),
+    link,
     newElement: () => document.createElement(element.localName) as GeneratorElement<K>,
     share: async () => {
       writeAddress();
@@ -211,7 +222,8 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   element.interaction = 'always';
   stage.append(element, overlay);
   stage.after(panel);
-  listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() });
+  // No key is pressed before there is something to see.
+  void import('./controls/keys.ts').then(({ listenToKeys }) => listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() }));
 
   found('.skip-link').addEventListener('click', (event) => {
     // Not by the address: that is the scene's.
@@ -225,7 +237,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   // What nobody caught is said, not swallowed.
   window.addEventListener('unhandledrejection', ({ reason }) => {
     const message = reason instanceof RockFieldError ? reason.message : String(reason);
-    if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => translate(language, 'pageFailed', { message }));
+    if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => translate(language, 'pageFailed', { message }), true);
   });
 }
 

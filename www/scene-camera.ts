@@ -4,7 +4,7 @@ import { AutoRotation } from './auto-rotation.ts';
 import { CameraFlight } from './camera-flight.ts';
 import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
-import { defaultCamera, isPlan, subjectCamera } from './camera.ts';
+import { boxCamera, defaultCamera, isPlan, subjectCamera } from './camera.ts';
 import type { Subject } from './camera.ts';
 import type { CameraState, View } from './renderer/renderer.ts';
 
@@ -18,11 +18,20 @@ export interface Frame {
   closeUp: boolean;
   /** What is framed instead of all of the ground. */
   subject: Subject | null;
+  /** Of the highest rock, px. */
+  height: () => number;
 }
 
+/** Share of the picture that the whole field takes. */
+const WHOLE_ROOM = 0.9;
+
 export class SceneCamera {
-  /** Null while the whole field is framed, whatever its size. */
+  /** Null while the field is framed, whatever its size. */
   #camera: CameraState | null = null;
+  /** From where all of the field is shown, with a margin; null: as the default camera frames it. */
+  #whole: Pick<CameraState, 'azimuth' | 'elevation'> | null = null;
+  /** How the default camera framed the field before another colour was chosen, which must not move it. */
+  #heldCloseUp: boolean | undefined;
   #flight: CameraFlight | undefined;
   /** What the framing is when the page asks for another than ours. */
   #orbit: Orbit | null = null;
@@ -35,18 +44,20 @@ export class SceneCamera {
   }
 
   get current(): CameraState {
-    return this.#at(this.#camera ?? this.framing());
+    return this.forAspect();
   }
 
   set current(camera: CameraState | null) {
     this.#flight = undefined;
     this.#rotation.angle = 0;
+    this.#whole = null;
+    this.#heldCloseUp = undefined;
     this.#camera = camera && structuredClone(camera);
   }
 
-  /** The camera that frames the whole field, for the present aspect or another. */
-  framing(aspect = this.#frame().aspect): CameraState {
-    const { extent, view, closeUp, subject } = this.#frame();
+  /** The default camera, for the present aspect or another. */
+  framing(aspect = this.#frame().aspect, closeUp = this.#frame().closeUp): CameraState {
+    const { extent, view, subject } = this.#frame();
     const camera = subject ? subjectCamera(subject, aspect) : defaultCamera(...extent, aspect, view, closeUp);
     if (!this.#orbit) return camera;
     const orbited = orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel);
@@ -54,11 +65,36 @@ export class SceneCamera {
   }
 
   /** As `current`, for a picture of another aspect. */
-  forAspect(aspect: number): CameraState {
-    return this.#at(this.#camera ?? this.framing(aspect));
+  forAspect(aspect?: number): CameraState {
+    return this.#at(this.#camera ?? this.#framed(aspect));
   }
 
-  /** Whether the whole field is framed, that is, nobody has moved the camera since. */
+  /** What is shown while nobody has moved the camera. */
+  #framed(aspect = this.#frame().aspect): CameraState {
+    const { extent: [width, height], view, subject, height: rocks } = this.#frame();
+    // Plans are framed whole as they are.
+    if (!this.#whole || isPlan(view)) return this.framing(aspect, this.#heldCloseUp);
+    const { azimuth, elevation } = this.#whole;
+    const high = Math.max(rocks(), subject?.high[2] ?? 0);
+    return boxCamera({ low: [0, 0, 0], high: [width, height, high] }, aspect, azimuth, elevation, WHOLE_ROOM);
+  }
+
+  /** Whether the camera is the default one, which no link has to tell. */
+  get isDefault(): boolean {
+    const { closeUp } = this.#frame();
+    return this.framed && !this.#whole && (this.#heldCloseUp ?? closeUp) === closeUp;
+  }
+
+  /** The colour is about to change: what frames the field stays where it is until `release`. */
+  hold(): void {
+    if (this.isDefault) this.#heldCloseUp = this.#frame().closeUp;
+  }
+
+  release(): void {
+    this.#heldCloseUp = undefined;
+  }
+
+  /** Whether the field is framed, that is, nobody has moved the camera since. */
   get framed(): boolean {
     return this.#camera === null || this.#flight !== undefined;
   }
@@ -68,10 +104,18 @@ export class SceneCamera {
     this.#metresPerPixel = metresPerPixel;
   }
 
-  /** Sets off for the framing of the whole field. */
-  flyHome(now: number): void {
-    this.#flight = new CameraFlight(this.current, this.framing(), now);
-    this.#rotation.angle = 0;
+  /**
+   * Frames all of the field with a margin, seen as now; where that is so already, as the default camera does. With `now`, in ms, it
+   * flies there. Returns where it will be.
+   */
+  frameAll(now: number | null): CameraState {
+    const from = this.current;
+    const whole = this.framed && this.#whole ? null : { azimuth: from.azimuth, elevation: from.elevation };
+    this.current = null;
+    if (!isPlan(this.#frame().view)) this.#whole = whole;
+    const to = this.#framed();
+    if (now !== null) this.#flight = new CameraFlight(from, to, now);
+    return to;
   }
 
   stay(): void {

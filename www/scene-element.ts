@@ -93,13 +93,14 @@ export abstract class SceneElement extends Base {
   #waiting: ((error?: RockFieldError) => void)[] = [];
 
   #field: Field | null = null;
+  #measured: { field: Field | null; height: number } = { field: null, height: 0 };
   #wood: Wood | null = null;
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
   #look: Look | null = null;
   #theme: Theme = 'auto';
   #camera = new SceneCamera(() => {
     const { view, color } = this.#style;
-    return { extent: this.#extent(), aspect: this.aspect, view, closeUp: color === 'natural', subject: this.subject };
+    return { extent: this.#extent(), aspect: this.aspect, view, closeUp: color === 'natural', subject: this.subject, height: () => this.#rocksHeight() };
   });
 
   #size: StageSize | undefined;
@@ -202,13 +203,45 @@ export abstract class SceneElement extends Base {
     this.invalidate();
   }
 
-  /** Brings the whole field into view, with a short flight unless `animate` is false or the system asks for less motion. */
+  /**
+   * Brings the whole field into view, with a margin; when it is in view already, goes back to the default camera, which is closer.
+   * It flies there unless `animate` is false or the system asks for less motion.
+   */
   frameAll(animate = true): void {
-    const to = this.defaultCamera;
-    if (!animate || !this.#canDraw() || prefersStillness(this.#view)) this.#camera.current = null;
-    else this.#camera.flyHome(performance.now());
+    const flies = animate && this.#canDraw() && !prefersStillness(this.#view);
+    const to = this.#camera.frameAll(flies ? performance.now() : null);
     this.invalidate();
     this.emit('camera-change', { camera: to, framed: true });
+  }
+
+  /** Whether the camera is the default one. */
+  protected get hasDefaultCamera(): boolean {
+    return this.#camera.isDefault;
+  }
+
+  /** Changes the colour: a camera that nobody moved stays where it is. */
+  protected recolor(change: () => void): void {
+    const { isDefault } = this.#camera;
+    if (this.#painted) this.#camera.hold();
+    change();
+    if (this.#camera.isDefault !== isDefault) this.#tellCamera();
+  }
+
+  /** After `recolor`: the default camera is the present colour's again. */
+  protected releaseCamera(): void {
+    const { isDefault } = this.#camera;
+    this.#camera.release();
+    if (!isDefault) this.#tellCamera();
+  }
+
+  #tellCamera(): void {
+    if (this.#painted && this.framed) this.emit('camera-change', { camera: this.camera, framed: true });
+  }
+
+  #rocksHeight(): number {
+    const field = this.#field;
+    if (field && field !== this.#measured.field) this.#measured = { field, height: highest(field.positions) };
+    return this.#measured.height;
   }
 
   /**
@@ -609,4 +642,11 @@ export abstract class SceneElement extends Base {
 
 function notConnected(): RockFieldError {
   return new RockFieldError({ name: 'NotConnected', message: 'put the element into the document first' });
+}
+
+/** The largest z of a mesh. */
+function highest(positions: Float32Array): number {
+  let height = 0;
+  for (let k = 2; k < positions.length; k += 3) height = Math.max(height, positions[k]!);
+  return height;
 }

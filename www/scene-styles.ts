@@ -7,7 +7,11 @@ export const SCENE_STYLES = `
 .stage, canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block }
 .stage { outline: none; cursor: grab; user-select: none; -webkit-user-select: none }
 .stage:active { cursor: grabbing }
-.stage:focus-visible { outline: 2px solid var(--rock-field-accent, Highlight); outline-offset: -2px }
+/* After the canvas, which would be painted over an outline of the stage's own. */
+.stage:focus-visible::after {
+  content: ""; position: absolute; inset: 0; pointer-events: none; outline: 2px solid var(--rock-field-accent, Highlight); outline-offset: -2px;
+  box-shadow: inset 0 0 0 3px rgb(255 255 255 / .75);
+}
 [hidden] { display: none !important }
 .poster { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; overflow: hidden }
 .poster-image { width: 100%; height: 100%; object-fit: cover }
@@ -20,9 +24,10 @@ export const SCENE_STYLES = `
   box-sizing: border-box; font: .875rem/1.4 system-ui, sans-serif; text-align: center; text-wrap: balance; color: #fff; background: rgb(20 20 24 / .82);
   transform: translateY(-50%); pointer-events: none;
 }
-.unseen { position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); white-space: nowrap }
+.unseen { position: absolute; width: 1px; height: 1px; overflow: clip; clip-path: inset(50%); white-space: nowrap }
 .message {
   position: absolute; inset-inline: 0; bottom: 0; box-sizing: border-box; max-height: 100%; overflow: auto; padding: .6em .9em;
   font: .875rem/1.4 system-ui, sans-serif; color: #fff; background: rgb(20 20 24 / .82); overflow-wrap: anywhere; white-space: pre-line;
 }
+@media (forced-colors: active) { .bar { forced-color-adjust: none; background: Highlight } }
 `;

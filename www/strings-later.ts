@@ -36,7 +36,7 @@ export const LATER = {
   panBy: { en: 'right drag, two fingers, or Shift + arrow keys', ja: '右ドラッグ、2本指、Shift + 矢印キー' },
   zoom: { en: 'Zoom', ja: '拡大・縮小' },
   zoomBy: { en: 'wheel, pinch, or + and −', ja: 'ホイール、ピンチ、+ と −' },
-  frameBy: { en: 'F or double-click', ja: 'F またはダブルクリック' },
+  frameBy: { en: 'F or double-click; again: closer', ja: 'F またはダブルクリック（もう一度で近づく）' },
   viewsBy: { en: '1, 2, 3, 4', ja: '1、2、3、4' },
   seeds: { en: 'Previous, next seed', ja: '前・次のシード' },
   seedsBy: { en: '[ and ]', ja: '[ と ]' },
@@ -45,6 +45,8 @@ export const LATER = {
   slidersBy: { en: 'arrow keys, Page Up, Page Down, Home, End', ja: '矢印キー、Page Up、Page Down、Home、End' },
   undoBy: { en: 'Ctrl + Z or ⌘ Z', ja: 'Ctrl + Z または ⌘ Z' },
   redoBy: { en: 'Shift + Ctrl + Z or Shift + ⌘ Z', ja: 'Shift + Ctrl + Z または Shift + ⌘ Z' },
+  layLog: { en: 'Lay the log on these rocks', ja: 'この岩の上に丸太を置く' },
+  shapeClamped: { en: 'Some heights or tapers have reached their bounds. They come back with the radius.', ja: '一部の高さや幅が範囲の端に達しました。半径を戻すと元の値に戻ります。' },
   notationClamped: { en: 'Some values are past the bounds of the new notation and were moved to them.', ja: '新しい単位系の範囲を超える値は、範囲の端に変更されました。' },
 } as const satisfies Record<string, Words>;
 
@@ -91,11 +93,16 @@ export function errorText(language: Language, error: ErrorInfo): string {
 /** `journal-fig11a` → `Fig. 11 (a)`, with what sets it apart: `r 90 · c_h1 45`, or the layers' areas. */
 export function presetLabel(language: Language, preset: Preset, columns: readonly string[]): string {
   const { layers } = preset;
-  const figure = figureOf(preset.name);
+  const figure = unbroken(figureOf(preset.name));
   const areas = layers.map(([, area = 0]) => Math.round(100 * area)).join(' / ');
-  if (layers.length > 1) return `${figure} – ${later(language, 'layerCount', { n: layers.length })} · ${areas} %`;
+  if (layers.length > 1) return `${figure} – ${unbroken(later(language, 'layerCount', { n: layers.length }))} · ${unbroken(`${areas} %`)}`;
   const [only = []] = layers;
   // The area is 0.5 in all of them.
-  const numbers = only.flatMap((value, index) => (index !== 1 && value !== 0 ? [`${columns[index]} ${value}`] : []));
+  const numbers = only.flatMap((value, index) => (index !== 1 && value !== 0 ? [unbroken(`${columns[index]} ${value}`)] : []));
   return `${figure} – ${numbers.join(' · ')}`;
+}
+
+/** A number stays in one line with what belongs to it. */
+function unbroken(text: string): string {
+  return text.replaceAll(' ', '\u00a0');
 }

@@ -15,6 +15,12 @@ export const NATURAL_NAMES_JA: Record<NaturalName, string> = {
   shingle: '砂利浜',
 };
 
+/** Titles of the pages, by element. */
+export const TITLES_JA: Readonly<Record<string, string>> = {
+  'rock-field': 'rock-field – 大小さまざまな岩に覆われた地面',
+  'wood-ear-log': 'rock-field – 倒木に生えるキクラゲ',
+};
+
 export const STRINGS_JA: Record<StringKey, string> = {
   title: 'rock-field',
   skip: '設定へ移動',
@@ -62,6 +68,7 @@ export const STRINGS_JA: Record<StringKey, string> = {
   byCount: '個数',
   shape: '幅と高さ',
   wear: '風化と埋まり',
+  keepShape: '半径を変えても幅と高さを保つ',
   oneRock: '岩 1 個',
   someRocks: '岩 {n} 個',
   view: '表示',

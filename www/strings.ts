@@ -84,6 +84,7 @@ export const STRINGS = {
   byCount: 'Count',
   shape: 'Taper and height',
   wear: 'Wear',
+  keepShape: 'Keep height and taper when the radius changes',
   oneRock: '1 rock',
   someRocks: '{n} rocks',
 
@@ -139,6 +140,11 @@ export async function loadJapanese(): Promise<void> {
   } catch (thrown) {
     console.warn(thrown);
   }
+}
+
+/** The page's title in Japanese; undefined where it is the document's own. */
+export function pageTitle(language: Language, element: string): string | undefined {
+  return language === 'ja' ? japanese?.TITLES_JA[element] : undefined;
 }
 
 /** `Riverbed`; of a figure `Journal (2011), Fig. 11 (a)`. */

@@ -168,7 +168,7 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, Lo
             return Err(LogError::TooLarge { value, max });
         }
     }
-    if let Some(at) = positions.iter().position(|c| !(f64::from(c.abs()) <= REACH)) {
+    if let Some(at) = positions.iter().position(|c| !(-REACH..=REACH).contains(&f64::from(*c))) {
         return Err(LogError::BadPosition { vertex: at / 3, value: f64::from(positions[at]) });
     }
     let given: Vec<DVec3> =

@@ -336,6 +336,7 @@ test('a long run shows its progress and can be cancelled, back to what is shown'
   assert.equal((await params(page)).layers[0].radius, 300);
   assert.equal(await hash(page), before);
   assert.match(await message(page), /Cancelled/);
+  assert.equal(await page.locator('.message.is-problem').count(), 0, 'it is no error');
   await closeClean(opened);
 });
 
@@ -356,7 +357,8 @@ test('presets, seeds, reset and randomise', async () => {
   const { rocks } = await stats(page);
   assert.ok(rocks > 0 && rocks < 60_000);
   await page.getByRole('button', { name: 'Reset to the preset' }).click();
-  await address(page, /#v=1&preset=conference-fig11c$/);
+  const kept = (await params(page)).seed;
+  await address(page, new RegExp(`#v=1&preset=conference-fig11c&seed=${kept}$`));
   await closeClean(opened);
 });
 
@@ -373,6 +375,173 @@ test('layers are added, duplicated, removed; a count takes the place of an area'
   for (let k = 0; k < 8; k += 1) await page.getByRole('button', { name: 'Remove layer 1' }).click();
   await address(page, /&r=$/);
   assert.equal((await stats(page)).rocks, 0);
+  await closeClean(opened);
+});
+
+test('after a layer or a base is added, copied or removed, the focus is on the next or the new one', async () => {
+  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20,10');
+  const { page } = opened;
+  const at = () => page.evaluate(() => document.activeElement?.closest('.layer')?.dataset.layer ?? document.activeElement?.textContent.trim());
+  const press = async (name) => {
+    await page.getByRole('button', { name, exact: true }).focus();
+    await page.keyboard.press('Enter');
+    await page.waitForFunction(() => document.activeElement !== document.body);
+  };
+  for (let n = 2; n < 8; n += 1) {
+    await press('Add layer');
+    await page.waitForFunction((index) => document.activeElement.closest('.layer')?.dataset.layer === String(index), n);
+  }
+  const colors = await page.locator('.layer .chip').evaluateAll((chips) => chips.map(({ dataset }) => dataset.color));
+  assert.equal(new Set(colors).size, 8);
+  await press('Remove layer 8');
+  assert.equal(await at(), '6');
+  await press('Remove layer 2');
+  assert.equal(await at(), '1');
+  await press('Duplicate layer 1');
+  assert.equal(await at(), '1');
+  await press('Duplicate layer 1');
+  assert.equal(await at(), '1', 'the last that may be added');
+  assert.equal(new Set(await page.locator('.layer .chip').evaluateAll((chips) => chips.map(({ dataset }) => dataset.color))).size, 8);
+  for (let n = 8; n > 0; n -= 1) await press('Remove layer 1');
+  assert.equal(await at(), 'Add layer');
+  await closeClean(opened);
+});
+
+test('the radius takes height and taper with it, and back; a lock keeps them', async () => {
+  const opened = await open('#preset=journal-fig1&w=256&h=256&r=40&a=0.2');
+  const { page } = opened;
+  const layer = async () => (await params(page)).layers[0];
+  const { taper, height } = await layer();
+  const field = page.locator('[id="r-0-number"]');
+  const radius = (value) => page.waitForFunction((wanted) => document.querySelector('rock-field').params.layers[0].radius === wanted, value);
+  await field.fill('');
+  await field.pressSequentially('20');
+  await radius(20);
+  assert.deepEqual([(await layer()).taper, (await layer()).height], [taper.map((value) => value / 2), height.map((value) => value / 2)], 'digit by digit, nothing is rounded away');
+  await page.locator('[id="r-0"]').press('End');
+  await page.locator('[id="r-0"]').press('Home');
+  await field.fill('40');
+  await radius(40);
+  assert.deepEqual([(await layer()).taper, (await layer()).height], [taper, height]);
+  await field.fill('8000');
+  await page.locator('[data-param="r-0"] .control-problem').waitFor();
+  assert.ok(Math.max(...(await layer()).height) <= 500);
+  await field.fill('40');
+  await radius(40);
+  assert.deepEqual((await layer()).height, height);
+  await page.getByRole('button', { name: 'Keep height and taper' }).click();
+  await field.fill('10');
+  await radius(10);
+  assert.deepEqual([(await layer()).taper, (await layer()).height], [taper, height]);
+  await closeClean(opened);
+});
+
+test('each scene is found as it was left, and the log can be laid on the rocks that were edited', async () => {
+  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20');
+  const { page } = opened;
+  const ready = (name) => page.waitForFunction((element) => document.querySelector(element) && document.querySelector('.summary'), name, { timeout: 60_000 });
+  const tab = (name) => page.getByRole('navigation').getByRole('link', { name });
+  await page.getByRole('button', { name: 'Next seed' }).click();
+  await tab('Wood ears').click();
+  await ready('wood-ear-log');
+  await page.goto(new URL('wood-ear.html#preset=thesis-default&d=8&ground=preset%3Dshingle', session.url).href);
+  await ready('wood-ear-log');
+  await page.getByRole('button', { name: 'Next seed' }).click();
+  await tab('Rocks').click();
+  await ready('rock-field');
+  assert.match(page.url(), /#v=1&preset=journal-fig1&seed=1&w=64&h=64/);
+  await page.goBack();
+  await ready('wood-ear-log');
+  assert.match(page.url(), /preset=thesis-default&seed=1&d=8/);
+  assert.equal(await page.getByRole('link', { name: 'Lay the log on these rocks' }).count(), 0);
+  await page.getByRole('link', { name: 'Edit these rocks' }).click();
+  await ready('rock-field');
+  assert.match(page.url(), /preset=shingle/);
+  await page.getByRole('button', { name: 'Next seed' }).click();
+  await page.getByRole('link', { name: 'Lay the log on these rocks' }).click();
+  await ready('wood-ear-log');
+  const { seed, density, ground } = await page.evaluate(() => document.querySelector('wood-ear-log').params);
+  assert.deepEqual([seed, density], [1, 8]);
+  assert.match(ground, /preset=shingle&seed=1/);
+  await closeClean(opened);
+});
+
+test('in plans there is no colour to choose; a chosen word is as wide as before; another colour does not move the camera', async () => {
+  const opened = await open('#preset=riverbed&w=128&h=128&r=30,12,6&view=selection');
+  const { page } = opened;
+  const colors = page.locator('[data-param="color"] input');
+  assert.ok(await colors.evaluateAll((inputs) => inputs.every(({ disabled }) => disabled)));
+  await page.locator('[data-param="view"] input[value="3d"]').check();
+  assert.ok(await colors.evaluateAll((inputs) => inputs.every(({ disabled }) => !disabled)));
+  const widths = () => page.locator('.overlay-start .segment').evaluateAll((segments) => segments.map((segment) => segment.getBoundingClientRect().width));
+  const before = [await widths(), await page.evaluate(() => document.querySelector('rock-field').camera)];
+  await page.locator('[data-param="color"] input[value="plain"]').check();
+  await address(page, /&color=plain&camera=/);
+  assert.deepEqual([await widths(), await page.evaluate(() => document.querySelector('rock-field').camera)], before);
+  await page.locator('[data-param="color"] input[value="natural"]').check();
+  await page.waitForFunction(() => !/color|camera/.test(location.hash));
+  await closeClean(opened);
+});
+
+test('fingers take a slider by its thumb; a tap beside it and a scroll that begins on it change nothing and are no step of undo', async () => {
+  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20', { viewport: { width: 960, height: 640 }, hasTouch: true });
+  const { page } = opened;
+  const slider = page.locator('[id="cd"]');
+  await slider.scrollIntoViewIfNeeded();
+  const box = await slider.boundingBox();
+  const y = box.y + box.height / 2;
+  const thumb = box.x + 10 + 0.7 * (box.width - 20);
+  const state = async () => [(await params(page)).packing, await page.locator('[id="cd"]').inputValue(), await page.getByRole('button', { name: 'Undo' }).isDisabled()];
+  const before = await state();
+  await page.touchscreen.tap(box.x + 0.2 * box.width, y);
+  assert.deepEqual(await state(), before, 'a tap');
+  const touch = await page.context().newCDPSession(page);
+  const finger = (type, x, at) => touch.send('Input.dispatchTouchEvent', { type, touchPoints: type === 'touchEnd' ? [] : [{ x, y: at }] });
+  const body = () => page.locator('.panel-body').evaluate(({ scrollTop }) => scrollTop);
+  const scrolled = await body();
+  await finger('touchStart', thumb, y);
+  for (let step = 1; step <= 10; step += 1) await finger('touchMove', thumb + step, y + (scrolled > 200 ? 1 : -1) * 15 * step);
+  await finger('touchEnd');
+  assert.deepEqual(await state(), before, 'a scroll');
+  await slider.scrollIntoViewIfNeeded();
+  const now = await slider.boundingBox();
+  await finger('touchStart', thumb, now.y + now.height / 2);
+  for (let step = 1; step <= 10; step += 1) await finger('touchMove', thumb - 6 * step, now.y + now.height / 2);
+  await finger('touchEnd');
+  assert.ok((await state())[0] < before[0], 'a drag of the thumb');
+  await page.getByRole('button', { name: 'Undo' }).click();
+  assert.deepEqual(await state(), before, 'is one step');
+  await closeClean(opened);
+});
+
+test('the wheel over a number that has the focus scrolls the panel and leaves the number; tapers can be typed with a minus', async () => {
+  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20');
+  const { page } = opened;
+  const field = page.locator('[id="h1-0-number"]');
+  await field.click();
+  const before = [await field.inputValue(), await page.locator('.panel-body').evaluate(({ scrollTop }) => scrollTop)];
+  await page.mouse.wheel(0, 120);
+  await page.waitForFunction((top) => document.querySelector('.panel-body').scrollTop > top, before[1]);
+  assert.equal(await field.inputValue(), before[0]);
+  assert.deepEqual(await page.locator('[id="w1-0-number"], [id="h1-0-number"], [id="w-number"]').evaluateAll((fields) => fields.map(({ inputMode }) => inputMode).sort()), ['decimal', 'numeric', 'text']);
+  await closeClean(opened);
+});
+
+test('the keyboard’s focus on the picture is seen', async () => {
+  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20');
+  const { page } = opened;
+  await page.locator('rock-field').evaluate((element) => element.shadowRoot.querySelector('.stage').focus());
+  await page.keyboard.press('Shift');
+  const box = await page.locator('rock-field').boundingBox();
+  const shot = (await page.screenshot({ clip: { x: box.x, y: box.y + box.height / 2, width: 4, height: 1 } })).toString('base64');
+  const edge = await page.evaluate(async (data) => {
+    const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
+    const context = new OffscreenCanvas(4, 1).getContext('2d');
+    context.drawImage(image, 0, 0);
+    return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
+  }, shot);
+  const accent = [0x2a, 0x64, 0x88];
+  assert.ok(edge.every((value, k) => Math.abs(value - accent[k]) < 12), `${edge}`);
   await closeClean(opened);
 });
 
@@ -436,6 +605,7 @@ test('the page works by keyboard alone', async () => {
   await page.keyboard.press('ArrowLeft');
   await address(page, /&camera=/);
   await page.keyboard.press('f');
+  await page.keyboard.press('f');
   await page.waitForFunction(() => !location.hash.includes('camera'));
   await page.keyboard.press('3');
   await address(page, /&view=diagrams$/);
@@ -478,6 +648,7 @@ test('language and theme are switched in the panel and kept', async () => {
   const { page } = opened;
   await page.locator('[data-param="language"] input[value="ja"]').check();
   assert.equal(await page.evaluate(() => document.documentElement.lang), 'ja');
+  await page.waitForFunction(() => /岩/.test(document.title));
   await page.getByRole('button', { name: '共有' }).waitFor();
   await page.locator('[data-param="theme"] input[value="dark"]').check();
   const background = await page.evaluate(() => getComputedStyle(document.querySelector('.panel')).backgroundColor);

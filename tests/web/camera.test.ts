@@ -1,7 +1,9 @@
 // What the camera frames by itself.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { defaultCamera, groundPoint } from '../../www/camera.ts';
+import { cameraAxes, defaultCamera, groundPoint, TAN } from '../../www/camera.ts';
+import { SceneCamera } from '../../www/scene-camera.ts';
+import type { CameraState } from '../../www/renderer/renderer.ts';
 
 const SIZES = [[640, 640], [900, 300], [300, 900]] as const;
 const ASPECTS = [0.3, 0.5, 1, 1.6, 3];
@@ -20,4 +22,61 @@ test('close up, a picture of any shape shows the field to its edges and nothing 
 
 test('plans are framed as they are, close up or not', () => {
   for (const view of ['diagrams', 'selection'] as const) assert.deepEqual(defaultCamera(640, 480, 1.5, view, true), defaultCamera(640, 480, 1.5, view));
+});
+
+/** Where the corners of the field's box are in the picture, and how much of it they take. */
+function seen(camera: CameraState, [width, height]: readonly [number, number], high: number, aspect: number): { reach: number } {
+  const { eye, right, up, forward } = cameraAxes(camera);
+  let reach = 0;
+  for (let corner = 0; corner < 8; corner += 1) {
+    const from = [corner & 1 ? width : 0, corner & 2 ? height : 0, corner & 4 ? high : 0].map((value, k) => value - eye[k]!);
+    const along = (axis: readonly number[]): number => axis.reduce((sum, value, k) => sum + value * from[k]!, 0);
+    const depth = along(forward);
+    assert(depth > 0, 'behind the eye');
+    reach = Math.max(reach, Math.abs(along(right)) / (depth * TAN * aspect), Math.abs(along(up)) / (depth * TAN));
+  }
+  return { reach };
+}
+
+test('all of the field is framed with a margin in every window, from every side, in every colour; the second time as by default', () => {
+  for (const size of [...SIZES, [8192, 8], [1, 1]] as const) {
+    for (const aspect of [...ASPECTS, 0.1, 8]) {
+      for (const closeUp of [false, true]) {
+        for (const [azimuth, elevation] of [[0, 0.09], [0.5, 0.6], [2.5, 1.2], [-1, Math.PI / 2]] as const) {
+          const scene = new SceneCamera(() => ({ extent: [...size], aspect, view: '3d', closeUp, subject: null, height: () => 40 }));
+          scene.current = { azimuth, elevation, distance: 50, target: [0, 0, 0] };
+          const to = scene.frameAll(null);
+          assert.deepEqual(scene.current, to);
+          assert.deepEqual([to.azimuth, to.elevation, scene.framed, scene.isDefault], [azimuth, elevation, true, false]);
+          const { reach } = seen(to, size, 40, aspect);
+          assert(reach <= 0.91 && reach > 0.6, `${size.join(' × ')} at ${aspect} from ${azimuth}, ${elevation}: ${reach}`);
+          scene.frameAll(null);
+          assert.deepEqual([scene.current, scene.isDefault], [scene.framing(), true]);
+        }
+      }
+    }
+  }
+});
+
+test('plans are whole already: framing them is the default at once', () => {
+  const scene = new SceneCamera(() => ({ extent: [640, 480], aspect: 1.5, view: 'diagrams', closeUp: true, subject: null, height: () => 40 }));
+  assert.deepEqual(scene.frameAll(null), scene.framing());
+  assert.ok(scene.isDefault);
+});
+
+test('another colour does not move a camera that nobody moved, until another preset lets it go', () => {
+  let closeUp = true;
+  const scene = new SceneCamera(() => ({ extent: [640, 480], aspect: 1.5, view: '3d', closeUp, subject: null, height: () => 40 }));
+  const before = scene.current;
+  scene.hold();
+  closeUp = false;
+  assert.deepEqual([scene.current, scene.isDefault], [before, false]);
+  scene.hold();
+  closeUp = true;
+  assert.deepEqual([scene.current, scene.isDefault], [before, true]);
+  scene.hold();
+  closeUp = false;
+  scene.release();
+  assert.deepEqual([scene.current, scene.isDefault], [scene.framing(), true]);
+  assert.notDeepEqual(scene.current, before);
 });

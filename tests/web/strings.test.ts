@@ -74,7 +74,7 @@ test('each preset of a paper has a name of its own', () => {
   for (const paper of ['journal', 'conference']) {
     const names = PRESETS.filter(({ name }) => name.startsWith(paper)).map((preset) => presetLabel('en', preset, columns));
     assert.equal(new Set(names).size, names.length);
-    for (const name of names) assert.match(name, /^Fig\. \d+( \([a-f]\))? – ./);
+    for (const name of names) assert.match(name, /^Fig\.\u00a0\d+(\u00a0\([a-f]\))? – ./);
   }
 });
 

@@ -66,10 +66,12 @@ export class ControlPanel extends ScenePanel<Rocks> {
           ${layers.map((layer, index) =>
             layerCard({
               store,
+              later: this.later,
               layer,
               index,
               isOpen: this.#openLayers.has(layer.id) || hasProblem(store, index),
               toggle: () => this.#toggleLayer(layer.id),
+              focus: (at) => void this.focusItem(at),
             }),
           )}
         </ol>
@@ -81,10 +83,12 @@ export class ControlPanel extends ScenePanel<Rocks> {
     await this.store.addLayer();
     const added = this.store.params.layers.at(-1);
     if (added) this.#openLayers.add(added.id);
+    await this.focusItem(this.store.params.layers.length - 1);
   };
 
   #toggleLayer(id: number): void {
     if (!this.#openLayers.delete(id)) this.#openLayers.add(id);
+    void this.loadLater();
     this.requestUpdate();
   }
 }

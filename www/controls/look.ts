@@ -1,5 +1,6 @@
 /** How the scene is drawn: a choice of views, and of colours. */
 
+import { isPlan } from '../camera.ts';
 import { segments } from './parts.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind } from '../table.ts';
@@ -24,5 +25,7 @@ export function colorChoice<K extends Kind>(store: SceneStore<K>, hideLabel: boo
     options: store.table.colors.map((value) => ({ value, label: store.text(`color-${value}`) })),
     value: store.color,
     action: (color) => store.setColor(color),
+    // Plans are drawn in the layers' colours.
+    disabled: isPlan(store.view),
   });
 }

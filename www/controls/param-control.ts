@@ -3,27 +3,25 @@
 import { html } from 'lit';
 import { live } from 'lit/directives/live.js';
 import { translate } from '../strings.ts';
+import { problemOf, shownNumber } from './numbers.ts';
 import { describedBy, description, mathText, menu, segments } from './parts.ts';
 import { sliderScale } from './slider-scale.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind, Row } from '../table.ts';
 import type { SceneStore } from './scene-store.ts';
 
-/** Digits shown of a number; its value keeps all of them. */
-const SHOWN_DIGITS = 7;
+/** How far from the middle of the thumb a finger may be to take it; the thumb is as wide as tokens.css has it for fingers. */
+const REACH_PX = 24;
+const THUMB_PX = 20;
+/** A line of a wheel that counts in lines. */
+const LINE_PX = 16;
 
 /** More words than these do not fit into a line. */
 const MOST_SEGMENTS = 4;
 
-/** The control of a row, for the item `item` (an index) or, with `null`, for the whole. */
-export function paramControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): TemplateResult {
-  return spec.kind === 'choice' ? choiceControl(store, spec, item) : numberControl(store, spec, item);
-}
-
-export function problemOf<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): string | null {
-  const { problem } = store;
-  const isHere = problem?.key === spec.key && problem.item === item && (problem.component ?? 0) === (spec.component ?? 0);
-  return problem && isHere ? problem.text(store.language) : null;
+/** The control of a row, for the item `item` (an index) or, with `null`, for the whole. `beside`: what stands beside the number of a slider. */
+export function paramControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null, beside?: TemplateResult): TemplateResult {
+  return spec.kind === 'choice' ? choiceControl(store, spec, item) : numberControl(store, spec, item, beside);
 }
 
 /** The page's id of a control; also how tests find it. */
@@ -45,7 +43,7 @@ function choiceControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
   });
 }
 
-function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): TemplateResult {
+function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null, beside?: TemplateResult): TemplateResult {
   const { language, params, table } = store;
   const value = Number(store.valueOf(spec, item));
   const scale = sliderScale(table.boundsOf(spec, params));
@@ -54,12 +52,16 @@ function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
   const id = idOf(spec, item);
   const help = store.help(spec);
   const problem = problemOf(store, spec, item);
-  const slide = (event: Event) => store.setParam(spec, item, scale.valueAt((event.target as HTMLInputElement).valueAsNumber, value));
+  const slide = ({ target }: Event) => {
+    const slider = target as HTMLInputElement;
+    if (slider.dataset.missed === undefined) store.setParam(spec, item, scale.valueAt(slider.valueAsNumber, value));
+    else slider.value = String(scale.positionOf(value));
+  };
   return html`
     <div class="control" data-param=${id} data-help=${help}>
       <div class="control-head">
         <label class="control-label" for=${id}>${mathText(spec.label[language])}</label>
-        ${numberField({ store, spec, item, id, shown, unit, problem })}
+        ${beside} ${numberField({ store, spec, item, id, shown, unit, problem })}
       </div>
       <input
         class="slider"
@@ -72,7 +74,8 @@ function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
         .style=${fill(scale, scale.positionOf(value))}
         aria-valuetext=${unit ? `${shown} ${unit}` : shown}
         aria-describedby=${describedBy(id, help, problem)}
-        @pointerdown=${() => holdUntilPointerUp(store)}
+        @pointerdown=${(event: PointerEvent) => grab(store, event)}
+        @keydown=${({ target }: Event) => delete (target as HTMLInputElement).dataset.missed}
         @input=${slide}
       />
       ${description(id, help, problem)}
@@ -125,7 +128,7 @@ export function numberField<K extends Kind>({ store, spec, item, id, shown, unit
         class="number-field"
         type="number"
         id="${id}-number"
-        inputmode=${isReal || min < 0 ? 'decimal' : 'numeric'}
+        inputmode=${min < 0 ? 'text' : isReal ? 'decimal' : 'numeric'}
         autocomplete="off"
         min=${min}
         max=${max}
@@ -137,25 +140,11 @@ export function numberField<K extends Kind>({ store, spec, item, id, shown, unit
         @input=${type}
         @change=${settle}
         @blur=${settle}
+        @wheel=${scrollPanel}
       />
       ${unit ? html`<span class="unit" aria-hidden="true">${unit}</span>` : ''}
     </span>
   `;
-}
-
-/**
- * Puts the values into the number fields below `root`, but for the one being typed in: “1.” must not turn into “1” under the fingers.
- * Call it after every render.
- */
-export function fillNumberFields(root: ParentNode): void {
-  for (const field of root.querySelectorAll<HTMLInputElement>('.number-field')) {
-    const { shown = '', typing } = field.dataset;
-    if (typing === undefined && field.value !== shown) field.value = shown;
-  }
-}
-
-export function shownNumber(value: number): string {
-  return String(Number.isInteger(value) ? value : Number(value.toPrecision(SHOWN_DIGITS)));
 }
 
 /** The filled part of a track, as shares of its length: from zero, or from the end where zero is not on it. */
@@ -165,14 +154,33 @@ function fill({ min, max }: { min: number; max: number }, position: number): str
   return `--fill-from: ${from}; --fill-to: ${to}`;
 }
 
-function holdUntilPointerUp<K extends Kind>(store: SceneStore<K>): void {
+/** A wheel over the number that has the focus scrolls the panel, as over every other, and does not change the number. */
+function scrollPanel(event: WheelEvent): void {
+  const field = event.currentTarget as HTMLElement;
+  if (!field.matches(':focus')) return;
+  event.preventDefault();
+  field.closest('.panel-body')?.scrollBy(0, event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? LINE_PX : 1));
+}
+
+/** A slider is held until the pointer is lifted. Fingers, which also scroll and tap, have to take it by the thumb. */
+function grab<K extends Kind>(store: SceneStore<K>, { currentTarget, pointerType, clientX }: PointerEvent): void {
+  const slider = currentTarget as HTMLInputElement;
+  slider.toggleAttribute('data-missed', pointerType === 'touch' && Math.abs(clientX - thumbOf(slider)) > REACH_PX);
   store.hold();
-  const release = () => {
+  const release = ({ type }: Event) => {
     window.removeEventListener('pointerup', release, true);
     window.removeEventListener('pointercancel', release, true);
-    // The slider's last input event comes before this, its change event may come after.
-    store.release();
+    // The slider's last input event comes before this, its change event may come after. What has become a scroll was no edit.
+    if (type === 'pointercancel') store.abandon();
+    else store.release();
   };
   window.addEventListener('pointerup', release, true);
   window.addEventListener('pointercancel', release, true);
+}
+
+/** Where the middle of a slider's thumb is, px from the window's left. */
+function thumbOf(slider: HTMLInputElement): number {
+  const { left, width } = slider.getBoundingClientRect();
+  const [min, max] = [Number(slider.min), Number(slider.max)];
+  return left + THUMB_PX / 2 + ((slider.valueAsNumber - min) / (max - min)) * (width - THUMB_PX);
 }

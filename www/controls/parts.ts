@@ -52,10 +52,12 @@ export interface Segments<T extends string> {
   value: T;
   action: (value: T) => void;
   problem?: string | null;
+  /** It would do nothing now. */
+  disabled?: boolean;
 }
 
 /** A choice of a few: radio buttons that look like one. */
-export function segments<T extends string>({ name, label, hideLabel = false, help = '', options, value, action, problem }: Segments<T>): TemplateResult {
+export function segments<T extends string>({ name, label, hideLabel = false, help = '', options, value, action, problem, disabled = false }: Segments<T>): TemplateResult {
   return html`
     <div
       class="control segments"
@@ -70,7 +72,7 @@ export function segments<T extends string>({ name, label, hideLabel = false, hel
         ${options.map(
           (option) => html`
             <label class="segment">
-              <input type="radio" name=${name} value=${option.value} .checked=${option.value === value} @change=${() => action(option.value)} />
+              <input type="radio" name=${name} value=${option.value} .checked=${option.value === value} ?disabled=${disabled} @change=${() => action(option.value)} />
               <span>${mathText(option.label)}</span>
             </label>
           `,

@@ -1,14 +1,13 @@
 /** What every scene's panel has: everything that can be set, in one column, beside the page's picture or in an element with `controls`. */
 
 import { LitElement, html, nothing } from 'lit';
-import { LANGUAGES, LANGUAGE_NAMES } from '../strings.ts';
+import { sceneAddress, SCENES } from '../scenes.ts';
 import { icon } from './icons.ts';
 import { loadLater } from './load-later.ts';
 import { colorChoice, viewChoice } from './look.ts';
-import { fillNumberFields, numberField, paramControl, problemOf } from './param-control.ts';
-import { description, iconButton, segments } from './parts.ts';
+import { fillNumberFields, problemOf } from './numbers.ts';
+import { description, iconButton } from './parts.ts';
 import { messageLine, progressLine } from './status.ts';
-import { THEMES } from './scene-store.ts';
 import type { TemplateResult } from 'lit';
 import type { GeneratorElement } from '../generator-element.ts';
 import type { StringKey } from '../strings.ts';
@@ -17,8 +16,6 @@ import type { Later } from './load-later.ts';
 import type { Place } from './parts.ts';
 import type { Problem, SceneStore } from './scene-store.ts';
 
-const SCENES = [{ name: 'scene-rocks', href: './' }, { name: 'scene-wood-ears', href: 'wood-ear.html' }] as const;
-
 /** What the panel's place does that the store cannot. */
 export interface Actions<K extends Kind> {
   freshSeed: () => void;
@@ -26,6 +23,8 @@ export interface Actions<K extends Kind> {
   /** An element like the one whose panel this is. */
   newElement: () => GeneratorElement<K>;
   share: () => void;
+  /** The link to what is shown; the page's alone. */
+  link?: () => string;
   /** Absent where nobody knows the address of a script to embed. */
   embed?: (() => void) | undefined;
   /** Lists the page's keys. */
@@ -69,6 +68,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     super.connectedCallback();
     this.#unsubscribe = this.store.subscribe(() => this.requestUpdate());
     void this.store.loadDocs();
+    this.loadLater().catch((thrown: unknown) => console.warn(thrown));
   }
 
   override disconnectedCallback(): void {
@@ -82,7 +82,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     const { problem } = this.store;
     if (problem && problem !== this.#seenProblem) this.#reveal();
     this.#seenProblem = problem;
-    if (this.store.result && !this.later) this.loadLater().catch((thrown: unknown) => console.warn(thrown));
+    if ((this.store.result || this.store.messages.length > 0) && !this.later) this.loadLater().catch((thrown: unknown) => console.warn(thrown));
   }
 
   protected loadLater(): Promise<Later> {
@@ -123,7 +123,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
       ${this.#toolbar()} ${isEmbedded ? messageLine(store) : nothing}
       <div class="panel-body">
         ${this.#start()} ${isEmbedded ? this.#view() : nothing} ${this.sections()} ${this.#statistics()}
-        ${isEmbedded ? this.#embed() : this.#page()}
+        ${this.later?.lastSection({ store, actions, isEmbedded, embedHelp: this.words('embedHelp') })}
       </div>
       <p class="help-line is-idle" aria-hidden="true" .textContent=${this.#hint()}></p>
       ${actions.cancel ? progressLine(store, actions.cancel) : nothing}
@@ -142,7 +142,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
         ${this.isEmbedded ? html`<h2 class="panel-title">${t('controls')}</h2>` : this.#pageTitle()}
         ${iconButton({ icon: 'undo', label: t('undo'), action: () => store.undo(), disabled: !store.canUndo })}
         ${iconButton({ icon: 'redo', label: t('redo'), action: () => store.redo(), disabled: !store.canRedo })}
-        ${iconButton({ icon: 'reset', label: t('reset'), action: () => store.reset(), disabled: !store.isEdited && store.params.seed === 0 })}
+        ${iconButton({ icon: 'reset', label: t('reset'), action: () => store.reset(), disabled: !store.isEdited })}
         ${iconButton({ icon: 'randomise', label: t('randomise'), action: actions.randomise })}
         <button class="button button-primary share" type="button" title=${this.isEmbedded ? t('shareSettingsHelp') : this.words('shareHelp')} aria-label=${t('share')} @click=${actions.share}>
           ${icon('share')}<span>${t('share')}</span>
@@ -184,7 +184,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
         <div class="control" data-param="seed" data-help=${store.help(seed)}>
           <label class="control-label" for="seed-number">${seed.label[language]}</label>
           <div class="field-row">
-            ${numberField({ store, spec: seed, item: null, id: 'seed', shown: String(params.seed), unit: '', problem })}
+            ${this.later?.numberField({ store, spec: seed, item: null, id: 'seed', shown: String(params.seed), unit: '', problem }) ?? html`<span class="number"></span>`}
             ${iconButton({ icon: 'previous', label: store.text('previousSeed'), action: () => store.setSeed(params.seed - 1) })}
             ${iconButton({ icon: 'next', label: store.text('nextSeed'), action: () => store.setSeed(params.seed + 1) })}
             ${iconButton({ icon: 'dice', label: store.text('freshSeed'), action: this.actions.freshSeed })}
@@ -201,9 +201,22 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     const here = location.pathname.endsWith(SCENES[1].href);
     return html`
       <nav class="segment-row scenes" aria-label=${store.text('scenes')}>
-        ${SCENES.map(({ name, href }, index) => html`<a class="segment" href=${href} aria-current=${here === (index === 1) ? 'page' : nothing}><span>${store.text(name)}</span></a>`)}
+        ${SCENES.map(({ name, href }, index) => {
+          const isHere = here === (index === 1);
+          return html`<a class="segment" href=${sceneAddress(href)} aria-current=${isHere ? 'page' : nothing} @click=${({ currentTarget }: Event) => ((currentTarget as HTMLAnchorElement).href = sceneAddress(href))}><span>${store.text(name)}</span></a>`;
+        })}
       </nav>
+      ${here ? nothing : this.later?.wayToLog(store, this.actions)}
     `;
+  }
+
+  /** The item at a place of the list, the last, or what adds one takes the focus when the list has changed. */
+  protected async focusItem(index: number): Promise<void> {
+    await this.updateComplete;
+    const items = [...this.querySelectorAll('.layers > .layer')];
+    const at = items[index] ?? items.at(-1);
+    const target = at?.querySelector<HTMLElement>('.layer-toggle') ?? this.querySelector<HTMLElement>('.section-head .button');
+    target?.focus();
   }
 
   /** On the page this lies on the picture. */
@@ -223,9 +236,14 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     return html`
       <details class="section" ?open=${isOpen}>
         <summary><h2>${heading}</h2>${icon('down')}</summary>
-        ${rows.map((row) => paramControl(this.store, row, null))}
+        ${rows.map((row) => this.control(row, null))}
       </details>
     `;
+  }
+
+  /** The control of a row, as soon as it is loaded. */
+  protected control(row: Row, item: number | null): TemplateResult | undefined {
+    return this.later?.paramControl(this.store, row, item);
   }
 
   #openPresets = async (): Promise<void> => {
@@ -240,48 +258,6 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
         ${this.figures() ?? html`<p class="quiet">${this.store.text('notYet')}</p>`}
       </details>
       <p class="visually-hidden" role="status">${this.store.progress ? '' : this.store.summary()}</p>
-    `;
-  }
-
-  /** What is the page's and not the field's. */
-  #page(): TemplateResult {
-    const { store, actions } = this;
-    return html`
-      <section class="section" aria-labelledby="page-heading">
-        <h2 id="page-heading">${store.text('page')}</h2>
-        ${segments({
-          name: 'language',
-          label: store.text('language'),
-          options: LANGUAGES.map((value) => ({ value, label: LANGUAGE_NAMES[value] })),
-          value: store.language,
-          action: (language) => store.setLanguage(language),
-        })}
-        ${segments({
-          name: 'theme',
-          label: store.text('theme'),
-          options: THEMES.map((value) => ({ value, label: store.text(`theme-${value}`) })),
-          value: store.theme,
-          action: (theme) => store.setTheme(theme),
-        })}
-        <div class="button-row">
-          ${this.#embedButton()}
-          <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
-          <a class="button" href="docs/" hreflang="en" data-help=${store.text('docsHelp')}>${store.text('docs')}</a>
-        </div>
-      </section>
-    `;
-  }
-
-  #embed(): TemplateResult | typeof nothing {
-    return this.actions.embed ? html`<div class="section"><div class="button-row">${this.#embedButton()}</div></div>` : nothing;
-  }
-
-  #embedButton(): TemplateResult {
-    const { store, actions } = this;
-    return html`
-      <button class="button" type="button" title=${this.words('embedHelp')} data-help=${this.words('embedHelp')} @click=${actions.embed}>
-        ${icon('code')}${store.text('embed')}
-      </button>
     `;
   }
 

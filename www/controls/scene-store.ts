@@ -48,6 +48,12 @@ export interface Remedy {
   act: () => void;
 }
 
+export interface Line {
+  text: Message;
+  /** Something went wrong; else something is merely said. */
+  isProblem: boolean;
+}
+
 /** What changed, so that the wiring does no more than it must. */
 export type Change = 'params' | 'look' | 'camera' | 'preferences' | 'result' | 'progress' | 'messages';
 
@@ -76,7 +82,7 @@ export abstract class SceneStore<K extends Kind> {
   backend: Backend | null = null;
   progress: Progress<K['stage']> | null = null;
   problem: Problem | null = null;
-  messages: Message[] = [];
+  messages: Line[] = [];
   remedy: Remedy | null = null;
 
   #docs: Readonly<Record<string, Words>> = {};
@@ -204,9 +210,9 @@ export abstract class SceneStore<K extends Kind> {
     this.edit({ ...this.table.presetParams(preset), seed: this.params.seed }, '', preset);
   }
 
-  /** The preset as printed, with seed 0. */
+  /** The preset as printed; the seed stays. */
   reset(): void {
-    this.edit(this.table.presetParams(this.preset));
+    this.edit({ ...this.table.presetParams(this.preset), seed: this.params.seed });
   }
 
   /** Whether anything but the seed differs from the preset. */
@@ -231,6 +237,11 @@ export abstract class SceneStore<K extends Kind> {
 
   release(): void {
     this.#history.release();
+  }
+
+  /** The pointer is taken away, as by a scroll: back to where it was put down. */
+  abandon(): void {
+    if (this.#history.abandon()) this.#moved();
   }
 
   undo(): void {
@@ -261,14 +272,14 @@ export abstract class SceneStore<K extends Kind> {
   }
 
   /** In English at once; the words of the other language may have to be fetched. */
-  #messagesOf(notices: readonly Notice[]): Message[] {
+  #messagesOf(notices: readonly Notice[]): Line[] {
     let inJapanese: ((notice: Notice) => string) | undefined;
     const fetched = ({ japaneseNotice }: Later) => {
       inJapanese = japaneseNotice;
       this.notify('messages');
     };
     if (notices.length > 0) loadLater().then(fetched, () => undefined);
-    return notices.map((notice) => (language) => (language === 'ja' && inJapanese?.(notice)) || notice.text);
+    return notices.map((notice) => ({ text: (language) => (language === 'ja' && inJapanese?.(notice)) || notice.text, isProblem: true }));
   }
 
   setView(view: View): void {
@@ -342,7 +353,7 @@ export abstract class SceneStore<K extends Kind> {
     const text = (language: Language) => errorText(language, error);
     const row = this.table.rows.find((candidate) => candidate.key === key && layer === undefined);
     const ofItem = row ? undefined : this.table.itemRows.find((candidate) => candidate.key === key);
-    if (!row && !ofItem && !this.listKeys.includes(key)) this.say(text);
+    if (!row && !ofItem && !this.listKeys.includes(key)) this.say(text, true);
     else if (this.params === params) this.setProblem({ key, item: ofItem ? (layer ?? this.itemAtFault()) : null, component: null, text });
   }
 
@@ -352,8 +363,8 @@ export abstract class SceneStore<K extends Kind> {
     this.notify('messages');
   }
 
-  say(message: Message): void {
-    this.messages = [...this.messages, message];
+  say(text: Message, isProblem = false): void {
+    this.messages = [...this.messages, { text, isProblem }];
     this.notify('messages');
   }
 

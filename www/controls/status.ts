@@ -23,8 +23,8 @@ export function messageLine<K extends Kind>(store: SceneStore<K>): TemplateResul
   const [first] = messages;
   if (!first) return nothing;
   return html`
-    <div class="message" role="alert">
-      <p>${first(language)}</p>
+    <div class=${first.isProblem ? 'message is-problem' : 'message'} role=${first.isProblem ? 'alert' : 'status'}>
+      <p>${first.text(language)}</p>
       ${messages.length > 1 ? html`<span class="quiet">1 / ${messages.length}</span>` : nothing}
       ${iconButton({ icon: 'close', label: store.text('dismiss'), action: () => store.dismiss() })}
     </div>

@@ -4,6 +4,8 @@ import { ROCKS } from '../rocks.ts';
 import { loadLater } from './load-later.ts';
 import { SceneStore } from './scene-store.ts';
 import { summary } from './summary.ts';
+import type { Layer } from '../params.ts';
+import type { Later } from './load-later.ts';
 import type { Field } from '../field.ts';
 import type { StageName } from '../generator/protocol.ts';
 import type { History } from '../history.ts';
@@ -12,7 +14,16 @@ import type { Rocks } from '../rocks.ts';
 import type { Row } from '../table.ts';
 import type { Edition, OpenedLink, Preferences } from './scene-store.ts';
 
+/** Colours of the renderer's palette, which layers have by their ids. */
+const COLORS = 8;
+
 export class Store extends SceneStore<Rocks> {
+  /** Whether height and taper stay when the radius changes; else they keep their proportions. */
+  keepsShape = false;
+  /** The layer whose radius was changed last, as it was before, and as it is. All that follows is measured from there: a drag rounds nothing away. */
+  #resized: { from: Layer; to: Layer } | undefined;
+  #later: Later | undefined;
+
   constructor(link: OpenedLink<Rocks>, preferences: Preferences, history?: History<Edition<Rocks>>) {
     super(ROCKS, link, preferences, history);
   }
@@ -41,7 +52,25 @@ export class Store extends SceneStore<Rocks> {
 
   override setParam(row: Row, item: number | null, value: number | string | null): void {
     if (row.key === 'notation') void this.setNotation(value as Notation);
+    else if (row.key === 'radius' && item !== null && !this.keepsShape) void this.#resize(row, item, Number(value));
     else super.setParam(row, item, value);
+  }
+
+  setKeepsShape(keeps: boolean): void {
+    this.keepsShape = keeps;
+    this.notify('messages');
+  }
+
+  async #resize(row: Row, item: number, radius: number): Promise<void> {
+    const { scaledLayer, later } = (this.#later ??= await loadLater());
+    const { layers, notation } = this.params;
+    const layer = layers[item];
+    if (!layer) return;
+    const from = layer === this.#resized?.to ? this.#resized.from : layer;
+    const { scaled, isClamped } = scaledLayer(from, radius, notation);
+    this.#resized = { from, to: scaled };
+    this.edit({ ...this.params, layers: layers.map((old, index) => (index === item ? scaled : old)) }, `${row.url} ${item}`);
+    if (isClamped) this.setProblem({ key: row.key, item, component: null, text: (language) => later(language, 'shapeClamped') });
   }
 
   async setNotation(notation: Notation): Promise<void> {
@@ -65,8 +94,12 @@ export class Store extends SceneStore<Rocks> {
     this.setItems([...layers.slice(0, index + 1), copy, ...layers.slice(index + 1)]);
   }
 
-  /** Past all that were ever seen here, so that a removed layer's rocks do not come back under another layer's name. */
+  /** Past all that were ever seen here, so that a removed layer's rocks do not come back under another layer's name; of a colour that no layer has. */
   #freeId(): number {
-    return Math.max(-1, ...this.params.layers.map(({ id }) => id)) + 1;
+    const ids = this.params.layers.map(({ id }) => id);
+    const colors = new Set(ids.map((id) => id % COLORS));
+    let id = Math.max(-1, ...ids) + 1;
+    while (colors.size < COLORS && colors.has(id % COLORS)) id += 1;
+    return id;
   }
 }

@@ -4,11 +4,12 @@ import { html, nothing } from 'lit';
 import { PRESETS } from '../params.ts';
 import { presetName } from '../strings.ts';
 import { woodEarPresetName, woodEarText } from '../strings-wood-ear.ts';
+import { beginGroundEdit } from '../scenes.ts';
 import { decodeLink } from '../url-codec.ts';
 import { logAmong } from '../log-drop.ts';
 import { BASE_ROWS, LOG_ROWS } from '../wood-ear-flat.ts';
 import { icon } from './icons.ts';
-import { paramControl, problemOf } from './param-control.ts';
+import { problemOf } from './numbers.ts';
 import { description, iconButton, menu, segments } from './parts.ts';
 import { register, ScenePanel } from './scene-panel.ts';
 import { woodEarStatistics } from './wood-ear-statistics.ts';
@@ -86,7 +87,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
       <section class="section" aria-labelledby="bases-heading">
         <div class="section-head">
           <h2 id="bases-heading">${this.#t('bases')} <span class="quiet">${bases.length} / ${max}</span></h2>
-          <button class="button" type="button" ?disabled=${bases.length >= max} @click=${() => store.addBase()}>${icon('add')}${this.#t('addBase')}</button>
+          <button class="button" type="button" ?disabled=${bases.length >= max} @click=${() => (store.addBase(), this.focusItem(bases.length))}>${icon('add')}${this.#t('addBase')}</button>
         </div>
         ${description('bases', '', problem?.key === 'bases' ? problem.text(store.language) : null)}
         <p class="quiet">${this.#t('basesHint')}</p>
@@ -108,7 +109,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
             <span class="layer-numbers">${base.position.map((value) => Math.round(value)).join(', ')} cm</span>
             ${icon('down')}
           </button>
-          ${iconButton({ icon: 'remove', label: this.#t('removeBase', { n }), action: () => store.removeItem(index), disabled: store.params.bases.length <= min })}
+          ${iconButton({ icon: 'remove', label: this.#t('removeBase', { n }), action: () => (store.removeItem(index), void this.focusItem(index)), disabled: store.params.bases.length <= min })}
         </div>
         <div class="layer-body" id="base-${index}" ?hidden=${!isOpen}>${isOpen ? this.#baseControls(base, index) : nothing}</div>
       </li>
@@ -127,7 +128,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
         value: base.range === null ? ofColony : 'own',
         action: (value) => store.setParam(RANGE, index, value === ofColony ? null : store.params.range),
       })}
-      ${base.range === null ? nothing : paramControl(store, RANGE, index)} ${BASE_ROWS.slice(0, 3).map((row) => paramControl(store, row, index))}
+      ${base.range === null ? nothing : this.control(RANGE, index)} ${BASE_ROWS.slice(0, 3).map((row) => this.control(row, index))}
     `;
   }
 
@@ -150,7 +151,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
     return html`
       <details class="section" ?open=${mesh !== null}>
         <summary><h2>${this.#t('log')}</h2>${icon('down')}</summary>
-        ${mesh ? html`<p class="quiet">${this.#t('logFileNote')}</p>` : nothing} ${LOG_ROWS.filter(({ key }) => !mesh || key === 'logSpacing').map((row) => paramControl(store, row, null))}
+        ${mesh ? html`<p class="quiet">${this.#t('logFileNote')}</p>` : nothing} ${LOG_ROWS.filter(({ key }) => !mesh || key === 'logSpacing').map((row) => this.control(row, null))}
         ${description('log', '', problem?.key === 'log' ? problem.text(store.language) : null)}
         <div class="button-row">
           <label class="button file-button">${this.#t('logFile')}<input class="visually-hidden" type="file" accept=".glb,.gltf,.obj,model/gltf-binary,model/gltf+json,model/obj" @change=${choose} /></label>
@@ -176,7 +177,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
         ${opened
           ? html`<div class="button-row">
               <button class="button" type="button" @click=${() => store.chooseGround(opened.preset, opened.params.seed + 1)}>${icon('dice')}${this.#t('groundSeed')}</button>
-              ${actions.rocksPage ? html`<a class="button" href="${actions.rocksPage}#${ground}">${this.#t('openGround')}</a>` : nothing}
+              ${actions.rocksPage ? html`<a class="button" href="${actions.rocksPage}#${ground}" @click=${beginGroundEdit}>${this.#t('openGround')}</a>` : nothing}
             </div>`
           : nothing}
       </section>

@@ -1,0 +1,61 @@
+/** What stands last in the panel, the page's own settings or a way to embed; and the way back to the log whose ground is edited. */
+
+import { html, nothing } from 'lit';
+import { addressOnGround, isGroundEdited } from '../scenes.ts';
+import { later } from '../strings-later.ts';
+import { LANGUAGES, LANGUAGE_NAMES } from '../strings.ts';
+import { icon } from './icons.ts';
+import { segments } from './parts.ts';
+import { THEMES } from './scene-store.ts';
+import type { TemplateResult } from 'lit';
+import type { Kind } from '../table.ts';
+import type { Actions } from './scene-panel.ts';
+import type { SceneStore } from './scene-store.ts';
+
+export interface LastSection<K extends Kind> {
+  store: SceneStore<K>;
+  actions: Actions<K>;
+  isEmbedded: boolean;
+  embedHelp: string;
+}
+
+export function lastSection<K extends Kind>({ store, actions, isEmbedded, embedHelp }: LastSection<K>): TemplateResult | typeof nothing {
+  const embedButton = html`
+    <button class="button" type="button" title=${embedHelp} data-help=${embedHelp} @click=${actions.embed}>
+      ${icon('code')}${store.text('embed')}
+    </button>
+  `;
+  if (isEmbedded) return actions.embed ? html`<div class="section"><div class="button-row">${embedButton}</div></div>` : nothing;
+  return html`
+    <section class="section" aria-labelledby="page-heading">
+      <h2 id="page-heading">${store.text('page')}</h2>
+      ${segments({
+        name: 'language',
+        label: store.text('language'),
+        options: LANGUAGES.map((value) => ({ value, label: LANGUAGE_NAMES[value] })),
+        value: store.language,
+        action: (language) => store.setLanguage(language),
+      })}
+      ${segments({
+        name: 'theme',
+        label: store.text('theme'),
+        options: THEMES.map((value) => ({ value, label: store.text(`theme-${value}`) })),
+        value: store.theme,
+        action: (theme) => store.setTheme(theme),
+      })}
+      <div class="button-row">
+        ${embedButton}
+        <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
+        <a class="button" href="docs/" hreflang="en" data-help=${store.text('docsHelp')}>${store.text('docs')}</a>
+      </div>
+    </section>
+  `;
+}
+
+/** Back to the log whose ground is being edited on this page. */
+export function wayToLog<K extends Kind>(store: SceneStore<K>, { link }: Actions<K>): TemplateResult | typeof nothing {
+  if (!link || !isGroundEdited()) return nothing;
+  // The address is made anew by the click: the last edit may be younger than the last render.
+  const follow = ({ currentTarget }: Event) => ((currentTarget as HTMLAnchorElement).href = addressOnGround(link()));
+  return html`<a class="button way-to-log" href=${addressOnGround(link())} @click=${follow}>${later(store.language, 'layLog')}</a>`;
+}

@@ -1,0 +1,28 @@
+/** What the panel knows of its numbers before their controls are there: how they are written, and what is wrong with them. */
+
+import type { Kind, Row } from '../table.ts';
+import type { SceneStore } from './scene-store.ts';
+
+/** Digits shown of a number; its value keeps all of them. */
+const SHOWN_DIGITS = 7;
+
+export function problemOf<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): string | null {
+  const { problem } = store;
+  const isHere = problem?.key === spec.key && problem.item === item && (problem.component ?? 0) === (spec.component ?? 0);
+  return problem && isHere ? problem.text(store.language) : null;
+}
+
+/**
+ * Puts the values into the number fields below `root`, but for the one being typed in: “1.” must not turn into “1” under the fingers.
+ * Call it after every render.
+ */
+export function fillNumberFields(root: ParentNode): void {
+  for (const field of root.querySelectorAll<HTMLInputElement>('.number-field')) {
+    const { shown = '', typing } = field.dataset;
+    if (typing === undefined && field.value !== shown) field.value = shown;
+  }
+}
+
+export function shownNumber(value: number): string {
+  return String(Number.isInteger(value) ? value : Number(value.toPrecision(SHOWN_DIGITS)));
+}
