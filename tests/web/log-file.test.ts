@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { Accessor, Document, Node, Primitive, WebIO } from '@gltf-transform/core';
 import { MeshoptEncoder } from 'meshoptimizer';
 import type { RockFieldError } from '../../www/errors.ts';
-import { MOST_LISTED, MOST_TRIANGLES, MOST_VERTICES } from '../../www/log-file/limits.ts';
+import { FARTHEST, MOST_LISTED, MOST_TRIANGLES, MOST_VERTICES } from '../../www/log-file/limits.ts';
 import { readLogFile } from '../../www/log-file/read.ts';
 import { shown } from '../../www/log-file/refusal.ts';
 import type { LogMesh } from '../../www/wood-ear-flat.ts';
@@ -221,6 +221,14 @@ test('the limits are the generator’s', () => {
   const rust = readFileSync(new URL('../../src/wood_ear/user_log.rs', import.meta.url), 'utf8');
   const constant = (name: string) => Number(new RegExp(`${name}: usize = ([\\d_]+)`).exec(rust)?.[1]?.replaceAll('_', ''));
   assert.deepEqual([constant('MOST_VERTICES'), constant('MOST_TRIANGLES')], [MOST_VERTICES, MOST_TRIANGLES]);
+  assert.equal(Number(/REACH: f64 = ([\d_.]+)/.exec(rust)?.[1]?.replaceAll('_', '')), FARTHEST);
+});
+
+test('a log far higher than it is long is refused by the reader, before its numbers overflow', async () => {
+  for (const height of ['1e38', '1e300', '20000']) {
+    const { name, max } = await refusal(given('spike.obj', `v 0 ${height} 1\nv 1 0 0\nv 0 0 0\nf 1 2 3\n`));
+    assert.deepEqual([name, max], ['LogBadPosition', FARTHEST], height);
+  }
 });
 
 // glTF.

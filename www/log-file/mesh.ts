@@ -3,7 +3,7 @@
 import { LOG_LENGTH, scaleOfLog } from '../log-units.ts';
 import type { Words } from '../params.ts';
 import type { LogMesh } from '../wood-ear-flat.ts';
-import { MOST_TRIANGLES, MOST_VERTICES } from './limits.ts';
+import { FARTHEST, MOST_TRIANGLES, MOST_VERTICES } from './limits.ts';
 import { refused } from './refusal.ts';
 
 /** Triangles as they stand in a file: three numbers for each vertex, y up, cm. Numbers are rounded to f32 once the log is at the origin. */
@@ -71,6 +71,14 @@ function laidDown(given: Float64Array, indices: Uint32Array, name: string): { po
   const length = Math.max(sides[0]!, sides[2]!);
   if (length === 0) throw refused('LogFileNoMesh', { en: `${name} stands upright and has no length: x or z has to be the longest side`, ja: `${name} には水平方向の長さがありません` });
   const scale = scaleOfLog(length);
+  const reach = (Math.max(...sides) * scale) / 2;
+  if (!(reach <= FARTHEST)) {
+    const times = Math.round(Math.max(...sides) / length);
+    throw refused('LogBadPosition', {
+      en: `${name} is ${times} times as high as it is long: x or z has to be the longest side`,
+      ja: `${name} の高さは長さの ${times} 倍です。x か z が最も長くなければなりません`,
+    }, { value: reach, max: FARTHEST });
+  }
   const rounded = Number(length.toPrecision(3));
   const notices = scale !== 1
     ? [{ en: `${name} is ${rounded} cm long; it is shown ${LOG_LENGTH.instead} cm long`, ja: `${name} の長さは ${rounded} cm です。${LOG_LENGTH.instead} cm にして表示します` }]
