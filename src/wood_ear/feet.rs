@@ -12,12 +12,12 @@ use super::user_log::Surface;
 use crate::rng::{Purpose, Stream};
 
 /// No two feet on one side of the surface are closer than this share of the spacing. Discs that far apart jam at 0.55 of the area and the feet
-/// wanted take 0.47, so about ten darts a foot are enough.
-const APART: f64 = 0.72;
+/// wanted take 0.38, so about four darts a foot are enough.
+const APART: f64 = 0.65;
 /// Feet that face away from each other by more than this stand on two sides of a thin wall: the cosine.
 const SAME_SIDE: f64 = -0.5;
 /// Darts for each foot wanted, at most: rough surfaces have more area than room.
-const MOST_DARTS: f64 = 40.0;
+const MOST_DARTS: f64 = 20.0;
 
 /// How many vertices a grown log of that area has, which is how many feet are wanted.
 pub(super) fn wanted(area: f64, spacing: f64) -> f64 {
