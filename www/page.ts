@@ -223,7 +223,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   stage.append(element, overlay);
   stage.after(panel);
   // No key is pressed before there is something to see.
-  void import('./controls/keys.ts').then(({ listenToKeys }) => listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() }));
+  void lazily(() => import('./controls/keys.ts')).then(({ listenToKeys }) => listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() }));
 
   found('.skip-link').addEventListener('click', (event) => {
     // Not by the address: that is the scene's.
