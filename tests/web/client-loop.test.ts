@@ -226,7 +226,7 @@ test('a refused request is told with its key and bounds, and the next one runs',
   start(1, request(1, 10, 50));
   const message = await answer(1);
   assert(message.type === 'rejected');
-  assert.deepEqual({ ...message.error }, { name: 'OverBudget', message: 'too much', key: 'imageWidth', layer: undefined, value: 200, min: 0, max: 50 });
+  assert.deepEqual({ ...message.error }, { name: 'OverBudget', message: 'too much', key: 'imageWidth', layer: undefined, value: 200, min: 0, max: 50, words: undefined });
   start(2, request(2, 2));
   assert.equal((await answer(2)).type, 'result');
 });

@@ -80,7 +80,7 @@ test('a value just outside its bounds, NaN or not whole is refused with key, val
         writeValue(spec.scope === 'layer' ? params.layers[2]! : params, spec, value);
         const error = errorOf(params);
         const layer = spec.scope === 'layer' ? 2 : undefined;
-        assert.deepEqual({ ...error }, { name, key: spec.key, layer, value, min, max });
+        assert.deepEqual({ ...error }, { name, key: spec.key, layer, value, min, max, words: undefined });
         assert.match(error.message, new RegExp(spec.key));
         assert.match(error.message, new RegExp(String(value).replace(/[.+]/g, '\\$&')));
       }
