@@ -397,7 +397,7 @@ test('a phone has the picture and a sheet of controls, and Japanese has all its 
   assert.match(await page.locator('.summary').textContent(), /キクラゲ/);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
   await page.locator('.sheet-toggle').click();
-  assert.equal(await page.locator('label[for="m"]').textContent(), '水分量');
+  assert.equal(await page.locator('label[for="m"]').textContent(), '含水率');
   await page.screenshot({ path: screenshotPath('wood-ear-360') });
   await closeClean(opened);
 });
