@@ -11,9 +11,6 @@ import { cargoEnv, root } from './env.mjs';
 import { Failure, main, run, say, seconds } from './run.mjs';
 import { bindgenProgram, setup } from './setup.mjs';
 
-/** Browser tests whose outcome depends on how fast frames or runs are: nothing else runs beside them. */
-const ALONE = ['cost.test.mjs', 'many.test.mjs', 'quality.test.mjs'];
-
 const WASM = ['--target', 'wasm32-unknown-unknown'];
 
 const cargo = (args, env = {}) => run('cargo', args, { env: { ...cargoEnv, ...env }, cwd: root, stdout: 'inherit' });
@@ -123,13 +120,8 @@ async function browserTests() {
   const folder = path.join(root, 'tests', 'e2e');
   const tests = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.test.mjs')) : [];
   if (tests.length === 0) throw new Failure('there are no tests in tests/e2e');
-  const [alone, together] = [true, false].map((wanted) => tests.filter((name) => ALONE.includes(name) === wanted).map((name) => path.join(folder, name)));
-  // Two files at a time: while one waits for its page, the other has the software GPU. The second part is run even when the first one fails.
-  const failures = [];
-  for (const [files, paths] of [[2, together], [1, alone]]) {
-    await node(['--test', `--test-concurrency=${files}`, ...paths], { CHROME_PATH: browser }).catch((error) => failures.push(error));
-  }
-  if (failures.length > 0) throw failures[0];
+  // One file at a time: the software GPU takes every core.
+  await node(['--test', '--test-concurrency=1', ...tests.map((name) => path.join(folder, name))], { CHROME_PATH: browser });
 }
 
 /** The package in the pages of others. */
