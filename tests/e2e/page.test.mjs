@@ -41,7 +41,7 @@ function hash(page) {
 const stats = (page) => page.evaluate(async () => (await document.querySelector('rock-field').getField()).stats);
 const params = (page) => page.evaluate(() => document.querySelector('rock-field').params);
 const message = (page) => page.locator(`${MESSAGE} p`).first().textContent();
-/** The address follows within half a second. */
+/** The address follows within half a second, or when a slow picture is painted. */
 const address = async (page, pattern) => {
   await page.waitForURL(pattern, { timeout: 60_000 });
   return page.url();
@@ -157,6 +157,7 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
   await page.locator('.preset[data-preset="scree"]').click();
   await address(page, /#v=1&preset=scree$/);
   assert.deepEqual(await page.evaluate(() => document.querySelector('rock-field').color), 'natural');
+  await hash(page);
   await page.keyboard.press('Control+z');
   await address(page, /preset=journal-fig1/);
   assert.deepEqual(await page.evaluate(() => document.querySelector('rock-field').color), 'layer');
