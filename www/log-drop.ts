@@ -1,5 +1,6 @@
 /** Files that are dragged over a picture and dropped on it. */
 
+import { addStyles, removeStyles } from './document-styles.ts';
 import { filled } from './filled.ts';
 import type { Language } from './params.ts';
 
@@ -53,9 +54,7 @@ export function listenToDrops(host: HTMLElement, { root, language, isOpen, open 
   frame.setAttribute('part', 'drop');
   frame.hidden = true;
   frame.append(words);
-  const sheet = new CSSStyleSheet();
-  sheet.replaceSync(STYLES);
-  root.adoptedStyleSheets.push(sheet);
+  addStyles(root, STYLES);
   root.append(frame);
   const on = (type: string, listener: (event: DragEvent) => void) => host.addEventListener(type, listener as EventListener, { signal });
   on('dragover', (event) => {
@@ -77,6 +76,6 @@ export function listenToDrops(host: HTMLElement, { root, language, isOpen, open 
   });
   signal.addEventListener('abort', () => {
     frame.remove();
-    root.adoptedStyleSheets = root.adoptedStyleSheets.filter((other) => other !== sheet);
+    removeStyles(root, STYLES);
   });
 }

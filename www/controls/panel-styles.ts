@@ -5,8 +5,8 @@ import css from '../styles/embedded.css';
 /** Width of a panel that stands beside its picture, and height of one below. */
 const INLINE_SIZE = '344px';
 const BLOCK_SIZE = '58%';
-/** Height of a sheet over a small picture, of which something is left to be seen if there is any room. */
-const SHEET_SIZE = 'max(62%, min(100%, 240px))';
+/** Height of a sheet over a small picture, of which a strip is always left to be seen. */
+const SHEET_SIZE = 'max(62%, min(100% - 48px, 240px))';
 
 /** For the element's root: where panel and picture stand in the element. What is before the panel in the tree makes room for it. */
 export const LAYOUT_STYLES = `
