@@ -6,6 +6,7 @@ import * as esbuild from 'esbuild';
 import { writeDocs } from './docs.mjs';
 import { dist, hashOf, pkg, root } from './env.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
+import { loadedBefore } from './loaded-before.mjs';
 import { Failure, step } from './run.mjs';
 import { nodeless, panelApart, panelByAddress, sheetsAsText, tinyCopied } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
@@ -74,7 +75,9 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     };
     const workers = await built({ entryPoints: WORKERS });
     const panel = await built({ entryPoints: PANELS, plugins: [sheetsAsText] });
-    const browser = await built({ entryPoints: [...PAGE_ENTRIES, ...PUBLIC_ENTRIES], chunkNames: 'chunk-[hash]', assetNames: '[name]', splitting: true, plugins: [panelApart(names), tinyCopied] });
+    const entryPoints = [...PAGE_ENTRIES, ...PUBLIC_ENTRIES];
+    const plugins = [panelApart(names), await loadedBefore(entryPoints, { plugins: [nodeless, panelApart(names), tinyCopied] }), tinyCopied];
+    const browser = await built({ entryPoints, chunkNames: 'chunk-[hash]', assetNames: '[name]', splitting: true, plugins });
     withPlainNames(staging, browser, PUBLIC_ENTRIES);
     // Read by people in stack traces.
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node', minify: false });
