@@ -36,24 +36,26 @@ function parameterRow(spec) {
 const ROWS = { ...Object.fromEntries(PARAMS.map((spec) => [attributeOf(spec), parameterRow(spec)])), ...OTHERS };
 
 let session;
+/** One for all rows: they take an element each. */
+let opened;
 
 before(async () => {
   const html = '<!doctype html><html lang="en"><meta charset="utf-8"><title>attributes</title><link rel="icon" href="data:,"><script type="module" src="/rock-field.js"></script>';
   session = await launch({ intercept: pageOf('attributes.html', () => html) });
+  opened = await session.open('attributes.html');
 });
 
 after(() => session?.close());
 
 test('every attribute of the element has a row, and every row an attribute', async () => {
-  const { page, close } = await session.open('attributes.html');
-  const observed = await page.evaluate(() => customElements.whenDefined('rock-field').then((element) => element.observedAttributes));
+  const observed = await opened.page.evaluate(() => customElements.whenDefined('rock-field').then((element) => element.observedAttributes));
   assert.deepEqual(Object.keys(ROWS).sort(), [...observed].sort());
-  await close();
 });
 
 for (const [name, [valid, malformed]] of Object.entries(ROWS)) {
   test(`${name}: absent without a word, valid taken, malformed its default and one warning that names it, all during a run`, async () => {
-    const { page, errors, warnings, close } = await session.open('attributes.html');
+    const { page, errors, warnings } = opened;
+    warnings.length = 0;
     const seen = await page.evaluate(
       async ([name, valid, malformed]) => {
         await customElements.whenDefined('rock-field');
@@ -75,6 +77,7 @@ for (const [name, [valid, malformed]] of Object.entries(ROWS)) {
         const taken = await during(() => element.setAttribute(name, valid));
         const wrong = malformed === null ? null : await during(() => element.setAttribute(name, malformed));
         const gone = await during(() => element.removeAttribute(name));
+        element.remove();
         return { absent, taken, wrong, gone };
       },
       [name, valid, malformed],
@@ -90,6 +93,5 @@ for (const [name, [valid, malformed]] of Object.entries(ROWS)) {
     }
     assert.equal(warnings.filter((text) => text.includes('<rock-field>')).length, wrong ? 1 : 0);
     assert.deepEqual(errors, []);
-    await close();
   });
 }

@@ -370,7 +370,7 @@ test('an element that is removed leaves no panel and no listener behind', async 
 });
 
 test('small, tall and wide: the panel stays inside, every control can be reached, and the picture is where it can be seen', async () => {
-  for (const [size, layout, seesPicture] of [[[300, 150], 'over', false], [[360, 300], 'over', true], [[360, 640], 'below', true], [[640, 400], 'beside', true]]) {
+  for (const [size, layout] of [[[300, 150], 'over'], [[360, 300], 'over'], [[360, 640], 'below'], [[640, 400], 'beside']]) {
     for (const touch of [false, true]) {
       const opened = await open(undefined, { size, ...(touch && { hasTouch: true, isMobile: true, viewport: { width: size[0] + 40, height: size[1] + 140 } }) });
       const { page } = opened;
@@ -379,7 +379,7 @@ test('small, tall and wide: the panel stays inside, every control can be reached
       else await button(page).click();
       await panel(page).locator('.panel-body').waitFor();
       assert.equal(await page.locator('rock-field .controls-panel').getAttribute('data-layout'), layout, name);
-      assert.equal(await page.locator('rock-field .stage').isVisible(), seesPicture, name);
+      assert.ok(await page.locator('rock-field .stage').isVisible(), name);
       const outside = await page.evaluate((least) => {
         const box = a.getBoundingClientRect();
         const root = a.shadowRoot.querySelector('.controls-panel').shadowRoot;
