@@ -119,19 +119,22 @@ test('attributes changed while it generates: the last ones win, and every malfor
   await close();
 });
 
-test('camera-orbit is where the camera is while the field is framed, and frame all comes back to it', async () => {
+test('camera-orbit is the default camera: frame all shows the whole field first and goes back there second', async () => {
   const { page, close } = await open(`<rock-field ${SMALL} camera-orbit="45deg 55deg 120%"></rock-field>`);
-  const [own, orbit] = await page.evaluate(() => {
+  const [own, whole, orbit] = await page.evaluate(() => {
     const orbit = a.camera;
     a.removeAttribute('camera-orbit');
     const own = a.camera;
     a.cameraOrbit = '45deg 55deg 120%';
     a.camera = { ...own, azimuth: 2 };
     a.frameAll(false);
-    return [own, [orbit, a.camera, a.framed]];
+    const whole = a.camera;
+    a.frameAll(false);
+    return [own, whole, [orbit, a.camera, a.framed]];
   });
   assert(Math.abs(orbit[0].azimuth - Math.PI / 4) < 1e-9 && Math.abs(orbit[0].elevation - (35 * Math.PI) / 180) < 1e-9);
   assert(Math.abs(orbit[0].distance / own.distance - 1.2) < 1e-9);
+  assert.deepEqual([whole.azimuth, whole.distance > own.distance], [2, true]);
   assert.deepEqual([orbit[1], orbit[2]], [orbit[0], true]);
   await close();
 });
