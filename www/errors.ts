@@ -66,6 +66,11 @@ export function scriptUnavailable(cause: unknown): RockFieldError {
   return new RockFieldError({ name: 'ScriptUnavailable', message: `a script could not be fetched (${reason}); reload the page` }, { cause });
 }
 
+/** Whether the same may succeed at another time: what failed was no parameter, but a file or a worker. */
+export function isPassing({ name }: ErrorInfo): boolean {
+  return /^(Wasm|Worker|Script)Unavailable$|^WorkerLost$|^Internal$/.test(name);
+}
+
 export function abortError(message: string): DOMException {
   return new DOMException(message, 'AbortError');
 }

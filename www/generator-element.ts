@@ -31,7 +31,8 @@ export interface SceneEventMap<Stage extends string> {
   load: CustomEvent<null>;
   /** A run of more than 200 ms is under way. */
   progress: CustomEvent<Progress<Stage>>;
-  error: CustomEvent<{ error: ErrorInfo }>;
+  /** Something went wrong; at most one a second. `shown`: the element says so itself, over its picture. */
+  error: CustomEvent<{ error: ErrorInfo; shown: boolean }>;
   /** The user moved the camera, or asked for everything. */
   'camera-change': CustomEvent<{ camera: CameraState; framed: boolean }>;
   /** The picture is back after a loss of the device. */
@@ -517,6 +518,10 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
       loadPanel: this.#scene.loadPanel,
       say: (text) => this.notify(text),
     });
+  }
+
+  protected override regrow(): void {
+    this.generate().catch(() => undefined); // reported there
   }
 
   protected override groundSize(): [number, number] {

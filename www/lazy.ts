@@ -2,31 +2,35 @@
 
 import { scriptUnavailable } from './errors.ts';
 
-let isMissing = false;
-let listener: (() => void) | undefined;
+/** Undefined: nothing is missing. */
+let missing: { isSaid: boolean } | undefined;
+let listener: ((isSaid: boolean) => void) | undefined;
 
-/** `hear` is called whenever a file of this build could not be had, and at once if that has happened already. */
-export function onMissingFile(hear: () => void): void {
+/**
+ * `hear` is called whenever a file of this build could not be had, and at once if that has happened already. `isSaid`: the element that
+ * needs the file says so, and offers to try again.
+ */
+export function onMissingFile(hear: (isSaid: boolean) => void): void {
   listener = hear;
-  if (isMissing) hear();
+  if (missing) hear(missing.isSaid);
 }
 
 /** To be called by whoever could not fetch a file of this build. */
-export function tellMissingFile(): void {
-  isMissing = true;
-  listener?.();
+export function tellMissingFile(isSaid = false): void {
+  missing = { isSaid: isSaid && missing?.isSaid !== false };
+  listener?.(isSaid);
 }
 
 /**
- * The module that `load` imports.
+ * The module that `load` imports. `isSaid` as in `onMissingFile`.
  *
  * @throws {RockFieldError} `ScriptUnavailable`. A later call tries again, in browsers that do not remember a failed import.
  */
-export async function lazily<Module>(load: () => Promise<Module>): Promise<Module> {
+export async function lazily<Module>(load: () => Promise<Module>, isSaid = false): Promise<Module> {
   try {
     return await load();
   } catch (cause) {
-    tellMissingFile();
+    tellMissingFile(isSaid);
     throw scriptUnavailable(cause);
   }
 }

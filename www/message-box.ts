@@ -1,6 +1,10 @@
-/** What an element has to say, at the foot of its picture: why there is none, what was put right, what it shows instead. */
+/** What an element has to say, at the foot of its picture: why there is none, what was put right, what it shows instead, and a button to try again. */
+
+import type { Language } from './params.ts';
 
 const NOTICE_MS = 8000;
+
+const RETRY = { en: 'Retry', ja: '再試行' } as const;
 
 /** Text only: sentences may quote what came from a link. */
 export class MessageBox {
@@ -8,12 +12,21 @@ export class MessageBox {
   #errorText = document.createElement('span');
   #errorSlot = document.createElement('slot');
   #text = document.createElement('span');
+  #button = document.createElement('button');
   #error = '';
   #notices: string[] = [];
   #standing = '';
+  #canRetry = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor() {
+  /** `retry` is what the button does. */
+  constructor(retry: () => void) {
+    this.#button.type = 'button';
+    this.#button.hidden = true;
+    this.#button.addEventListener('click', () => {
+      this.#button.disabled = true;
+      retry();
+    });
     this.element.className = 'message';
     this.element.setAttribute('part', 'message');
     this.element.setAttribute('role', 'status');
@@ -21,18 +34,30 @@ export class MessageBox {
     this.#errorSlot.name = 'error';
     this.#errorSlot.append(this.#errorText);
     this.#errorSlot.hidden = true;
-    this.element.append(this.#errorSlot, this.#text);
+    this.element.append(this.#errorSlot, this.#text, this.#button);
   }
 
-  /** Why there is no picture; empty once there is one. */
-  setError(text: string): void {
+  /** What the button is called. */
+  setLanguage(language: Language): void {
+    this.#button.textContent = RETRY[language];
+  }
+
+  /** Why there is no picture, or an old one; empty once there is. `canRetry`: another try may help. */
+  setError(text: string, canRetry = false): void {
     this.#error = text;
-    this.#update();
+    this.#canRetry = canRetry;
+    this.#tried();
   }
 
-  /** What holds for as long as the picture is as it is. */
+  /** What holds for as long as the picture is as it is, and may change with another try. */
   setStanding(text: string): void {
     this.#standing = text;
+    this.#tried();
+  }
+
+  /** Whatever was tried, it is over. */
+  #tried(): void {
+    this.#button.disabled = false;
     this.#update();
   }
 
@@ -55,6 +80,7 @@ export class MessageBox {
     if (this.#errorText.textContent !== this.#error) this.#errorText.textContent = this.#error;
     this.#errorSlot.hidden = this.#error === '';
     if (this.#text.textContent !== text) this.#text.textContent = text;
+    this.#button.hidden = this.#standing === '' && !this.#canRetry;
     this.element.hidden = text === '' && this.#error === '';
   }
 }

@@ -34,12 +34,15 @@ async function newestBuild(): Promise<string | undefined> {
 export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, store: SceneStore<K>, save: () => void, hasUnsavedLog: () => boolean): void {
   let isAsking = false;
 
-  async function offer(): Promise<void> {
+  async function offer(isSaid: boolean): Promise<void> {
     if (isAsking || store.remedy) return;
     isAsking = true;
     const newest = await newestBuild();
     isAsking = false;
-    const words = newest === undefined || newest === ownBuild() ? WORDS.missing : WORDS.newer;
+    const isNewer = newest !== undefined && newest !== ownBuild();
+    // The element says what is missing, and trying again helps.
+    if (isSaid && !isNewer) return;
+    const words = isNewer ? WORDS.newer : WORDS.missing;
     store.setRemedy({
       text: (language) => words[language] + (hasUnsavedLog() ? ` ${WORDS.log[language]}` : ''),
       label: (language) => WORDS.reload[language],
@@ -54,5 +57,5 @@ export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, 
     location.reload();
   }
 
-  listen(() => void offer());
+  listen((isSaid) => void offer(isSaid));
 }

@@ -99,12 +99,16 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   });
   listen('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
   listen('error', ({ detail }: SceneEventMap<string>['error']) => {
-    if (UNAVAILABLE.test(detail.error.name)) tellMissingFile();
-    void store.fail(detail.error);
+    const { error, shown: isSaid } = detail;
+    if (UNAVAILABLE.test(error.name)) tellMissingFile(true);
+    if (isSaid) store.setProgress(null);
+    else void store.fail(error);
   });
   listen('restored', () => {
+    // The plan that stands in says why by itself, until it goes.
+    const isSaid = store.backend === 'canvas2d' || element.backend === 'canvas2d';
     store.setBackend(element.backend);
-    store.say((language) => translate(language, 'lostPicture'));
+    if (!isSaid) store.say((language) => translate(language, 'lostPicture'));
   });
   listen('notice', ({ detail }: SceneEventMap<string>['notice']) => {
     // What is offered beside the progress is not said twice.

@@ -1,11 +1,14 @@
-/** Keeps a scene drawn: opens its renderer, and another when the graphics device is lost. */
+/** Keeps a scene drawn: opens its renderer, and another one when the graphics device is lost. */
 
 import type { ErrorInfo } from './errors.ts';
-import { loadRenderer } from './renderer/load.ts';
-import type { WantedBackend } from './renderer/load.ts';
-import type { SceneRenderer } from './renderer/renderer.ts';
+import { lazily } from './lazy.ts';
+import type { Language } from './params.ts';
+import type { Recovery } from './renderer-recovery.ts';
+import { backendsOf, loadRenderer } from './renderer/load.ts';
+import type { Refusal, WantedBackend } from './renderer/load.ts';
+import type { Backend, SceneRenderer } from './renderer/renderer.ts';
 
-/** So many losses within so short a time are no accident: the plan is drawn without the GPU then. */
+/** More losses than this within so short a time are no accident: the plan is drawn without the GPU for a while. */
 const MAX_LOSSES = 3;
 const LOSS_WINDOW_MS = 30_000;
 
@@ -20,6 +23,8 @@ export interface KeptScene {
   fill(renderer: SceneRenderer): void;
   /** The renderer stands: show its canvas. */
   opened(renderer: SceneRenderer): void;
+  /** What `words` gives has changed, or is as it was after another try. */
+  said(): void;
   report(error: ErrorInfo): void;
 }
 
@@ -33,6 +38,9 @@ export class RendererKeeper {
   #telling: ReturnType<typeof setTimeout> | undefined;
   /** Counts openings and closings; compared after every await. */
   #cycle = 0;
+  /** Fetched beside the renderer: what helps when the network is gone has to be there before that. */
+  #recovery: Promise<Recovery | undefined> | undefined;
+  #standing: Recovery | undefined;
 
   constructor(scene: KeptScene) {
     this.#scene = scene;
@@ -42,9 +50,19 @@ export class RendererKeeper {
     return this.#renderer;
   }
 
+  /** Why the picture is not drawn as it was asked for; empty while it is. */
+  words(language: Language): string {
+    return this.#standing?.words(language) ?? '';
+  }
+
   open(): void {
-    this.#cycle += 1;
-    void this.#open(this.#cycle, this.#scene.wantedBackend());
+    const cycle = (this.#cycle += 1);
+    void this.#open(cycle, this.#backends());
+    const again = async () => cycle === this.#cycle && this.#open(cycle, this.#backends('canvas2d'), true);
+    this.#recovery = lazily(() => import('./renderer-recovery.ts'), true).then(
+      ({ Recovery }) => new Recovery({ again, said: () => this.#scene.said() }),
+      () => undefined,
+    );
   }
 
   close(): void {
@@ -52,10 +70,18 @@ export class RendererKeeper {
     this.#renderer?.dispose();
     this.#renderer?.canvas.remove();
     this.#renderer = undefined;
+    this.#standing?.end();
+    this.#standing = undefined;
     this.#losses = [];
     this.#restoring = false;
     this.#isFailing = false;
     clearTimeout(this.#telling);
+  }
+
+  /** Tries at once to draw as it was asked for, if that is not so. */
+  retry(): void {
+    if (this.#standing) void this.#standing.retry();
+    else if (!this.#renderer) void this.#open(this.#cycle, this.#backends());
   }
 
   /** Draws with the renderer, if there is one; `restored` is the first picture after a loss. */
@@ -87,29 +113,49 @@ export class RendererKeeper {
     }, TELL_MS);
   }
 
-  async #open(cycle: number, backend: WantedBackend): Promise<boolean> {
-    let renderer: SceneRenderer;
-    try {
-      renderer = await loadRenderer(() => this.#scene.makeCanvas(), backend);
-    } catch (thrown) {
-      if (cycle === this.#cycle) this.#scene.report({ name: 'NoRenderer', message: errorText(thrown) });
-      return false;
-    }
+  #backends(without?: Backend): readonly Backend[] {
+    const wanted = this.#scene.wantedBackend();
+    return backendsOf(wanted).filter((backend) => backend !== without || backend === wanted);
+  }
+
+  /** True when the picture is drawn as it was asked for. Another try changes nothing unless it succeeds. */
+  async #open(cycle: number, backends: readonly Backend[], isRetry = false): Promise<boolean> {
+    const refusals: Refusal[] = [];
+    const renderer = await loadRenderer(() => this.#scene.makeCanvas(), backends, refusals);
     if (cycle !== this.#cycle) {
-      renderer.dispose();
+      renderer?.dispose();
       return false;
     }
+    const isWhole = renderer !== undefined && (renderer.backend !== 'canvas2d' || this.#scene.wantedBackend() === 'canvas2d');
+    if (isRetry && !isWhole) return false;
     try {
-      this.#scene.fill(renderer);
+      if (renderer) this.#scene.fill(renderer);
     } catch (thrown) {
-      renderer.dispose();
+      renderer?.dispose();
       this.#scene.report({ name: 'RendererFailed', message: `the picture could not be made: ${errorText(thrown)}` });
       return false;
     }
+    if (renderer) this.#put(renderer, isRetry);
+    else this.#scene.report({ name: 'NoRenderer', message: `The rocks cannot be drawn here. ${refusals.map(({ backend, error }) => `${backend}: ${errorText(error)}`).join('; ')}` });
+    if (isWhole) this.#standing?.end();
+    else void this.#lack(cycle, refusals);
+    return isWhole;
+  }
+
+  #put(renderer: SceneRenderer, isRetry: boolean): void {
+    this.#renderer?.dispose();
     this.#renderer = renderer;
+    this.#restoring ||= isRetry;
     void renderer.lost.then((reason) => this.#onLost(renderer, reason));
     this.#scene.opened(renderer);
-    return true;
+  }
+
+  /** The plan stands in, or nothing does: says why, and tries again from time to time. */
+  async #lack(cycle: number, refusals: readonly Refusal[]): Promise<void> {
+    const recovery = await this.#recovery;
+    if (cycle !== this.#cycle) return;
+    this.#standing = recovery;
+    recovery?.begin(refusals, this.#losses.length, this.#losses.length > MAX_LOSSES);
   }
 
   /** The device or context is gone: a new canvas and renderer, the same field, the same camera. */
@@ -120,11 +166,11 @@ export class RendererKeeper {
     renderer.dispose();
     const now = performance.now();
     this.#losses = [...this.#losses.filter((time) => now - time < LOSS_WINDOW_MS), now];
-    const givenUp = this.#losses.length > MAX_LOSSES;
+    const { length } = this.#losses;
     this.#restoring = true;
     // The old canvas keeps its last picture on the screen until the new one is put in its place.
-    const opened = await this.#open(cycle, givenUp ? 'canvas2d' : this.#scene.wantedBackend());
-    if (opened && givenUp) this.#scene.report({ name: 'DeviceLost', message: `the graphics device was lost ${this.#losses.length} times: ${reason}` });
+    const isWhole = await this.#open(cycle, length > MAX_LOSSES ? ['canvas2d'] : this.#backends());
+    if (!isWhole && cycle === this.#cycle) this.#scene.report({ name: 'DeviceLost', message: `the graphics device was lost${length > 1 ? ` ${length} times` : ''}: ${reason}` });
   }
 }
 

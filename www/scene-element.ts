@@ -11,7 +11,8 @@ import type { ErrorInfo } from './errors.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { isPlan } from './camera.ts';
 import type { Subject } from './camera.ts';
-import { RockFieldError } from './errors.ts';
+import { isPassing, RockFieldError } from './errors.ts';
+import { ErrorPace } from './error-pace.ts';
 import type { Interaction, Theme } from './attribute-reader.ts';
 import { CAN_SHOW } from './document-styles.ts';
 import type { Field } from './field.ts';
@@ -76,6 +77,7 @@ export abstract class SceneElement extends Base {
     makeCanvas: () => this.#tree.makeCanvas(this.#size?.pixels),
     fill: (renderer) => this.#fill(renderer),
     opened: (renderer) => this.#onRenderer(renderer),
+    said: () => this.#tree.messages.setStanding(this.#kept.words(this.language)),
     report: (error) => this.report(error),
   });
   #painted = false;
@@ -87,8 +89,9 @@ export abstract class SceneElement extends Base {
     draw: (level) => this.#draw(level),
   });
 
-  /** Why there is no picture. */
+  /** Why there is no picture, or not the one that was asked for. */
   #failure: ErrorInfo | null = null;
+  #pace = new ErrorPace((error) => this.emit('error', { error, shown: this.#shows(error) }));
   /** Who waits for one. */
   #waiting: ((error?: RockFieldError) => void)[] = [];
 
@@ -112,7 +115,7 @@ export abstract class SceneElement extends Base {
     this.#renewReadiness();
     // The fallback class of a server has no shadow root, and no document to build for.
     if (typeof this.attachShadow !== 'function') return;
-    this.#tree = new SceneTree(this.attachShadow({ mode: 'open' }));
+    this.#tree = new SceneTree(this.attachShadow({ mode: 'open' }), () => this.#retry());
   }
 
   // What a kind of scene adds.
@@ -121,6 +124,8 @@ export abstract class SceneElement extends Base {
   protected abstract opened(): void;
   /** The cycle has ended: let go of everything. */
   protected abstract closed(): void;
+  /** The last run failed: run again. */
+  protected abstract regrow(): void;
   /** Width and height of the ground before there is a field, px. */
   protected abstract groundSize(): [number, number];
   /** What moves the camera, as the attributes say. */
@@ -284,7 +289,9 @@ export abstract class SceneElement extends Base {
 
   /** A new run may succeed, though it draws nothing where there is no renderer. */
   protected forgetFailure(): void {
-    if (this.#kept.renderer) this.#failure = null;
+    if (!this.#kept.renderer) return;
+    this.#failure = null;
+    this.#tree.messages.setError('');
   }
 
   #tellWaiting(error?: RockFieldError): void {
@@ -372,14 +379,34 @@ export abstract class SceneElement extends Base {
     this.dispatchEvent(new CustomEvent(type, { detail, bubbles: false, composed: true }));
   }
 
-  /** An `error` event; also a message in the element while it has no picture to show instead. */
+  /** An `error` event, at most one a second; also a message in the element while it has no picture to show instead. */
   protected report(error: ErrorInfo): void {
-    if (!this.#hasPicture()) {
-      this.#tree.messages.setError(error.message);
+    if (!this.#hasPicture() || isPassing(error)) {
       this.#failure = error;
-      this.#tellWaiting(new RockFieldError(error));
+      this.#sayFailure(error);
+      if (!this.#hasPicture()) this.#tellWaiting(new RockFieldError(error));
     }
-    this.emit('error', { error });
+    this.#pace.push(error);
+  }
+
+  /** Whether the element's own message says it. */
+  #shows(error: ErrorInfo): boolean {
+    return error.name === 'DeviceLost' || (error === this.#failure && error.key === undefined);
+  }
+
+  #sayFailure(error: ErrorInfo): void {
+    const canRetry = isPassing(error) || /Renderer/.test(error.name);
+    const say = (text: string): void => this.#tree.messages.setError(text, canRetry);
+    say(error.words?.[this.language] ?? error.message);
+    if (error.words || this.language === 'en') return;
+    lazily(() => import('./failures.ja.ts'), true).then(({ japaneseFailure }) => this.#failure === error && say(japaneseFailure(error.message)), () => undefined);
+  }
+
+  /** What failed is tried again: the renderer, the run. */
+  #retry(): void {
+    this.#kept.retry();
+    // Where there is nothing to draw with, only what failed for itself is asked for again.
+    if (this.#failure && (this.#kept.renderer || isPassing(this.#failure))) this.regrow();
   }
 
   /** Something was put right, or left out, for an attribute: said once on the console, once by event, for a while on the picture. */
@@ -438,9 +465,9 @@ export abstract class SceneElement extends Base {
 
   /** Says in the present language what is said all the time. */
   protected relabel(): void {
-    this.#tree.setLanguage(WORDS.role[this.language], this.label);
-    const { renderer } = this.#kept;
-    if (renderer) this.#sayMakeshift(renderer);
+    this.#tree.setLanguage(this.language, WORDS.role[this.language], this.label);
+    this.#tree.messages.setStanding(this.#kept.words(this.language));
+    if (this.#failure) this.#sayFailure(this.#failure);
     this.invalidate();
   }
 
@@ -547,17 +574,10 @@ export abstract class SceneElement extends Base {
 
   #onRenderer(renderer: SceneRenderer): void {
     this.#tree.stage.replaceChildren(renderer.canvas);
-    this.#tree.messages.setStanding('');
-    this.#sayMakeshift(renderer);
     this.#pacer.renew();
     this.#size?.measure();
     this.#clearError();
     this.invalidate();
-  }
-
-  #sayMakeshift(renderer: SceneRenderer): void {
-    const isMakeshift = renderer.backend === 'canvas2d' && wantedBackend(this.getAttribute('backend')) === 'auto';
-    if (isMakeshift) void this.#saying('noGpu', (text) => this.#kept.renderer === renderer && this.#tree.messages.setStanding(text));
   }
 
   // Size, visibility, frames.

@@ -29,5 +29,7 @@ export const SCENE_STYLES = `
   position: absolute; inset-inline: 0; bottom: 0; box-sizing: border-box; max-height: 100%; overflow: auto; padding: .6em .9em;
   font: .875rem/1.4 system-ui, sans-serif; color: #fff; background: rgb(20 20 24 / .82); overflow-wrap: anywhere; white-space: pre-line;
 }
+.message button { margin-top: .4em; padding: .3em .9em; font: inherit; color: inherit; background: none; border: 1px solid; border-radius: .3em; cursor: pointer }
+.message button:disabled { opacity: .5 }
 @media (forced-colors: active) { .bar { forced-color-adjust: none; background: Highlight } }
 `;

@@ -2,6 +2,7 @@
 
 import { addStyles } from './document-styles.ts';
 import { MessageBox } from './message-box.ts';
+import type { Language } from './params.ts';
 import { SCENE_STYLES } from './scene-styles.ts';
 
 /** A drag changes the picture all the time; what it shows is said when the hand rests. */
@@ -11,7 +12,7 @@ const HINT_MS = 1500;
 export class SceneTree {
   /** Holds the canvas and the focus. */
   readonly stage = part('div', 'stage');
-  readonly messages = new MessageBox();
+  readonly messages: MessageBox;
   #poster = part('div', 'poster');
   #posterSlot = slot('poster');
   #progress = part('div', 'progress');
@@ -24,8 +25,9 @@ export class SceneTree {
   /** Stands over the canvas while the page is printed. */
   #print: HTMLCanvasElement | undefined;
 
-  constructor(root: ShadowRoot) {
+  constructor(root: ShadowRoot, retry: () => void) {
     this.#root = root;
+    this.messages = new MessageBox(retry);
     this.dress();
     this.stage.setAttribute('role', 'application');
     this.stage.setAttribute('aria-describedby', 'description');
@@ -56,7 +58,8 @@ export class SceneTree {
     this.stage.append(this.#print);
   }
 
-  setLanguage(role: string, label: string): void {
+  setLanguage(language: Language, role: string, label: string): void {
+    this.messages.setLanguage(language);
     this.stage.setAttribute('aria-roledescription', role);
     this.stage.setAttribute('aria-label', label);
     this.#progress.setAttribute('aria-label', label);

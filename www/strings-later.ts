@@ -1,6 +1,7 @@
 /** The sentences of what comes later: errors, the statistics, the presets to choose from, the keys. As in `strings.ts`. */
 
 import type { ErrorInfo, ErrorName } from './errors.ts';
+import { japaneseFailure } from './failures.ja.ts';
 import { filled } from './filled.ts';
 import type { Slots } from './filled.ts';
 import { shown } from './param-checks.ts';
@@ -56,7 +57,7 @@ export function later(language: Language, key: LaterKey, slots: Slots = {}): str
   return filled(LATER[key][language], slots);
 }
 
-/** Errors of the element that a person at the page can read and act on; any other shows its own English message. */
+/** Errors of the element that a person at the page can read and act on; any other shows its own message. */
 const ERRORS: Partial<Record<ErrorName, Words>> = {
   OutOfRange: { en: '{value} is not allowed; it has to lie in {min} to {max}.', ja: '{value} は使えません。{min} 〜 {max} の範囲で指定してください。' },
   NotAnInteger: { en: '{value} has to be a whole number.', ja: '{value} は整数でなければなりません。' },
@@ -65,26 +66,13 @@ const ERRORS: Partial<Record<ErrorName, Words>> = {
     en: 'This would need about {valueMiB} MiB of memory; this device’s budget is {maxMiB} MiB. Change this value; the picture stays until then.',
     ja: 'この設定には約 {valueMiB} MiB のメモリが必要です（上限 {maxMiB} MiB）。この値を変更してください。それまで画像は変わりません。',
   },
-  WasmUnavailable: {
-    en: 'The generator could not be loaded. Check the connection, then reload the page.',
-    ja: '生成プログラムを読み込めませんでした。接続を確認して、ページを再読み込みしてください。',
-  },
-  ScriptUnavailable: {
-    en: 'A part of this could not be fetched. Check the connection, then reload the page.',
-    ja: '必要なファイルを読み込めませんでした。接続を確認して、ページを再読み込みしてください。',
-  },
-  WorkerUnavailable: {
-    en: 'The browser refused to start the generator’s worker. Reload the page, or try another browser.',
-    ja: 'ブラウザが生成用ワーカーを起動できませんでした。再読み込みするか、別のブラウザをお試しください。',
-  },
-  WorkerLost: { en: 'The generator stopped and was started again. Change a value to try once more.', ja: '生成プログラムが停止したため再起動しました。値を変更すると再実行します。' },
 };
 
 export function errorText(language: Language, error: ErrorInfo): string {
   const words = ERRORS[error.name];
   // Nothing is to be filled into these, and they quote what files say.
   if (error.words) return error.words[language];
-  if (!words) return error.message;
+  if (!words) return language === 'ja' ? japaneseFailure(error.message) : error.message;
   const mebibytes = (bytes: unknown) => (typeof bytes === 'number' ? Math.ceil(bytes / 2 ** 20) : '?');
   const { min, max } = error;
   return filled(words[language], { value: shown(error.value), min, max, valueMiB: mebibytes(error.value), maxMiB: mebibytes(max) });

@@ -15,7 +15,8 @@ ${element}
 const PAGES = {
   '/drawn.html': html('<rock-field backend="canvas2d" image-width="200" image-height="200"></rock-field>', 'rock-field.js'),
   '/rocks.html': html('<rock-field backend="null" image-width="200" image-height="200"></rock-field>', 'rock-field.js'),
-  '/wood-ears.html': html('<wood-ear-log backend="null" ground="riverbed" range="10" density="2"></wood-ear-log>', 'wood-ear-log.js'),
+  '/wood-ears3d.html': html('<wood-ear-log range="20" density="2" ground=""></wood-ear-log>', 'wood-ear-log.js'),
+  '/wood-ears.html': html('<wood-ear-log backend="null" ground="riverbed" range="20" density="2"></wood-ear-log>', 'wood-ear-log.js'),
 };
 
 /** Nobody waits longer than this for a picture or a word. */
@@ -132,3 +133,36 @@ test('the plan is drawn again when the browser restores its canvas', async () =>
   assert(isDrawn);
   await opened.close();
 });
+
+const missing = (response) => response.writeHead(404, { 'content-type': 'text/plain' }).end('gone');
+/** Everything that is said over the picture, by the element and by the page. */
+const boxes = (page) => page.locator('[part=message], stage-overlay .message').filter({ visible: true });
+
+for (const [address, lang, file, words, label] of [
+  ['index.html#preset=journal-fig1&w=200&h=200', 'en', '/worker-', /^the generator's worker could not be started/, 'Retry'],
+  ['wood-ear.html#preset=thesis-default&d=5&r=20', 'ja', '/wood-ear-worker-', /^生成用のワーカーを起動できませんでした/, '再試行'],
+  ['index.html#preset=journal-fig1&w=200&h=200', 'ja', '/generator_bg-', /^generator_bg-\w+\.wasm を取得できませんでした：サーバーの応答は 404 です/, '再試行'],
+  ['wood-ears.html', 'en', '/generator_bg-', /^generator_bg-\w+\.wasm could not be fetched: the server answered 404/, 'Retry'],
+  ['index.html#preset=journal-fig1&w=200&h=200', 'en', '/renderer-webgl_bg-', /^The 3D renderer could not be loaded; the plan is shown instead/, 'Retry'],
+  ['wood-ears3d.html', 'en', '/renderer-webgl_bg-', /^The 3D renderer could not be loaded; the plan is shown instead/, 'Retry'],
+  ['rocks.html', 'en', '/worker-', /^the generator's worker could not be started/, 'Retry'],
+]) {
+  test(`${address.replace(/#.*/, '')} in ${lang} without ${file}…: one box that is true, whose button works once the file is there`, async () => {
+    broken = { [file]: missing };
+    const { page, close } = await session.open(address, { locale: lang });
+    await boxes(page).filter({ hasText: words }).waitFor();
+    assert.equal(await boxes(page).count(), 1, (await boxes(page).allInnerTexts()).join(' | '));
+    const button = boxes(page).getByRole('button', { name: label });
+    await button.click();
+    // Without the file it is said again, and may be tried again.
+    await boxes(page).filter({ hasText: words }).locator('button:enabled').waitFor();
+    broken = {};
+    await boxes(page).getByRole('button', { name: label }).click();
+    await page.waitForFunction(() => {
+      const element = document.querySelector('rock-field, wood-ear-log');
+      return element.field && /webgl|null/.test(element.backend);
+    });
+    assert.deepEqual(await boxes(page).allInnerTexts(), []);
+    await close();
+  });
+}

@@ -380,7 +380,7 @@ test('after a loss of the context the same field comes back through the same cam
   await close();
 });
 
-test('a context that is lost again and again ends in the plan, with a message', async () => {
+test('a context that is lost again and again ends in the plan with true words; a button brings 3D back', async () => {
   const { page, close } = await open();
   const backend = await page.evaluate(async () => {
     for (let round = 0; round < 4; round += 1) {
@@ -391,7 +391,13 @@ test('a context that is lost again and again ends in the plan, with a message', 
     return a.backend;
   });
   assert.equal(backend, 'canvas2d');
-  await until(page, () => /plan is drawn/.test(a.shadowRoot.querySelector('[part=message]').innerText));
+  const message = page.locator('rock-field [part=message]');
+  await message.getByText('The graphics device was lost several times; the plan is shown, and 3D is tried again later.').waitFor();
+  await page.evaluate(() => (globalThis.isBack = new Promise((resolve) => a.addEventListener('restored', resolve, { once: true }))));
+  await message.getByRole('button', { name: 'Retry' }).click();
+  await page.evaluate(() => isBack);
+  assert.deepEqual(await page.evaluate(() => [a.backend, types().filter((type) => type === 'error').length]), ['webgl', 1]);
+  assert.equal(await message.isVisible(), false);
   await close();
 });
 

@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { TestContext } from 'node:test';
 import { RockFieldError } from '../../www/errors.ts';
+import { japaneseFailure } from '../../www/failures.ja.ts';
 import type { Field } from '../../www/field.ts';
 import { GeneratorClient } from '../../www/generator/client.ts';
 import { CANCEL_MS } from '../../www/generator/worker-client.ts';
@@ -374,6 +375,7 @@ for (const [what, probe, limit, wanted] of [
     const error = (await answer) as Error;
     assert(isNamed('WorkerUnavailable')(error), String(error));
     assert.match(error.message, wanted);
+    assert.doesNotMatch(japaneseFailure(error.message), /[a-z]{4}/, 'there is an English piece in the Japanese words');
     assert.equal(await seed, error);
     assert(worker().ended);
     const next = client.generate(params(2));

@@ -1,6 +1,7 @@
 // What the real wasm is not made to do: traps, and wasm that cannot be had.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { japaneseFailure } from '../../www/failures.ja.ts';
 import { openGenerator, Realm } from '../../www/generator/headless.ts';
 import { STALL_MS } from '../../www/wasm-file.ts';
 import { loadGenerator } from '../../www/generator/wasm.ts';
@@ -97,8 +98,10 @@ async function refusal(answer: () => Response | Promise<Response>): Promise<stri
     await loadGenerator(fakeGlue().glue, new URL('https://example.org/files/generator_bg.wasm?v=3'));
     return '';
   } catch (error) {
-    assert.equal((error as Error).name, 'WasmUnavailable');
-    return (error as Error).message;
+    const { name, message } = error as Error;
+    assert.equal(name, 'WasmUnavailable');
+    assert.match(japaneseFailure(message), /[ぁ-ん]/, message);
+    return message;
   } finally {
     globalThis.fetch = fetch;
   }

@@ -120,7 +120,10 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       if (result) store.showResult(result, detail.superseded ? null : store.params);
     });
     on('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
-    on('error', ({ detail }: CustomEvent<{ error: ErrorInfo }>) => void store.fail(detail.error));
+    on('error', ({ detail }: CustomEvent<{ error: ErrorInfo; shown: boolean }>) => {
+      if (detail.shown) store.setProgress(null);
+      else void store.fail(detail.error);
+    });
   }
 
   // … and the element the store, through its properties.

@@ -13,7 +13,7 @@ export function messageLine<K extends Kind>(store: SceneStore<K>): TemplateResul
   const { messages, language, remedy } = store;
   if (remedy) {
     return html`
-      <div class="message" role="alert">
+      <div class="message is-remedy" role="alert">
         <p>${remedy.text(language)}</p>
         <button class="button" type="button" @click=${remedy.act}>${remedy.label(language)}</button>
         ${iconButton({ icon: 'close', label: store.text('dismiss'), action: () => store.setRemedy(null) })}

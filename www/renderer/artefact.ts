@@ -77,11 +77,11 @@ export interface RendererModule {
 /** The module's name and its wasm; both stand beside each other in `pkg/` and in the built page. */
 const ARTEFACTS = {
   webgpu: {
-    load: () => lazily(() => import('../../pkg/renderer-webgpu.js') as Promise<unknown>),
+    load: () => lazily(() => import('../../pkg/renderer-webgpu.js') as Promise<unknown>, true),
     wasm: () => new URL('./renderer-webgpu_bg.wasm', import.meta.url),
   },
   webgl: {
-    load: () => lazily(() => import('../../pkg/renderer-webgl.js') as Promise<unknown>),
+    load: () => lazily(() => import('../../pkg/renderer-webgl.js') as Promise<unknown>, true),
     wasm: () => new URL('./renderer-webgl_bg.wasm', import.meta.url),
   },
 } as const satisfies Record<GpuBackend, { load: () => Promise<unknown>; wasm: () => URL }>;
@@ -118,13 +118,13 @@ async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   const stop = new AbortController();
   const response = fetch(url, { signal: stop.signal });
   response.catch(() => undefined);
-  const [module, { startWasmFile }] = await Promise.race([Promise.all([load() as Promise<RendererModule>, lazily(() => import('../wasm-file.ts'))]), late()]);
+  const [module, { startWasmFile }] = await Promise.race([Promise.all([load() as Promise<RendererModule>, lazily(() => import('../wasm-file.ts'), true)]), late()]);
   await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop }).catch(missing);
   return module;
 }
 
 function missing(error: unknown): never {
-  tellMissingFile();
+  tellMissingFile(true);
   throw error;
 }
 

@@ -7,6 +7,12 @@ import type { Backend, SceneRenderer } from './renderer.ts';
 /** `auto` tries WebGPU, WebGL2, then canvas 2D; a name asks for that backend alone. */
 export type WantedBackend = 'auto' | Backend;
 
+/** A backend that was tried, and why it cannot draw. */
+export interface Refusal {
+  backend: Backend;
+  error: unknown;
+}
+
 const IN_ORDER = ['webgpu', 'webgl', 'canvas2d'] as const satisfies readonly Backend[];
 
 /** What the attribute says; anything else is `auto`. */
@@ -14,22 +20,26 @@ export function wantedBackend(given: string | null): WantedBackend {
   return given === 'webgpu' || given === 'webgl' || given === 'canvas2d' || given === 'null' ? given : 'auto';
 }
 
+/** The backends to try, in this order. */
+export function backendsOf(wanted: WantedBackend): readonly Backend[] {
+  return wanted === 'auto' ? IN_ORDER : [wanted];
+}
+
 /**
- * A renderer on a canvas from `makeCanvas`. A canvas keeps the first kind of context it was asked for, so `makeCanvas` is called
- * once for every backend that gets as far as that.
+ * A renderer on a canvas from `makeCanvas`; undefined where no backend works. A canvas keeps the first kind of context it was asked for,
+ * so `makeCanvas` is called once for every backend that gets as far as that.
  *
- * @throws an Error saying for each backend tried why it was refused.
+ * @param refusals filled with the backends that were tried in vain.
  */
-export async function loadRenderer(makeCanvas: () => HTMLCanvasElement, wanted: WantedBackend = 'auto'): Promise<SceneRenderer> {
-  const refusals: string[] = [];
-  for (const backend of wanted === 'auto' ? IN_ORDER : [wanted]) {
+export async function loadRenderer(makeCanvas: () => HTMLCanvasElement, backends: readonly Backend[], refusals: Refusal[]): Promise<SceneRenderer | undefined> {
+  for (const backend of backends) {
     try {
       return await open(backend, makeCanvas);
     } catch (error) {
-      refusals.push(`${backend}: ${error instanceof Error ? error.message : String(error)}`);
+      refusals.push({ backend, error });
     }
   }
-  throw new Error(`The rocks cannot be drawn here. ${refusals.join('; ')}`);
+  return undefined;
 }
 
 async function open(backend: Backend, makeCanvas: () => HTMLCanvasElement): Promise<SceneRenderer> {
