@@ -171,7 +171,7 @@ export const ERRORS = /* @__PURE__ */ listed({
     group: 'graphics',
     message: 'The rocks cannot be drawn here. {reasons}',
     cause: 'Neither WebGPU nor WebGL2 nor a 2D canvas could be opened, or the renderer’s file did not arrive. The message says why for each.',
-    remedy: 'Check the connection, switch hardware acceleration on, and update browser and graphics driver.',
+    remedy: 'Check the connection, then press the button that tries again. Switch hardware acceleration on, and update browser and graphics driver.',
   },
   RendererFailed: {
     group: 'graphics',
@@ -182,8 +182,8 @@ export const ERRORS = /* @__PURE__ */ listed({
   DeviceLost: {
     group: 'graphics',
     message: 'the graphics device was lost {n} times: {reason}',
-    cause: 'The browser or the driver took the graphics device away several times in a row; a plan without 3D is shown.',
-    remedy: 'Close other pages that use the GPU, then reload.',
+    cause: 'The browser or the driver took the graphics device away, and gave none back at once, or took it several times in a row; a plan without 3D is shown.',
+    remedy: 'Wait: 3D is tried again from time to time, when the page is seen again, and by the button. It may help to close other pages that use the GPU.',
   },
   NoAdapter: {
     group: 'graphics',

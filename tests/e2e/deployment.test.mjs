@@ -145,6 +145,7 @@ for (const [what, serviceWorkers, status, trigger] of [
 ]) {
   test(`a page ${what} says that there is a newer version when ${trigger} cannot be had; one button brings it, and nothing is lost`, async () => {
     const { page, close } = await openPage(LINK, { serviceWorkers });
+    await page.evaluate(() => document.querySelector('rock-field').ready);
     if (serviceWorkers === 'allow') await kept(page);
     [deployed, missing] = ['second', status];
     await page.evaluate(async () => Promise.all((await caches.keys()).map((name) => caches.delete(name))));
