@@ -7,11 +7,13 @@ import { bindgenProgram } from './setup.mjs';
 
 const WASM = 'wasm32-unknown-unknown';
 
+/** An instance can be replaced after a trap: a renderer's, and a generator's in Node and for `rock-field/core`, where there is no worker to be ended. */
+const RESET = ['--experimental-reset-state-function'];
+
 /** `feature` is the cargo feature and the name of the files in pkg/; the generator is made for speed, the renderers for size. */
 export const artefacts = [
-  // Its instance can be replaced after a trap, which in Node and for `rock-field/core` there is no worker for.
   // Functions called once stay functions: V8 makes a third slower code of very large ones.
-  { feature: 'generator', profile: 'release', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'], expected: '10–60 s', bindgen: ['--experimental-reset-state-function'] },
+  { feature: 'generator', profile: 'release', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'], expected: '10–60 s', bindgen: RESET },
   // Small, and as fast as with everything: the size levels of the compiler are as large and half as fast; vectorised loops and the deepest
   // inlining take 1.3 kB and save no time that can be measured; what panics say, where nobody reads it, takes 3 kB.
   {
@@ -21,10 +23,10 @@ export const artefacts = [
     silent: true,
     optimise: ['-O3', '--one-caller-inline-max-function-size', '0'],
     expected: '10–60 s',
-    bindgen: ['--experimental-reset-state-function'],
+    bindgen: RESET,
   },
-  { feature: 'renderer-webgpu', profile: 'renderer', optimise: ['-Oz'], expected: '1–4 min the first time' },
-  { feature: 'renderer-webgl', profile: 'renderer', optimise: ['-Oz'], expected: '2–6 min the first time' },
+  { feature: 'renderer-webgpu', profile: 'renderer', optimise: ['-Oz'], expected: '1–4 min the first time', bindgen: RESET },
+  { feature: 'renderer-webgl', profile: 'renderer', optimise: ['-Oz'], expected: '2–6 min the first time', bindgen: RESET },
 ];
 
 // What rustc's default wasm target uses, and SIMD (.cargo/config.toml): what every browser of the last years has.

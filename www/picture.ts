@@ -48,3 +48,21 @@ export async function takePicture(renderer: SceneRenderer, size: [number, number
   if (!blob) throw new RockFieldError({ name: 'NoPicture', message: 'the browser made no file of the picture' });
   return blob;
 }
+
+/** Between a loss and the news of it. */
+const LOSS_MS = 50;
+
+/** The little of a WebGPU canvas that is used; TypeScript's DOM library has none of it. */
+interface GpuContext {
+  getConfiguration?(): { device: { lost: Promise<unknown>; queue: { onSubmittedWorkDone(): Promise<unknown> } } } | null;
+}
+
+/** Whether what was drawn last was drawn: WebGPU and 2D canvases tell of a loss some time after they have given a blank picture. */
+export async function isSound(renderer: SceneRenderer): Promise<boolean> {
+  if (renderer.backend === 'webgpu') {
+    const device = (renderer.canvas.getContext('webgpu') as GpuContext | null)?.getConfiguration?.()?.device;
+    if (device) await Promise.race([device.lost, device.queue.onSubmittedWorkDone().catch(() => undefined)]);
+  }
+  if (renderer.backend !== 'webgl') await Promise.race([renderer.lost, new Promise((resolve) => setTimeout(resolve, LOSS_MS))]);
+  return !renderer.isLost;
+}

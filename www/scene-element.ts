@@ -256,19 +256,29 @@ export abstract class SceneElement extends Base {
    *   browser gives none; what the element reports where there will be no picture.
    */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
-    const [{ pictureSize, takePicture }] = await Promise.all([lazily(() => import('./picture.ts')), this.#drawable()]);
-    const renderer = this.#kept.renderer;
-    if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
-    // In a tab that nobody sees, nobody has told the size yet.
-    if (this.#size.isEmpty) this.#size.measure();
-    const size = pictureSize(options, this.#size.isEmpty ? UNSEEN_SIZE : this.#size.pixels);
-    const { best } = this.#pacer;
-    if (best) renderer.setQuality(best);
-    const blob = takePicture(renderer, size, this.#camera.forAspect(size[0] / size[1]), options);
-    // In the same task the screen gets its own picture back.
-    renderer.resize(...this.#size.pixels);
-    this.#pacer.redraw();
-    return blob;
+    this.start();
+    const end = performance.now() + PICTURE_TIMEOUT_MS;
+    const { isSound, pictureSize, takePicture } = await lazily(() => import('./picture.ts'));
+    for (;;) {
+      await this.#drawable();
+      const renderer = this.#kept.renderer;
+      if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
+      // In a tab that nobody sees, nobody has told the size yet.
+      if (this.#size.isEmpty) this.#size.measure();
+      const size = pictureSize(options, this.#size.isEmpty ? UNSEEN_SIZE : this.#size.pixels);
+      const { best } = this.#pacer;
+      if (best) renderer.setQuality(best);
+      const taken = takePicture(renderer, size, this.#camera.forAspect(size[0] / size[1]), options);
+      // In the same task the screen gets its own picture back.
+      renderer.resize(...this.#size.pixels);
+      this.#pacer.redraw();
+      const blob = await taken.catch((thrown: unknown) => {
+        if (!renderer.isLost) throw thrown;
+      });
+      // A picture of a device that was lost meanwhile is blank: it is taken again with the next renderer.
+      if (blob && (await isSound(renderer))) return blob;
+      if (performance.now() > end) throw new RockFieldError({ name: 'NoPicture', message: 'the graphics device is lost again and again' });
+    }
   }
 
   /** Resolves when there is what to draw and what to draw it with; rejects when the cycle ends, or there will be none. */

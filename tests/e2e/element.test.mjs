@@ -383,6 +383,9 @@ test('after a loss of the context the same field comes back through the same cam
 test('a context that is lost again and again ends in the plan with true words; a button brings 3D back', async () => {
   const { page, close } = await open();
   const backend = await page.evaluate(async () => {
+    // On a busy machine four losses take their time: by the page's clock they follow each other closely.
+    const now = performance.now.bind(performance);
+    performance.now = () => now() / 10;
     for (let round = 0; round < 4; round += 1) {
       const restored = new Promise((resolve) => a.addEventListener('restored', resolve, { once: true }));
       loseContext();

@@ -70,6 +70,8 @@ export interface RawRenderer {
 
 export interface RendererModule {
   default(options: { module_or_path: Response | BufferSource }): Promise<unknown>;
+  /** Behind a flag of the wasm-bindgen CLI: a new instance of the same module. */
+  __wbg_reset_state(): void;
   Device: { create(canvas: HTMLCanvasElement, onLost: (reason: string) => void): Promise<RawDevice> };
   Renderer: new (device: RawDevice, canvas?: HTMLCanvasElement) => RawRenderer;
 }
@@ -87,25 +89,42 @@ const ARTEFACTS = {
 } as const satisfies Record<GpuBackend, { load: () => Promise<unknown>; wasm: () => URL }>;
 
 const modules = new Map<GpuBackend, Promise<RendererModule>>();
-/** Instances that trapped, and how: their memory cannot be trusted and a module has only one. */
-const trapped = new Map<GpuBackend, string>();
+/** Which instance of a module is the present one: the memory of one that trapped cannot be trusted, and what was made by it is stale. */
+const instances = new Map<GpuBackend, number>();
+const trapped = new Set<GpuBackend>();
 
-export function markTrapped(backend: GpuBackend, { message }: Error): void {
-  trapped.set(backend, message);
+export function markTrapped(backend: GpuBackend): void {
+  trapped.add(backend);
+  instances.set(backend, instanceOf(backend) + 1);
 }
 
-/** The module with its wasm instantiated, once per page; a failed attempt is not remembered. */
-export function loadArtefact(backend: GpuBackend): Promise<RendererModule> {
-  if (trapped.has(backend)) {
-    return Promise.reject(new Error(`its wasm stopped earlier on this page (${trapped.get(backend)}); reload to try again`));
+/** Changes when the backend's wasm traps. */
+export function instanceOf(backend: GpuBackend): number {
+  return instances.get(backend) ?? 0;
+}
+
+/** The module with its wasm instantiated, once per page and after every trap; a failed attempt is not remembered. */
+export async function loadArtefact(backend: GpuBackend): Promise<RendererModule> {
+  let loading = modules.get(backend);
+  if (!loading) {
+    loading = instantiate(backend);
+    modules.set(backend, loading);
+    loading.catch(() => modules.delete(backend));
   }
-  let module = modules.get(backend);
-  if (!module) {
-    module = instantiate(backend);
-    modules.set(backend, module);
-    module.catch(() => modules.delete(backend));
+  const module = await loading;
+  if (trapped.delete(backend)) {
+    for (const type of ['error', 'unhandledrejection']) addEventListener(type, ignoreStale, true);
+    module.__wbg_reset_state();
   }
   return module;
+}
+
+/** What the browser still has to tell an instance that is no more concerns nobody. */
+function ignoreStale(event: Event): void {
+  const { error, reason } = event as Event & { error?: unknown; reason?: unknown };
+  if (!/previous WASM instance/i.test(String(error ?? reason))) return;
+  event.preventDefault();
+  event.stopImmediatePropagation();
 }
 
 /** Scripts of some kB that have not come after so long do not come. */

@@ -46,6 +46,10 @@ export class Canvas2dRenderer implements SceneRenderer {
     canvas.addEventListener('contextrestored', () => this.render());
   }
 
+  get isLost(): boolean {
+    return this.#context.isContextLost?.() ?? false;
+  }
+
   setField(field: Field): void {
     this.#field = field;
   }

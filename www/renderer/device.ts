@@ -6,10 +6,12 @@
  */
 
 import type { RawDevice, RendererModule } from './artefact.ts';
-import { loadArtefact, markTrapped } from './artefact.ts';
+import { instanceOf, loadArtefact, markTrapped } from './artefact.ts';
 
 export type GpuBackend = 'webgpu' | 'webgl';
 export type LossListener = (reason: string) => void;
+
+const CONTEXT_LOST = 'the WebGL context was lost';
 
 export class SharedDevice {
   readonly backend: GpuBackend;
@@ -21,11 +23,13 @@ export class SharedDevice {
   readonly #forget: () => void;
   /** One for each of its users, told once when the device or context is lost. */
   readonly #listeners = new Set<LossListener>();
+  /** Of the wasm that it was made by. */
+  readonly #instance: number;
   #dead = false;
-  #trapped = false;
 
   constructor(backend: GpuBackend, module: RendererModule, raw: RawDevice, canvas: HTMLCanvasElement | null, forget: () => void) {
     this.backend = backend;
+    this.#instance = instanceOf(backend);
     this.module = module;
     this.raw = raw;
     this.canvas = canvas;
@@ -60,15 +64,14 @@ export class SharedDevice {
     this.#context?.getExtension('WEBGL_lose_context')?.loseContext();
   }
 
-  /** Calls into wasm. A trap is the loss of the device: the instance's memory cannot be trusted any more, and nothing is called. */
+  /** Calls into wasm. A trap is the loss of the device: another instance takes the place of the one that trapped, and nothing more is called in that. */
   attempt(call: () => void): void {
-    if (this.#trapped) return;
+    if (this.#instance !== instanceOf(this.backend)) return;
     try {
       call();
     } catch (error) {
       if (!(error instanceof WebAssembly.RuntimeError)) throw error;
-      markTrapped(this.backend, error);
-      this.#trapped = true;
+      markTrapped(this.backend);
       this.lose(`the renderer stopped: ${error.message}`);
     }
   }
@@ -81,7 +84,7 @@ export class SharedDevice {
     for (const tell of this.#listeners) tell(reason);
   }
 
-  #onContextLost = (): void => this.lose('the WebGL context was lost');
+  #onContextLost = (): void => this.lose(CONTEXT_LOST);
 }
 
 const devices = new Map<GpuBackend, Promise<SharedDevice>>();
@@ -110,26 +113,41 @@ export async function joinDevice(backend: GpuBackend, onLost: LossListener): Pro
   }
 }
 
+/** A device is given within a second or two, or never: a GPU process that crashes meanwhile leaves the question without an answer. */
+const DEVICE_MS = 15_000;
+
 async function openDevice(backend: GpuBackend, forget: () => void): Promise<SharedDevice> {
   const canvas = document.createElement('canvas');
-  if (backend === 'webgpu') await probeWebGpu();
+  const contextLost = new Promise<never>((_, reject) => canvas.addEventListener('webglcontextlost', () => reject(new Error(CONTEXT_LOST)), { once: true }));
+  contextLost.catch(() => undefined);
+  if (backend === 'webgpu') await inTime(probeWebGpu());
   else probeWebGl(canvas);
-  const module = await loadArtefact(backend);
+  const module = await Promise.race([loadArtefact(backend), contextLost]);
+  if (backend === 'webgl' && canvas.getContext('webgl2')?.isContextLost()) throw new Error(CONTEXT_LOST);
   let device: SharedDevice | undefined;
   let lostEarly: string | undefined;
   const lose = (reason: string): void => {
     lostEarly = reason;
     device?.lose(reason);
   };
+  let isAnswered = false;
   try {
-    const raw = await module.Device.create(canvas, lose);
+    const creating = module.Device.create(canvas, lose).finally(() => (isAnswered = true));
+    const raw = await inTime(Promise.race([creating, contextLost]));
     device = new SharedDevice(backend, module, raw, backend === 'webgl' ? canvas : null, forget);
   } catch (error) {
-    if (error instanceof WebAssembly.RuntimeError) markTrapped(backend, error);
+    // What traps in the middle of its waiting gives no answer.
+    if (!isAnswered || error instanceof WebAssembly.RuntimeError) markTrapped(backend);
     throw error;
   }
   if (lostEarly !== undefined) throw new Error(lostEarly);
   return device;
+}
+
+function inTime<T>(answer: Promise<T>): Promise<T> {
+  let timer: ReturnType<typeof setTimeout>;
+  const late = new Promise<never>((_, reject) => (timer = setTimeout(() => reject(new Error('the graphics device does not answer')), DEVICE_MS)));
+  return Promise.race([answer, late]).finally(() => clearTimeout(timer));
 }
 
 /** `navigator.gpu` may exist without an adapter, and an adapter without a device: only a device counts. */

@@ -86,6 +86,10 @@ export class GpuRenderer implements SceneRenderer {
     return this.#device.backend;
   }
 
+  get isLost(): boolean {
+    return this.#device.dead;
+  }
+
   setField(field: Field): void {
     const { layers, sites } = rockKeys(field);
     this.#guard(() => {

@@ -17,6 +17,7 @@ export type RecordedCall =
 export class NullRenderer implements SceneRenderer {
   readonly backend = 'null';
   readonly canvas: HTMLCanvasElement;
+  readonly isLost = false;
   readonly lost: Promise<string>;
   /** In the order made. */
   readonly calls: RecordedCall[] = [];

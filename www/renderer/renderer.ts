@@ -77,6 +77,8 @@ export interface SceneRenderer {
   resize(width: number, height: number): void;
   /** Draws one frame now. */
   render(): void;
+  /** The device or context is lost, or about to be told so: what is drawn now is blank. */
+  readonly isLost: boolean;
   /** Resolves, and never rejects, with a reason when the device or context is lost. */
   readonly lost: Promise<string>;
   /** Frees what the renderer holds; calls after it do nothing. */
