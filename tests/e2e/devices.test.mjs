@@ -174,7 +174,12 @@ for (const backend of ['webgl', 'webgpu']) {
         if ((await page.evaluate(() => all()[0].backend)) !== backend) {
           await boxes(page).filter({ hasText: 'The graphics device was lost' }).getByRole('button', { name: 'Retry' }).waitFor();
         }
-        assert.ok(await page.evaluate(async () => isPicture(await all()[0].toBlob())), `crash ${crash}`);
+        // The plan too may be blank until the browser has got over the crash.
+        const isBack = page.evaluate(async () => {
+          while (!(await isPicture(await all()[0].toBlob())));
+          return true;
+        });
+        assert.ok(await Promise.race([isBack, page.waitForTimeout(PATIENCE_MS)]), `crash ${crash}`);
       }
     });
 
