@@ -1,5 +1,5 @@
 // The page and the package files: www/ and pkg/ → dist/, by esbuild. Takes a second, so it is always done anew.
-import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, writeFileSync } from 'node:fs';
+import { copyFileSync, existsSync, mkdirSync, readFileSync, readdirSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import { createHash } from 'node:crypto';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
@@ -111,10 +111,17 @@ function withHashedNames(page, names) {
 export async function bundle(options) {
   try {
     const plugins = [...(options.platform === 'browser' ? [nodeless] : []), ...(options.plugins ?? [])];
-    return await esbuild.build({ ...common, ...options, plugins });
+    const define = options.platform === 'browser' ? { __RENDERER_BYTES__: JSON.stringify(rendererBytes()), ...options.define } : options.define;
+    return await esbuild.build({ ...common, ...options, define, plugins });
   } catch (error) {
     throw new Failure(`the bundle has ${error.errors?.length ?? 1} error(s), printed above`);
   }
+}
+
+/** How large each renderer is once it has arrived: what a server tells is the compressed size, if anything. */
+function rendererBytes() {
+  const size = (backend) => statSync(path.join(pkg, `renderer-${backend}_bg.wasm`)).size;
+  return { webgpu: size('webgpu'), webgl: size('webgl') };
 }
 
 function requireFiles() {

@@ -16,6 +16,7 @@ export class MessageBox {
   #error = '';
   #notices: string[] = [];
   #standing = '';
+  #loading = '';
   #canRetry = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
@@ -55,6 +56,12 @@ export class MessageBox {
     this.#tried();
   }
 
+  /** What is still on its way. */
+  setLoading(text: string): void {
+    this.#loading = text;
+    this.#update();
+  }
+
   /** Whatever was tried, it is over. */
   #tried(): void {
     this.#button.disabled = false;
@@ -76,7 +83,7 @@ export class MessageBox {
   }
 
   #update(): void {
-    const text = [...this.#notices, this.#standing].filter((line) => line !== '').join('\n');
+    const text = [...this.#notices, this.#standing, this.#loading].filter((line) => line !== '').join('\n');
     if (this.#errorText.textContent !== this.#error) this.#errorText.textContent = this.#error;
     this.#errorSlot.hidden = this.#error === '';
     if (this.#text.textContent !== text) this.#text.textContent = text;

@@ -81,6 +81,7 @@ export abstract class SceneElement extends Base {
     report: (error) => this.report(error),
   });
   #painted = false;
+  #isStandingIn = false;
   #pacer = new FramePacer({
     view: () => this.#view,
     canDraw: () => this.#canDraw(),
@@ -349,6 +350,7 @@ export abstract class SceneElement extends Base {
     }
     this.#field = field;
     this.#wood = wood;
+    if (!this.#kept.renderer) void this.#standIn();
     this.#clearError();
     this.invalidate();
     return true;
@@ -574,6 +576,25 @@ export abstract class SceneElement extends Base {
   }
 
   // The renderer.
+
+  /** It is still on its way, and there is something to show: the plan until then. */
+  async #standIn(): Promise<void> {
+    if (this.#isStandingIn) return;
+    this.#isStandingIn = true;
+    const { signal } = this.#listening ?? {};
+    try {
+      const { standIn } = await lazily(() => import('./stand-in.ts'), true);
+      await standIn({
+        isOver: () => signal?.aborted !== false || this.#painted || this.#kept.renderer !== undefined,
+        tree: this.#tree,
+        language: () => this.language,
+        scene: () => ({ field: this.#field, wood: this.#wood, style: this.#style, camera: this.camera, size: this.#size?.pixels ?? UNSEEN_SIZE }),
+      });
+    } catch (thrown) {
+      console.warn(thrown);
+    }
+    this.#isStandingIn = false;
+  }
 
   #fill(renderer: SceneRenderer): void {
     renderer.setStyle(this.#style);

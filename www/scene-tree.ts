@@ -77,6 +77,15 @@ export class SceneTree {
     else if (image?.getAttribute('src') !== address) this.#posterSlot.replaceChildren(picture(address));
   }
 
+  get hasPoster(): boolean {
+    return this.#posterSlot.assignedNodes({ flatten: true }).length > 0;
+  }
+
+  /** Stands in for the picture as a poster does, and goes with it. */
+  standIn(canvas: HTMLCanvasElement): void {
+    this.#poster.append(canvas);
+  }
+
   hidePoster(): void {
     this.#poster.hidden = true;
   }

@@ -1,6 +1,9 @@
 // Workers that say nothing, end, or never arrive: the picture comes back, or a named error comes and the next run works.
 import assert from 'node:assert/strict';
+import { readFileSync, readdirSync } from 'node:fs';
+import path from 'node:path';
 import { after, before, test } from 'node:test';
+import { dist } from '../../scripts/env.mjs';
 import { launch } from './browser.mjs';
 
 /** `heard` tells what the element said. `null` draws nothing: these tests are about the generators. */
@@ -162,6 +165,43 @@ for (const [address, lang, file, words, label] of [
       const element = document.querySelector('rock-field, wood-ear-log');
       return element.field && /webgl|null/.test(element.backend);
     });
+    assert.deepEqual(await boxes(page).allInnerTexts(), []);
+    await close();
+  });
+}
+
+for (const [address, lang, words] of [
+  ['index.html#preset=journal-fig1&w=200&h=200', 'en', /^Loading the renderer 40 %/],
+  ['wood-ears3d.html', 'ja', /^3D 描画プログラムを読み込み中：40 %/],
+]) {
+  test(`${address.replace(/#.*/, '')} in ${lang}: while a slow network brings the renderer, the plan and how much of it has come`, async () => {
+    const file = readdirSync(dist).find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
+    const bytes = readFileSync(path.join(dist, file));
+    let release;
+    const held = new Promise((resolve) => (release = resolve));
+    broken = {
+      [file]: async (response) => {
+        let sent = Math.round(0.42 * bytes.length);
+        response.writeHead(200, { 'content-type': 'application/wasm' }).write(bytes.subarray(0, sent));
+        // A connection that brings nothing for long is given up.
+        const drip = setInterval(() => response.write(bytes.subarray(sent, (sent += 100))), 1000);
+        await held;
+        clearInterval(drip);
+        response.end(bytes.subarray(sent));
+      },
+    };
+    const { page, close } = await session.open(address, { locale: lang });
+    if (lang === 'ja') await page.evaluate(() => (document.documentElement.lang = 'ja'));
+    await boxes(page).filter({ hasText: words }).waitFor();
+    await page.waitForFunction(() => {
+      const canvas = document.querySelector('rock-field, wood-ear-log').shadowRoot.querySelector('[part=poster] canvas');
+      const pixels = canvas?.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+      return pixels && new Set(new Uint32Array(pixels.buffer)).size > 3;
+    });
+    assert.equal(await boxes(page).count(), 1);
+    release();
+    await page.waitForFunction(() => document.querySelector('rock-field, wood-ear-log').backend === 'webgl');
+    await page.waitForFunction(() => document.querySelector('rock-field, wood-ear-log').shadowRoot.querySelectorAll('canvas').length === 1);
     assert.deepEqual(await boxes(page).allInnerTexts(), []);
     await close();
   });

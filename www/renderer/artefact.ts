@@ -88,6 +88,17 @@ const ARTEFACTS = {
   },
 } as const satisfies Record<GpuBackend, { load: () => Promise<unknown>; wasm: () => URL }>;
 
+/** Filled in by the build: bytes of each wasm as they are before the server compresses them. */
+declare const __RENDERER_BYTES__: Readonly<Record<GpuBackend, number>>;
+
+/** Of the wasm that is on its way, 0 … 1. */
+let arrived: number | null = null;
+
+/** How much of the renderer has arrived; null when nothing of it is on its way. */
+export function rendererArrived(): number | null {
+  return arrived;
+}
+
 const modules = new Map<GpuBackend, Promise<RendererModule>>();
 /** Which instance of a module is the present one: the memory of one that trapped cannot be trusted, and what was made by it is stale. */
 const instances = new Map<GpuBackend, number>();
@@ -138,7 +149,9 @@ async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   const response = fetch(url, { signal: stop.signal });
   response.catch(() => undefined);
   const [module, { startWasmFile }] = await Promise.race([Promise.all([load() as Promise<RendererModule>, lazily(() => import('../wasm-file.ts'), true)]), late()]);
-  await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop }).catch(missing);
+  arrived = 0;
+  const heard = (bytes: number): void => void (arrived = Math.min(1, bytes / __RENDERER_BYTES__[backend]));
+  await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop, heard }).catch(missing).finally(() => (arrived = null));
   return module;
 }
 

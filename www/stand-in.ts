@@ -1,0 +1,71 @@
+/** Shows the plan, and how much of the renderer has arrived, for as long as a slow network brings it. */
+
+import type { Field } from './field.ts';
+import { filled } from './filled.ts';
+import { lazily } from './lazy.ts';
+import type { Language } from './params.ts';
+import { rendererArrived } from './renderer/artefact.ts';
+import type { CameraState, SceneRenderer, SceneStyle, Wood } from './renderer/renderer.ts';
+import type { SceneTree } from './scene-tree.ts';
+
+/** A renderer that comes within this needs no plan before it. */
+const PATIENCE_MS = 400;
+const LOOK_EVERY_MS = 200;
+
+const LOADING = { en: 'Loading the renderer {percent} %', ja: '3D 描画プログラムを読み込み中：{percent} %' } as const;
+
+/** What there is to show. */
+interface Shown {
+  field: Field | null;
+  wood: Wood | null;
+  style: SceneStyle;
+  camera: CameraState;
+  size: readonly [number, number];
+}
+
+interface Host {
+  /** The renderer has come, or nobody waits for it any more. */
+  isOver(): boolean;
+  tree: SceneTree;
+  language(): Language;
+  scene(): Shown;
+}
+
+/** Resolves when it is over. A poster of the author's stays where it is: then only the words are shown. */
+export async function standIn({ isOver, tree, language, scene }: Host): Promise<void> {
+  let plan: SceneRenderer | undefined;
+  let drawn = '';
+  let last: Shown | undefined;
+  await pause(PATIENCE_MS);
+  try {
+    for (; !isOver(); await pause(LOOK_EVERY_MS)) {
+      const arrived = rendererArrived();
+      // In tens: screen readers say every change.
+      if (arrived !== null) tree.messages.setLoading(filled(LOADING[language()], { percent: 10 * Math.floor(10 * arrived) }));
+      if (arrived === null || tree.hasPoster) continue;
+      if (!plan) {
+        const { Canvas2dRenderer } = await lazily(() => import('./renderer/canvas2d.ts'), true);
+        if (isOver()) break;
+        plan = new Canvas2dRenderer(tree.makeCanvas());
+        tree.standIn(plan.canvas);
+      }
+      const now = scene();
+      const rest = JSON.stringify([now.style, now.camera, now.size]);
+      if (now.field === last?.field && now.wood === last?.wood && rest === drawn) continue;
+      [last, drawn] = [now, rest];
+      if (now.field) plan.setField(now.field);
+      plan.setWood(now.wood);
+      plan.setStyle(now.style);
+      plan.resize(...now.size);
+      plan.setCamera(now.camera);
+      plan.render();
+    }
+  } finally {
+    tree.messages.setLoading('');
+    plan?.canvas.remove();
+  }
+}
+
+function pause(ms: number): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve, ms));
+}
