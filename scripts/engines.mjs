@@ -1,7 +1,9 @@
-// `npm run test:engines`: the element in Chromium, Firefox and WebKitGTK, with everything each of them can draw with.
+// `npm run test:engines`: both elements, both pages and the documentation in Chromium, Firefox and WebKitGTK, with everything each of them
+// can draw with.
 //
-// Each has to show the same field (its golden hash) and, within what devices differ, the same picture. An engine that cannot be had on
-// this system is left out, and it is said which, why, and how to get it. Screenshots: .cache/screenshots/engine-*.png.
+// Each has to show the same fields and colonies (their golden hashes; on logs from files, what grows in Node) and, within what devices differ,
+// the same picture. An engine that cannot be had on this system is left out, and it is said which, why, and how to get it. Screenshots:
+// .cache/screenshots/engine-*.png.
 // `-- firefox webkitgtk` runs these alone.
 import { canInstall, ensureBrowser } from './browser.mjs';
 import { build } from './build.mjs';
@@ -88,7 +90,8 @@ async function prepare({ browser, needsScreen }) {
 }
 
 async function examineAll({ name, browser, backends }, running, url, found) {
-  const { examine, examineAuto, offers } = await import('../tests/engines/examine.mjs');
+  const { examine, offers, PAGE } = await import('../tests/engines/examine.mjs');
+  const { examineColony, examineFrame, examinePages } = await import('../tests/engines/visits.mjs');
   const version = `${name} ${running.version}`;
   const offered = await offers(running, url);
   for (const backend of backends) {
@@ -101,10 +104,22 @@ async function examineAll({ name, browser, backends }, running, url, found) {
         found.pictures.push({ name: `${name} with ${TITLES[backend]}`, statistics });
         return `${rocks.toLocaleString('en')} rocks, first picture after ${seconds(ms)} s`;
       });
+      await report(`${what}, wood ears`, found, async () => {
+        const { individuals } = await examineColony(running, `${url}${PAGE}`, backend);
+        return `${individuals.toLocaleString('en')} on a log from a file`;
+      });
+      await report(`${what}, pages`, found, async () => {
+        await examinePages(running, url, backend);
+        return 'rocks, wood ears, documentation';
+      });
     }
   }
   const best = backends.find((backend) => offered[backend]);
-  if (best) await report(`${version}, left to itself`, found, async () => (await examineAuto(running, url, best), `takes ${TITLES[best]}`));
+  if (!best) return;
+  await report(`${version}, in a frame without an origin`, found, async () => {
+    await examineFrame(running, url, best);
+    return 'rocks and wood ears';
+  });
 }
 
 /** One line: what, whether it went well, how long it took. */
@@ -143,6 +158,6 @@ if (isMain(import.meta)) {
   await main(async () => {
     await build();
     const note = await check(process.argv.slice(2));
-    say(note ? `! ${note}` : '✓ all engines show the same rocks');
+    say(note ? `! ${note}` : '✓ all engines show the same rocks and wood ears');
   });
 }

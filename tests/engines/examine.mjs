@@ -2,10 +2,13 @@
 import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { screenshotPath } from '../e2e/browser.mjs';
+import { ask, same } from './ask.mjs';
 import { decodePng } from './png.mjs';
 import { faults, statistics } from './statistics.mjs';
+import { hashInNode, interceptVisits } from './visits.mjs';
 
-const PAGE = 'engine.html';
+/** Of an element, `?element=rock-field` unless told otherwise; the rest of the query are its attributes. */
+export const PAGE = 'engine.html';
 const EMPTY_PAGE = 'empty.html';
 const HTML = { 'content-type': 'text/html' };
 const HEAD = '<!doctype html><html lang="en"><meta charset="utf-8"><title>engine</title><link rel="icon" href="data:,">';
@@ -16,22 +19,22 @@ const FILE = { width: 160, height: 90 };
 
 const golden = JSON.parse(readFileSync(new URL('../data/golden.json', import.meta.url), 'utf8'))['journal-fig1'];
 
-/** For `serve`: the page, whose element gets the attributes of the query, and its modules. */
+/** For `serve`: the page, its modules, and what is visited. */
 export function intercept(request, response) {
   const { pathname, searchParams } = new URL(request.url, 'http://localhost');
   const file = { '/page.mjs': new URL('page.mjs', import.meta.url), '/golden.mjs': new URL('../golden.mjs', import.meta.url) }[pathname];
-  if (file) response.writeHead(200, { 'content-type': 'text/javascript' }).end(readFileSync(file));
-  else if (pathname === `/${PAGE}`) response.writeHead(200, HTML).end(page([...searchParams]));
+  if (file) response.writeHead(200, { 'content-type': 'text/javascript', 'access-control-allow-origin': '*' }).end(readFileSync(file));
+  else if (pathname === `/${PAGE}`) response.writeHead(200, HTML).end(page(searchParams.get('element') ?? 'rock-field', [...searchParams].filter(([name]) => name !== 'element')));
   else if (pathname === `/${EMPTY_PAGE}`) response.writeHead(200, HTML).end(HEAD);
-  else return false;
+  else return interceptVisits(request, response);
   return true;
 }
 
-function page(attributes) {
+function page(element, attributes) {
   const written = attributes.map(([name, value]) => ` ${name}="${value}"`).join('');
   return `${HEAD}
-<rock-field style="width:400px;height:300px"${written}></rock-field>
-<script type="module" src="/page.mjs"></script><script type="module" src="/rock-field.js"></script>`;
+<${element} style="width:400px;height:300px"${written}></${element}>
+<script type="module" src="/page.mjs"></script><script type="module" src="/${element}.js"></script>`;
 }
 
 /** Whether an engine has a device for each backend, by its own account. */
@@ -58,19 +61,14 @@ export async function examine(engine, url, { backend, name }) {
   return { statistics: seen, ms, rocks };
 }
 
-/** The element without any attribute takes the best backend there is. */
-export async function examineAuto(engine, url, backend) {
-  await show(engine, `${url}${PAGE}`, backend);
-}
-
-/** Opens a page with the element and compares what it says of itself; `name` is the screenshot's, if one is to be taken. */
+/** Opens a page with the element and compares what it says of itself; `name` is the screenshot's. */
 async function show(engine, address, backend, name) {
   await engine.go(address);
   const { box: lengths, ms, ...said } = await ask(engine, 'shown()');
   same(said.backend, backend, 'what draws');
   same(said.hash, golden, 'hash of the field');
+  same(said.notices, [], 'notice events');
   same(said.generated, [{ rocks: said.rocks, isShown: true }], 'generate events');
-  if (!name) return {};
   const [x, y, width, height] = lengths.map(Math.round);
   return { ms, rocks: said.rocks, picture: await look(engine, name), box: { x, y, width, height } };
 }
@@ -93,10 +91,8 @@ async function file(engine) {
 
 /** An attribute gives the field that Node gives, once, and another picture. */
 async function edit(engine, before, box) {
-  const { generate } = await import('rock-field/core');
-  const { hashField } = await import('../golden.mjs');
   const { hash, fields } = await ask(engine, `change("seed", "${OTHER_SEED}")`);
-  same(hash, await hashField(await generate({ preset: 'journal-fig1', seed: OTHER_SEED })), 'hash of the field of another seed');
+  same(hash, await hashInNode({ preset: 'journal-fig1', seed: OTHER_SEED }), 'hash of the field of another seed');
   same(fields, 1, 'fields for one attribute');
   const after = decodePng(await engine.screenshot());
   const changed = changedShare(before, after, box);
@@ -120,17 +116,4 @@ async function removal(engine) {
   const { workers, backend } = await ask(engine, 'remove()');
   same(workers, { started: 1, ended: 1 }, 'workers');
   same(backend, null, 'what draws after the removal');
-}
-
-/** The answer of the page, in which nothing may have gone wrong. */
-async function ask(engine, call) {
-  // A page counts as loaded before its modules have run, in some engines.
-  const arrived = `new Promise((done) => { const look = () => (globalThis.examined ? done(examined.${call}) : setTimeout(look, 20)); look(); })`;
-  const { complaints, ...answer } = await engine.evaluate(arrived);
-  same([...complaints, ...engine.complaints()], [], 'what went wrong in the page');
-  return answer;
-}
-
-function same(actual, expected, what) {
-  assert.deepEqual(actual, expected, `${what}: ${JSON.stringify(actual)} instead of ${JSON.stringify(expected)}`);
 }

@@ -1,10 +1,12 @@
-// What is asked of the element, in the page itself: it is loaded before the element is defined, so that nothing goes unheard.
-import { hashField } from './golden.mjs';
+// What is asked of the element, of rocks or of wood ears, in the page itself: it is loaded before the element is defined, so that nothing
+// goes unheard.
+import { hashColony, hashField } from './golden.mjs';
 
 const WAIT_MS = 90_000;
 
 /** What has gone wrong, in sentences: of the element, of the page, of promises. */
 const complaints = [];
+const notices = [];
 const generated = [];
 const workers = { started: 0, ended: 0 };
 
@@ -20,9 +22,9 @@ globalThis.Worker = class extends Worker {
   }
 };
 
-const element = document.querySelector('rock-field');
+const element = document.querySelector('rock-field, wood-ear-log');
 element.addEventListener('error', ({ detail }) => complaints.push(`error event: ${detail.error.name}: ${detail.error.message}`));
-element.addEventListener('notice', ({ detail }) => complaints.push(`notice event: ${detail.message}`));
+element.addEventListener('notice', ({ detail }) => notices.push(detail.message));
 element.addEventListener('generate', ({ detail }) => generated.push(detail));
 addEventListener('error', ({ message }) => complaints.push(`uncaught: ${message}`));
 console.error = (...words) => complaints.push(`console error: ${words.join(' ')}`);
@@ -30,7 +32,7 @@ addEventListener('unhandledrejection', ({ reason }) => complaints.push(`unhandle
 
 /** Waits for the first picture, or for something to go wrong. */
 async function shown() {
-  await until(() => complaints.length > 0 || customElements.get('rock-field'), 'the definition of the element');
+  await until(() => complaints.length > 0 || customElements.get(element.localName), 'the definition of the element');
   let isReady = false;
   void element.ready?.then(() => (isReady = true));
   await until(() => complaints.length > 0 || isReady, 'the first picture');
@@ -40,13 +42,30 @@ async function shown() {
   const { x, y, width, height } = element.getBoundingClientRect();
   return {
     backend: element.backend,
-    hash: element.field && (await hashField(element.field)),
+    hash: complaints.length > 0 ? null : await hash(),
     rocks: element.field?.stats.rocks,
     generated: generated.map(({ stats, field }) => ({ rocks: stats.rocks, isShown: field === element.field })),
+    notices,
     box: [x, y, width, height].map((length) => length * devicePixelRatio),
     complaints,
     ms,
   };
+}
+
+/** The golden hash of what is shown; of a colony when its collisions are solved. */
+async function hash() {
+  return element.localName === 'rock-field' ? hashField(element.field) : hashColony(await element.getColony());
+}
+
+/** Brings a log of one's own, in base64; what grows on it, and from what. */
+async function bringLog(file, name) {
+  const bytes = Uint8Array.from(atob(file), (letter) => letter.charCodeAt(0));
+  await element.loadLog(new File([bytes], name));
+  const { stats } = await element.getColony();
+  await painted();
+  const { mesh, ...params } = element.params;
+  const plain = { positions: Array.from(mesh.positions), indices: Array.from(mesh.indices) };
+  return { hash: await hash(), params: { ...params, mesh: plain }, individuals: stats.individuals, complaints };
 }
 
 /** The picture as a file: its type and its address with everything in it. */
@@ -89,4 +108,4 @@ async function until(isSo, what) {
   }
 }
 
-globalThis.examined = { shown, picture, change, remove };
+globalThis.examined = { shown, picture, change, bringLog, remove };
