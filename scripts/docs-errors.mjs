@@ -2,7 +2,7 @@
 import { escaped, heading, inline } from './docs-html.mjs';
 import { tables } from './tables.mjs';
 
-const { ERRORS, ERROR_GROUPS, NOTICES, NOTICE_HELP } = await tables();
+const { ATTRIBUTE_NOTICES, ATTRIBUTE_NOTICE_HELP, ERRORS, ERROR_GROUPS, NOTICES, NOTICE_HELP } = await tables();
 
 const entries = Object.entries(ERRORS);
 
@@ -24,11 +24,17 @@ export function troubleshooting() {
   }));
   const notices = {
     id: 'notices',
-    name: 'Notices',
+    name: 'Notices about links',
     intro: '<p>Links and attributes never fail. What cannot be taken as it stands is replaced, and a notice says by what: on the picture, on the console, and by the <a href="events.html#event-notice"><code>notice</code></a> event.</p>',
     list: Object.entries(NOTICES).map(([code, message]) => entryOf(`notice-${code}`, code, message, NOTICE_HELP[code].cause, NOTICE_HELP[code].remedy)),
   };
-  const parts = [...errors, notices];
+  const attributes = {
+    id: 'attribute-notices',
+    name: 'Notices about attributes',
+    intro: '<p>They begin with the attribute’s name. A link in <a href="attributes.html#attribute-src"><code>src</code></a> or <code>ground</code> gives the notices above.</p>',
+    list: Object.entries(ATTRIBUTE_NOTICES).map(([code, message]) => entryOf(`notice-${code}`, code, message, ATTRIBUTE_NOTICE_HELP[code].cause, ATTRIBUTE_NOTICE_HELP[code].remedy)),
+  };
+  const parts = [...errors, notices, attributes];
   const html = parts.map(({ id, name, intro = '', list }) => `${heading(2, id, name, name)}${intro}${list.join('')}`);
   return { html: html.join('\n'), contents: parts.map(({ id, name }) => ({ id, name })) };
 }

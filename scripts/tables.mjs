@@ -3,7 +3,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 
-const SOURCES = ['attribute-reader', 'camera-orbit', 'element-attributes', 'error-list', 'notices', 'param-docs.gen', 'params', 'params-flat', 'renderer/quality', 'rocks', 'strings', 'strings-later', 'table', 'url-codec', 'wood-ear-docs.gen', 'wood-ears', 'docs/notice-help', 'docs/words'];
+const SOURCES = ['attribute-notices', 'attribute-reader', 'camera-orbit', 'element-attributes', 'error-list', 'notices', 'param-docs.gen', 'params', 'params-flat', 'renderer/quality', 'rocks', 'strings', 'strings-later', 'table', 'url-codec', 'wood-ear-docs.gen', 'wood-ears', 'docs/notice-help', 'docs/words'];
 
 let loading;
 

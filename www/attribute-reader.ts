@@ -6,9 +6,12 @@
  * parts has an attribute for each, `taper-rock="6 6 2"`.
  */
 
+import { attributeNoticeText } from './attribute-notices.ts';
+import type { AttributeNoticeCode } from './attribute-notices.ts';
 import { METRES_PER_PIXEL, parseOrbit } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
 import { errorInfo, RockFieldError } from './errors.ts';
+import type { Slots } from './filled.ts';
 import type { SceneLink } from './link.ts';
 import { shown } from './param-checks.ts';
 import type { Bounds } from './params.ts';
@@ -94,7 +97,12 @@ export class AttributeReader<K extends Kind> {
   }
 
   /** What is wrong with an attribute; only the first of several is kept. */
-  note(attribute: string, message: string): void {
+  note(attribute: string, code: AttributeNoticeCode, slots: Slots): void {
+    this.say(attribute, attributeNoticeText(code, slots));
+  }
+
+  /** The same in a sentence that stands already. */
+  say(attribute: string, message: string): void {
     if (this.notices.every((notice) => notice.attribute !== attribute || attribute === 'src')) this.notices.push({ attribute, message: `${attribute}: ${message}` });
   }
 
@@ -109,7 +117,7 @@ export class AttributeReader<K extends Kind> {
       return { ...blank, ...this.#request(src, first, reader) };
     }
     const link = reader.ofLink(src);
-    for (const { text } of link.notices) this.note('src', text);
+    for (const { text } of link.notices) this.say('src', text);
     return link;
   }
 
@@ -121,8 +129,8 @@ export class AttributeReader<K extends Kind> {
       return reader.ofRequest(request);
     } catch (thrown) {
       const preset = this.#table.presets.find(({ name }) => name === request.preset)?.name ?? first;
-      const reason = thrown instanceof SyntaxError ? 'this is not JSON' : errorInfo(thrown).message;
-      this.note('src', `${reason}; ${preset} is shown`);
+      if (thrown instanceof SyntaxError) this.note('src', 'not-json', { used: preset });
+      else this.note('src', 'bad-request', { reason: errorInfo(thrown).message, used: preset });
       return { params: this.#table.presetParams(preset), preset };
     }
   }
@@ -130,7 +138,7 @@ export class AttributeReader<K extends Kind> {
   #preset(first: K['preset']): Pick<SceneLink<K>, 'params' | 'preset'> {
     const given = this.get('preset');
     const found = given === null ? undefined : this.#table.presets.find(({ name }) => name === given.trim());
-    if (given !== null && !found) this.note('preset', `there is no preset called ${quote(given)}; ${first} is shown`);
+    if (given !== null && !found) this.note('preset', 'no-preset', { given: quote(given), used: first });
     const preset = found?.name ?? first;
     return { params: this.#table.presetParams(preset), preset };
   }
@@ -173,7 +181,7 @@ export class AttributeReader<K extends Kind> {
     if (row.kind === 'choice') {
       const words = row.choices.map(({ value }) => value);
       if (words.includes(given)) return given;
-      this.note(name, `${quote(given)} is none of ${words.join(', ')}; ${String(fallback)} is used`);
+      this.note(name, 'no-choice', { given: quote(given), choices: words.join(', '), used: String(fallback) });
       return fallback;
     }
     if (row.kind.startsWith('optional') && given === NONE) return null;
@@ -181,8 +189,7 @@ export class AttributeReader<K extends Kind> {
     const isNumber = NUMBER.test(given) && (isReal || Number.isInteger(Number(given)));
     const value = isNumber ? Math.min(max, Math.max(min, Number(given))) : fallback;
     if (!isNumber || value !== Number(given)) {
-      const wanted = isReal ? 'number' : 'whole number';
-      this.note(name, `${quote(given)} is no ${wanted} in ${min} to ${max}; ${value === null ? 'none' : String(value)} is used`);
+      this.note(name, 'no-number', { given: quote(given), kind: isReal ? 'number' : 'whole number', min, max, used: value === null ? 'none' : String(value) });
     }
     // Never −0.
     return typeof value === 'number' ? value + 0 : value;
@@ -192,7 +199,7 @@ export class AttributeReader<K extends Kind> {
     const given = this.get(name);
     if (given === null) return fallback;
     const found = choices.find((choice) => choice === given.trim());
-    if (found === undefined) this.note(name, `${quote(given)} is none of ${choices.join(', ')}; ${fallback} is used`);
+    if (found === undefined) this.note(name, 'no-choice', { given: quote(given), choices: choices.join(', '), used: fallback });
     return found ?? fallback;
   }
 
@@ -206,7 +213,7 @@ export class AttributeReader<K extends Kind> {
   #orbit(): Orbit | null {
     const given = this.get('camera-orbit');
     const orbit = given === null ? null : parseOrbit(given);
-    if (given !== null && !orbit) this.note('camera-orbit', `${quote(given)} is no orbit like 45deg 55deg 120%; the whole field is framed`);
+    if (given !== null && !orbit) this.note('camera-orbit', 'no-orbit', { given: quote(given) });
     return orbit;
   }
 
@@ -215,7 +222,7 @@ export class AttributeReader<K extends Kind> {
     if (given === null) return METRES_PER_PIXEL;
     const value = NUMBER.test(given.trim()) ? Number(given) : NaN;
     if (value > 0 && value <= 1000) return value;
-    this.note('metres-per-pixel', `${quote(given)} is no number above 0 and up to 1000; ${METRES_PER_PIXEL} is used`);
+    this.note('metres-per-pixel', 'no-scale', { given: quote(given), used: METRES_PER_PIXEL });
     return METRES_PER_PIXEL;
   }
 }

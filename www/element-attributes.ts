@@ -45,12 +45,12 @@ function readLayers(reader: AttributeReader<Rocks>, params: Params): Params['lay
   });
   const [first] = lists;
   if (!first) return params.layers;
-  if (first.items.length > MAX_LAYERS) reader.note(first.name, `${first.items.length} layers; the first ${MAX_LAYERS} are used`);
+  if (first.items.length > MAX_LAYERS) reader.note(first.name, 'more-layers', { given: first.items.length, used: MAX_LAYERS });
   const count = Math.min(MAX_LAYERS, first.items.length);
   let layers = Array.from({ length: count }, (_, id) => params.layers[id] ?? ROCKS.newItem(id, params));
   for (const { name, row, items } of lists) {
     if (items.length !== first.items.length) {
-      reader.note(name, `${items.length} values for ${count} layers; they are left out`);
+      reader.note(name, 'other-length', { given: items.length, used: count });
       continue;
     }
     const bounds = ROCKS.boundsOf(row, params);

@@ -331,8 +331,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   /** A link that shows this: `base`, the page's own address by default, with the parameters as its fragment. */
-  shareURL(base: string = document.baseURI): string {
-    const url = new URL(base, document.baseURI);
+  shareURL(base: string = addressOf(this.ownerDocument)): string {
+    const url = new URL(base, this.ownerDocument.baseURI);
     const { params, view, color, camera } = this;
     url.hash = this.#scene.encode({ params, preset: this.presetInUse, view, color, camera: this.hasDefaultCamera ? null : camera });
     return url.href;
@@ -625,4 +625,9 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
       this.report(errorInfo(thrown));
     }
   }
+}
+
+/** A document's own address, whatever its `<base>` says; one that was written into a frame has that of the page around it. */
+function addressOf({ URL: address, baseURI }: Document): string {
+  return address.startsWith('about:') ? baseURI : address;
 }

@@ -6,6 +6,7 @@ import type { Language } from './params.ts';
 
 const WORDS = {
   drop: { en: 'Drop a GLB or OBJ file: it becomes the log', ja: 'GLB・OBJ ファイルをドロップすると丸太になります' },
+  nothing: { en: 'There is no file in what was dropped', ja: 'ドロップされたものにファイルがありません' },
   beside: { en: '{file} was opened; of the other files nothing was read', ja: '{file} を開きました。ほかのファイルは読み込んでいません' },
 } as const;
 
@@ -33,6 +34,42 @@ export interface DropOwner {
 export function logAmong(files: Iterable<File>): File | undefined {
   const all = [...files];
   return all.find(({ name }) => LOGS.test(name)) ?? all[0];
+}
+
+export function nothingDropped(language: Language): string {
+  return WORDS.nothing[language];
+}
+
+/** Of a folder that was dropped, the first so many files are looked at. */
+const MOST_FILES = 1000;
+
+/** The files of a drop, with those in folders. To be called while the event is told: later there is nothing in it. */
+export async function droppedFiles(transfer: DataTransfer | null): Promise<File[]> {
+  const files = [...(transfer?.files ?? [])];
+  const entries = [...(transfer?.items ?? [])].flatMap((item) => item.webkitGetAsEntry?.() ?? []);
+  if (!entries.some(({ isDirectory }) => isDirectory)) return files;
+  const found: File[] = [];
+  for (const entry of entries) {
+    if (entries.length + found.length > MOST_FILES) break;
+    if (isFolder(entry)) entries.push(...(await entriesOf(entry)));
+    else found.push(await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject)));
+  }
+  return found;
+}
+
+function isFolder(entry: FileSystemEntry): entry is FileSystemDirectoryEntry {
+  return entry.isDirectory;
+}
+
+/** Browsers hand out some hundred at a time. */
+async function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
+  const reader = folder.createReader();
+  const found: FileSystemEntry[] = [];
+  for (;;) {
+    const some = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
+    if (some.length === 0 || found.length >= MOST_FILES) return found;
+    found.push(...some);
+  }
 }
 
 /** What is said where several files could have been the log; else null. */
@@ -69,10 +106,11 @@ export function listenToDrops(host: HTMLElement, { root, language, isOpen, open 
   });
   on('drop', (event) => {
     frame.hidden = true;
-    const files = [...(event.dataTransfer?.files ?? [])];
-    if (!isOpen() || files.length === 0) return;
+    if (!isOpen() || !hasFiles(event)) return;
     event.preventDefault();
-    open(files);
+    // What cannot be read is refused by name when it is opened.
+    const { dataTransfer } = event;
+    droppedFiles(dataTransfer).then(open, () => open([]));
   });
   signal.addEventListener('abort', () => {
     frame.remove();

@@ -98,8 +98,10 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     if (result) store.showResult(result, detail.superseded ? null : store.params);
   });
   listen('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
-  listen('error', ({ detail }: SceneEventMap<string>['error']) => {
-    const { error, shown: isSaid } = detail;
+  listen('error', (event: SceneEventMap<string>['error']) => {
+    // The page has words for it.
+    event.preventDefault();
+    const { error, shown: isSaid } = event.detail;
     if (UNAVAILABLE.test(error.name)) tellMissingFile(true);
     if (isSaid) store.setProgress(null);
     else void store.fail(error);

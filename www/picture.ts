@@ -1,6 +1,8 @@
 /** The picture as a file. */
 
 import { RockFieldError } from './errors.ts';
+import type { ErrorName } from './errors.ts';
+import { errorText } from './renderer-keeper.ts';
 import type { CameraState, SceneRenderer } from './renderer/renderer.ts';
 import { MAX_PIXELS } from './renderer/limits.ts';
 
@@ -34,8 +36,29 @@ export function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHei
   return size;
 }
 
-/** Draws through `camera` at `size` and takes what is in the canvas, at once; only the encoding comes later. */
+/**
+ * Draws through `camera` at `size` and takes what is in the canvas, at once; only the encoding comes later.
+ *
+ * @throws {RockFieldError} `OutOfRange` for a size that this device does not draw, `NoPicture` where the browser makes no file, and what the
+ *   renderer refuses, by its name.
+ */
 export async function takePicture(renderer: SceneRenderer, size: [number, number], camera: CameraState, { type = 'image/png', quality }: PictureOptions): Promise<Blob> {
+  try {
+    draw(renderer, size, camera);
+  } catch (thrown) {
+    if (thrown instanceof RockFieldError) throw thrown;
+    const name = RENDERER_ERRORS.find((known) => thrown instanceof Error && thrown.name === known);
+    throw new RockFieldError({ name: name ?? 'RendererFailed', message: name ? errorText(thrown) : `the picture could not be made: ${errorText(thrown)}` }, { cause: thrown });
+  }
+  const blob = await new Promise<Blob | null>((resolve) => renderer.canvas.toBlob(resolve, type, quality));
+  if (!blob) throw new RockFieldError({ name: 'NoPicture', message: 'the browser made no file of the picture' });
+  return blob;
+}
+
+/** What a renderer says of itself (`src/render/error.rs`) when it is asked for a picture. */
+const RENDERER_ERRORS = ['NoSurface', 'FieldTooLarge', 'MalformedField'] as const satisfies readonly ErrorName[];
+
+function draw(renderer: SceneRenderer, size: [number, number], camera: CameraState): void {
   renderer.resize(...size);
   // A device has its own limit, and draws no larger.
   for (const [key, value, drawn] of [['width', size[0], renderer.canvas.width], ['height', size[1], renderer.canvas.height]] as const) {
@@ -44,9 +67,6 @@ export async function takePicture(renderer: SceneRenderer, size: [number, number
   }
   renderer.setCamera(camera);
   renderer.render();
-  const blob = await new Promise<Blob | null>((resolve) => renderer.canvas.toBlob(resolve, type, quality));
-  if (!blob) throw new RockFieldError({ name: 'NoPicture', message: 'the browser made no file of the picture' });
-  return blob;
 }
 
 /** Between a loss and the news of it. */

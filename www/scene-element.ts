@@ -387,8 +387,9 @@ export abstract class SceneElement extends Base {
     return this.ownerDocument.defaultView ?? window;
   }
 
-  protected emit(type: string, detail: unknown = null): void {
-    this.dispatchEvent(new CustomEvent(type, { detail, bubbles: false, composed: true }));
+  /** False when it is an `error` that a listener tells the user itself. */
+  protected emit(type: string, detail: unknown = null): boolean {
+    return this.dispatchEvent(new CustomEvent(type, { detail, bubbles: false, composed: true, cancelable: type === 'error' }));
   }
 
   /** An `error` event, at most one a second; also a message in the element while it has no picture to show instead. */
@@ -424,8 +425,13 @@ export abstract class SceneElement extends Base {
   /** Something was put right, or left out, for an attribute: said once on the console, once by event, for a while on the picture. */
   protected notify(message: string): void {
     console.warn(`<${this.localName}>: ${message}`);
-    this.#tree.messages.notify(message);
+    this.say(message);
     this.emit('notice', { message });
+  }
+
+  /** Shown on the picture for a while. */
+  protected say(text: string): void {
+    this.#tree.messages.notify(text);
   }
 
   /** Asks for a frame; many calls, one frame. */
@@ -524,6 +530,7 @@ export abstract class SceneElement extends Base {
   #listen(): void {
     this.#listening = new AbortController();
     const { signal } = this.#listening;
+    this.#tree.box(this.#view);
     const size = new StageSize(this.#tree.stage, () => this.#resized(), signal);
     this.#size = size;
     this.#visibility = new Visibility(this, () => this.#onVisibility(), signal);

@@ -1,7 +1,10 @@
-/** The style of a scene's shadow tree, shared by all elements. The first rule is the contract of replaced elements: any author rule wins. */
+/**
+ * The style of a scene's shadow tree, shared by all elements. The first rule is the contract of replaced elements: any author rule wins, but for
+ * the containment, without which the picture would be laid out in whatever box is around the element.
+ */
 
 export const SCENE_STYLES = `
-:host { display: block; position: relative; contain: strict; width: 300px; height: 150px; background: var(--rock-field-background, transparent) }
+:host { display: block; position: relative; contain: strict !important; contain-intrinsic-size: 300px 150px !important; width: 300px; height: 150px; background: var(--rock-field-background, transparent) }
 :host([hidden]) { display: none }
 :host([disabled]) .stage, :host([interaction=none]) .stage { cursor: default }
 .stage, canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block }
@@ -33,3 +36,6 @@ export const SCENE_STYLES = `
 .message button:disabled { opacity: .5 }
 @media (forced-colors: active) { .bar { forced-color-adjust: none; background: Highlight } }
 `;
+
+/** Where the page's own rules leave the element inline (`* { all: revert }`): a box in its line, as an `<img>` is. */
+export const INLINE_STYLES = ':host { display: inline-block !important }';

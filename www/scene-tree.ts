@@ -3,7 +3,7 @@
 import { addStyles } from './document-styles.ts';
 import { MessageBox } from './message-box.ts';
 import type { Language } from './params.ts';
-import { SCENE_STYLES } from './scene-styles.ts';
+import { INLINE_STYLES, SCENE_STYLES } from './scene-styles.ts';
 
 /** A drag changes the picture all the time; what it shows is said when the hand rests. */
 const ANNOUNCE_AFTER_MS = 800;
@@ -47,6 +47,11 @@ export class SceneTree {
   /** To be called in every new document. */
   dress(): void {
     addStyles(this.#root, SCENE_STYLES);
+  }
+
+  /** To be called when the element stands in a page: what is inline has no box for the picture, which would cover the page. */
+  box(view: Window): void {
+    if (view.getComputedStyle(this.#root.host).display === 'inline') addStyles(this.#root, INLINE_STYLES);
   }
 
   /** A copy of the canvas over it, which browsers leave out of prints when a GPU draws it; null takes it away. */

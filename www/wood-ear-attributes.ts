@@ -29,10 +29,10 @@ function readBases(reader: AttributeReader<WoodEars>, params: WoodEarSceneParams
   const { max } = WOOD_EARS.itemCount;
   const entries = given.split(/[,;]/).map((entry) => entry.trim().split(/\s+/));
   if (entries.some(({ length }) => length < 3 || length > 4)) {
-    reader.note('bases', `${quote(given)} is no list of bases like 0 -20 30, 40 -20 30 25; the preset’s are used`);
+    reader.note('bases', 'no-bases', { given: quote(given) });
     return params.bases;
   }
-  if (entries.length > max) reader.note('bases', `${entries.length} bases; the first ${max} are used`);
+  if (entries.length > max) reader.note('bases', 'more-bases', { given: entries.length, used: max });
   return entries.slice(0, max).map((entry) => {
     let base: WoodEarBase = { position: [0, 0, 0], range: null };
     WOOD_EARS.itemRows.forEach((row, k) => {
@@ -49,6 +49,6 @@ function readGroundAttribute(reader: AttributeReader<WoodEars>, { ground }: Wood
   const preset = PRESETS.find(({ name }) => name === given);
   if (preset) return groundOf(preset.name);
   const { link, notices } = readGround(given);
-  for (const { text } of notices) reader.note('ground', text);
+  for (const { text } of notices) reader.say('ground', text);
   return link;
 }

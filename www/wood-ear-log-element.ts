@@ -12,7 +12,7 @@ import { GeneratorElement, observedAttributes } from './generator-element.ts';
 import type { Scene, SceneEventMap } from './generator-element.ts';
 import { lazily } from './lazy.ts';
 import { loadWoodEarPanel } from './load-wood-ear-panel.ts';
-import { besideNotice, listenToDrops, logAmong } from './log-drop.ts';
+import { besideNotice, listenToDrops, logAmong, nothingDropped } from './log-drop.ts';
 import type { LogSource } from './log-file/client.ts';
 import { RowProperties } from './parameter-properties.ts';
 import { firstHit } from './pick.ts';
@@ -198,11 +198,16 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
   /** Of files that were dropped or chosen together, the log. */
   #open(files: readonly File[]): void {
     const file = logAmong(files);
-    if (!file) return;
+    if (!file) {
+      this.say(nothingDropped(this.language));
+      return;
+    }
     const notice = besideNotice(files, this.language);
     if (notice) this.notify(notice);
     this.loadLog(file).catch((thrown: unknown) => {
-      if (!isAbort(thrown)) this.report(errorInfo(thrown));
+      if (isAbort(thrown)) return;
+      const error = errorInfo(thrown);
+      if (this.emit('error', { error, shown: false })) this.say(error.words?.[this.language] ?? error.message);
     });
   }
 

@@ -7,7 +7,7 @@ import { WoodEarStore } from './controls/wood-ear-store.ts';
 import { errorInfo, isAbort } from './errors.ts';
 import { lazily } from './lazy.ts';
 import { isLink } from './link.ts';
-import { hasFiles, logAmong } from './log-drop.ts';
+import { droppedFiles, hasFiles, logAmong } from './log-drop.ts';
 import { openPage } from './page.ts';
 import { loadJapanese } from './strings.ts';
 import { same } from './table.ts';
@@ -68,6 +68,8 @@ window.addEventListener('dragover', (event) => {
 window.addEventListener('drop', (event) => {
   if (event.defaultPrevented || !hasFiles(event)) return;
   event.preventDefault();
-  const file = logAmong(event.dataTransfer?.files ?? []);
-  if (file) loadLog(file);
+  void droppedFiles(event.dataTransfer).then((files) => {
+    const file = logAmong(files);
+    if (file) loadLog(file);
+  });
 });

@@ -1,4 +1,4 @@
-// Where an element may stand and what may happen to it there: shadow roots, other documents, out of sight, zoomed, printed.
+// Where an element may stand and what may happen to it there: shadow roots, other documents, out of sight, zoomed, printed, under any style.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, pageOf } from './browser.mjs';
@@ -202,6 +202,111 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
     await close();
   });
 }
+
+const SMALL = '<rock-field image-width="100" image-height="80" radius="30 10"></rock-field>';
+
+test('in shadow roots that the page declares, from templates, in SVG, behind content-visibility, in dialogs, full screen and from right to left there is a picture of the box', async () => {
+  const { page, errors, close } = await open(`<style>rock-field { width: 120px; height: 90px }</style>
+    <div id="declared"><template shadowrootmode="open"><style>rock-field { display: block; width: 120px; height: 90px }</style>${SMALL}</template></div>
+    <div id="own">${SMALL.replace('>', '><template shadowrootmode="open"><p>replaced</p></template>')}</div>
+    <template>${SMALL}</template><div id="imported"></div><div id="cloned"></div><div id="copied"></div>
+    <svg width="120" height="90"><foreignObject id="foreign" width="120" height="90">${SMALL}</foreignObject></svg>
+    <div style="height: 3000px"></div><div id="skipped" style="content-visibility: auto; contain-intrinsic-size: 10px 10px">${SMALL}</div>
+    <dialog>${SMALL}</dialog><div id="rtl" dir="rtl">${SMALL}</div>`, { ready: false });
+  const seen = await page.evaluate(async () => {
+    const { content } = document.querySelector('template');
+    const node = (id) => document.getElementById(id);
+    node('imported').append(document.importNode(content, true));
+    node('cloned').append(content.cloneNode(true));
+    node('copied').append(node('own').firstElementChild.cloneNode(true));
+    document.querySelector('dialog').showModal();
+    const places = [node('declared').shadowRoot, ...['own', 'imported', 'cloned', 'copied', 'foreign', 'skipped', 'rtl'].map(node), document.querySelector('dialog')];
+    const results = [];
+    for (const place of places) {
+      const element = place.querySelector('rock-field');
+      element.scrollIntoView();
+      await element.ready;
+      const { width, height } = element.shadowRoot.querySelector('canvas');
+      results.push([place.id ?? place.localName ?? 'declared', width, height, element.shadowRoot.querySelector('p') === null, element.field.stats.rocks]);
+    }
+    return results;
+  });
+  const [[, , , , rocks]] = seen;
+  const names = ['declared', 'own', 'imported', 'cloned', 'copied', 'foreign', 'skipped', 'rtl', ''];
+  assert(rocks > 0);
+  assert.deepEqual([seen, errors], [names.map((name) => [name, 120, 90, true, rocks]), []]);
+  const full = await page.evaluate(async () => {
+    const element = document.querySelector('#rtl rock-field');
+    document.querySelector('dialog').close();
+    const { width, height } = element.shadowRoot.querySelector('canvas');
+    await element.requestFullscreen();
+    const canvas = element.shadowRoot.querySelector('canvas');
+    await until(() => canvas.width === innerWidth && canvas.height === innerHeight);
+    await document.exitFullscreen();
+    await until(() => canvas.width === width && canvas.height === height);
+    return true;
+  });
+  assert(full);
+  await close();
+});
+
+test('whatever rules the page has for everything, canvases and boxes, the picture fills the element and nothing else', async () => {
+  const box = async (rules, expected) => {
+    const { page, errors, close } = await open(`<style>${rules}</style><p>before</p>${SMALL}<p>after</p>`);
+    const seen = await page.evaluate(() => {
+      const canvas = a.shadowRoot.querySelector('canvas');
+      const [own, drawn] = [a, canvas].map((node) => { const { x, y, width, height } = node.getBoundingClientRect(); return [x, y, width, height]; });
+      return { same: String(own) === String(drawn), size: own.slice(2), canvas: [canvas.width, canvas.height] };
+    });
+    assert.deepEqual([seen, errors], [{ same: true, size: expected, canvas: expected }, []], rules);
+    await close();
+  };
+  await box('* { all: revert !important }', [300, 150]);
+  await box('* { all: revert } rock-field { display: inline; width: 200px; height: 100px }', [200, 100]);
+  await box('rock-field { position: static; contain: none; width: 200px; height: 100px }', [200, 100]);
+  await box('canvas { width: 10px !important; display: none !important } div { display: none !important } * { position: static !important; transform: none !important; opacity: 1 } rock-field { width: 200px; height: 100px }', [200, 100]);
+});
+
+test('a link has the address of the page, whatever its base', async () => {
+  const { page, close } = await open(`${SMALL}<iframe srcdoc="<rock-field></rock-field>"></iframe>`);
+  const seen = await page.evaluate(() => {
+    const base = document.createElement('base');
+    base.href = 'https://elsewhere.example/deep/';
+    document.head.append(base);
+    const own = new URL(a.shareURL());
+    const other = a.shareURL('x.html');
+    document.querySelector('iframe').contentDocument.body.append(a);
+    return [own.origin === location.origin && own.pathname === location.pathname, /^https?:/.test(a.shareURL()), other.startsWith('https://elsewhere.example/deep/x.html#')];
+  });
+  assert.deepEqual(seen, [true, true, true]);
+  await close();
+});
+
+test('a slider of a panel in a frame is let go where it is held: two drags are two steps of undo', async () => {
+  const { page, errors, close } = await open(`${SMALL.replace('>', ' controls="open">')}<iframe style="width: 800px; height: 500px"></iframe>`);
+  const seen = await page.evaluate(async () => {
+    const frame = document.querySelector('iframe');
+    a.style.cssText = 'width: 700px; height: 400px';
+    frame.contentDocument.body.append(a);
+    await a.ready;
+    const view = frame.contentWindow;
+    const slider = () => a.shadowRoot.querySelector('[part=panel]')?.shadowRoot.querySelector('input.slider');
+    await until(slider);
+    const values = [];
+    for (const share of [0.3, 0.6]) {
+      const held = slider();
+      held.dispatchEvent(new view.PointerEvent('pointerdown', { bubbles: true, composed: true }));
+      held.value = String(Number(held.min) + share * (held.max - held.min));
+      held.dispatchEvent(new view.InputEvent('input', { bubbles: true, composed: true }));
+      held.dispatchEvent(new view.PointerEvent('pointerup', { bubbles: true, composed: true }));
+      values.push(JSON.stringify(a.params));
+    }
+    a.undo();
+    return [values[0] !== values[1], JSON.stringify(a.params) === values[0]];
+  });
+  assert.deepEqual([seen, errors], [[true, true], []]);
+  await close();
+});
 
 for (const webgpu of [false, true]) {
   test(`while the page is printed a copy of the picture stands over it, ${webgpu ? 'WebGPU' : 'WebGL2'}`, async () => {

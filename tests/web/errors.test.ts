@@ -3,7 +3,8 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { NOTICE_HELP } from '../../www/docs/notice-help.ts';
+import { ATTRIBUTE_NOTICES } from '../../www/attribute-notices.ts';
+import { ATTRIBUTE_NOTICE_HELP, NOTICE_HELP } from '../../www/docs/notice-help.ts';
 import { ERROR_GROUPS, ERRORS } from '../../www/error-list.ts';
 import { NOTICES } from '../../www/notices.ts';
 
@@ -49,4 +50,7 @@ test('every error and notice says its message, its cause and what helps', () => 
     assert.ok(group in ERROR_GROUPS && message && /[.]$/.test(cause) && /[.]$/.test(remedy), name);
   }
   assert.deepEqual(Object.keys(NOTICE_HELP), Object.keys(NOTICES));
+  assert.deepEqual(Object.keys(ATTRIBUTE_NOTICE_HELP), Object.keys(ATTRIBUTE_NOTICES));
+  const codes = [...Object.keys(NOTICES), ...Object.keys(ATTRIBUTE_NOTICES)];
+  assert.equal(new Set(codes).size, codes.length, 'each has a place of its own on the page of messages');
 });

@@ -120,9 +120,11 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       if (result) store.showResult(result, detail.superseded ? null : store.params);
     });
     on('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
-    on('error', ({ detail }: CustomEvent<{ error: ErrorInfo; shown: boolean }>) => {
-      if (detail.shown) store.setProgress(null);
-      else void store.fail(detail.error);
+    on('error', (event: CustomEvent<{ error: ErrorInfo; shown: boolean }>) => {
+      // The panel has words for it.
+      event.preventDefault();
+      if (event.detail.shown) store.setProgress(null);
+      else void store.fail(event.detail.error);
     });
   }
 

@@ -167,15 +167,17 @@ function grab<K extends Kind>(store: SceneStore<K>, { currentTarget, pointerType
   const slider = currentTarget as HTMLInputElement;
   slider.toggleAttribute('data-missed', pointerType === 'touch' && Math.abs(clientX - thumbOf(slider)) > REACH_PX);
   store.hold();
+  // The window that the panel is in: a frame's or a popup's, perhaps.
+  const view = slider.ownerDocument.defaultView ?? window;
   const release = ({ type }: Event) => {
-    window.removeEventListener('pointerup', release, true);
-    window.removeEventListener('pointercancel', release, true);
+    view.removeEventListener('pointerup', release, true);
+    view.removeEventListener('pointercancel', release, true);
     // The slider's last input event comes before this, its change event may come after. What has become a scroll was no edit.
     if (type === 'pointercancel') store.abandon();
     else store.release();
   };
-  window.addEventListener('pointerup', release, true);
-  window.addEventListener('pointercancel', release, true);
+  view.addEventListener('pointerup', release, true);
+  view.addEventListener('pointercancel', release, true);
 }
 
 /** Where the middle of a slider's thumb is, px from the window's left. */

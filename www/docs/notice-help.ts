@@ -1,8 +1,15 @@
-/** What the documentation says about each notice of a link: where it comes from, and what helps. Markdown within a line. */
+/** What the documentation says about each notice: where it comes from, and what helps. Markdown within a line. */
 
+import type { AttributeNoticeCode } from '../attribute-notices.ts';
 import type { NoticeCode } from '../link.ts';
 
-export const NOTICE_HELP: Record<NoticeCode, { cause: string; remedy: string }> = {
+interface NoticeHelp {
+  cause: string;
+  remedy: string;
+}
+
+/** Of notices about links. */
+export const NOTICE_HELP: Record<NoticeCode, NoticeHelp> = {
   'too-long': {
     cause: 'Text that is far longer than any link of this package.',
     remedy: 'Copy the link again with **Share** or `shareURL()`.',
@@ -54,5 +61,53 @@ export const NOTICE_HELP: Record<NoticeCode, { cause: string; remedy: string }> 
   'bad-camera': {
     cause: 'A camera that is not six numbers, or one so near or so far that nothing would be seen.',
     remedy: 'Turn the picture as you want it, and copy the link again.',
+  },
+};
+
+/** Of notices about attributes. */
+export const ATTRIBUTE_NOTICE_HELP: Record<AttributeNoticeCode, NoticeHelp> = {
+  'no-choice': {
+    cause: 'A word that is not among the choices of this attribute.',
+    remedy: 'Take one of the words in the message.',
+  },
+  'no-number': {
+    cause: 'Text where a number is expected, a number outside its bounds, or a fraction where only whole numbers mean something.',
+    remedy: 'Write a number within the bounds, with a point for decimals: `0.5`.',
+  },
+  'no-preset': {
+    cause: 'A preset that this release does not have, or a misspelt one.',
+    remedy: 'Take a name from the [gallery](gallery.html).',
+  },
+  'not-json': {
+    cause: 'A `src` that begins with `{` and is not JSON: often single quotes, a comma after the last value, or quotes that the page’s template has escaped.',
+    remedy: 'Check it with `JSON.parse`, or write a [link](concepts.html) instead.',
+  },
+  'bad-request': {
+    cause: 'A `src` whose JSON names a parameter that does not exist, or a value that is not allowed.',
+    remedy: 'Do what the message says.',
+  },
+  'no-orbit': {
+    cause: 'A `camera-orbit` that is not two angles and a distance.',
+    remedy: 'Write it like `45deg 55deg 120%`; each part may be `auto`.',
+  },
+  'no-scale': {
+    cause: 'A `metres-per-pixel` that is not a number of metres.',
+    remedy: 'Write a number like `0.01`.',
+  },
+  'more-layers': {
+    cause: 'A list with values for more layers than a field may have.',
+    remedy: 'Leave the last ones out.',
+  },
+  'other-length': {
+    cause: 'Attributes that list different numbers of layers. The first list in the order of [Attributes](attributes.html) says how many there are.',
+    remedy: 'Give every list a value for each layer: `radius="90 30" area-fraction="0.2 0.5"`.',
+  },
+  'no-bases': {
+    cause: 'A `bases` whose entries are not three or four numbers each.',
+    remedy: 'Write `x y z`, perhaps with a range after it, and commas between bases.',
+  },
+  'more-bases': {
+    cause: 'More bases than a colony may have.',
+    remedy: 'Leave the last ones out.',
   },
 };
