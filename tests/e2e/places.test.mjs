@@ -308,6 +308,51 @@ test('a slider of a panel in a frame is let go where it is held: two drags are t
   await close();
 });
 
+test('what is dropped on the log is opened, also from a folder; what cannot be is said on the picture, unless a listener says it', async () => {
+  const { page, errors, close } = await open('<wood-ear-log ground="none" preset="thesis-minimum" editable></wood-ear-log>');
+  const seen = await page.evaluate(async () => {
+    const message = () => a.shadowRoot.querySelector('[part=message]').textContent;
+    const drop = (dataTransfer) => {
+      const event = new DragEvent('drop', { bubbles: true, cancelable: true });
+      Object.defineProperty(event, 'dataTransfer', { value: { types: ['Files'], files: [], items: [], ...dataTransfer } });
+      a.dispatchEvent(event);
+      return event.defaultPrevented;
+    };
+    const box = ['v 0 0 0', 'v 100 0 0', 'v 0 10 0', 'v 0 0 10', 'f 1 3 2', 'f 1 2 4', 'f 1 4 3', 'f 2 3 4'].join('\n');
+    const entry = (file) => ({ isDirectory: false, file: (give) => give(file) });
+    const folder = (...entries) => ({ isDirectory: true, createReader: () => ({ readEntries: (give) => give(entries.splice(0, 1)) }) });
+    const dropFolder = (...entries) => drop({ files: [new File([], 'folder')], items: [{ webkitGetAsEntry: () => folder(...entries) }] });
+    const texts = [];
+    let before = message();
+    const waited = async (prevented) => {
+      await until(() => message() !== before);
+      before = message();
+      texts.push([prevented, before.trim().split('\n').at(-1)]);
+    };
+
+    let named = '';
+    a.addEventListener('error', ({ detail }) => (named = detail.error.name));
+    await waited(drop({ files: [new File(['v 0 0 0'], 'bad.obj')] }));
+    texts.push(named);
+    a.lang = 'ja';
+    await until(() => a.shadowRoot.querySelector('.stage').ariaLabel !== 'Wood ears on a fallen log');
+    await waited(dropFolder());
+    a.lang = 'en';
+    const saying = (event) => event.preventDefault();
+    a.addEventListener('error', saying);
+    named = '';
+    drop({ files: [new File(['v 0 0 0'], 'worse.obj')] });
+    await until(() => named !== '');
+    const silent = !message().includes('worse');
+    const opened = new Promise((resolve) => a.addEventListener('change', resolve, { once: true }));
+    dropFolder(entry(new File(['x'], 'bark.png')), folder(entry(new File([box], 'log.obj'))), entry(new File(['newmtl a'], 'log.mtl')));
+    await opened;
+    return [texts, silent, a.params.mesh.indices.length];
+  });
+  assert.deepEqual([seen, errors], [[[[true, 'bad.obj has no triangles'], 'LogFileNoMesh', [true, 'ドロップされたものにファイルがありません']], true, 12], []]);
+  await close();
+});
+
 for (const webgpu of [false, true]) {
   test(`while the page is printed a copy of the picture stands over it, ${webgpu ? 'WebGPU' : 'WebGL2'}`, async () => {
     const own = await launch({ webgpu, intercept: pageOf('places.html', () => html) });
