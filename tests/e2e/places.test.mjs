@@ -311,7 +311,7 @@ test('a slider of a panel in a frame is let go where it is held: two drags are t
 test('what is dropped on the log is opened, also from a folder; what cannot be is said on the picture, unless a listener says it', async () => {
   const { page, errors, close } = await open('<wood-ear-log ground="none" preset="thesis-minimum" editable></wood-ear-log>');
   const seen = await page.evaluate(async () => {
-    const message = () => a.shadowRoot.querySelector('[part=message]').textContent;
+    const message = () => a.shadowRoot.querySelector('[part=message] > span').textContent;
     const drop = (dataTransfer) => {
       const event = new DragEvent('drop', { bubbles: true, cancelable: true });
       Object.defineProperty(event, 'dataTransfer', { value: { types: ['Files'], files: [], items: [], ...dataTransfer } });
