@@ -9,7 +9,7 @@
 import { prefersStillness } from './auto-rotation.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Orbit } from './camera-orbit.ts';
-import { isPlan } from './camera.ts';
+import { defaultCamera, isPlan } from './camera.ts';
 import type { Subject } from './camera.ts';
 import { isPassing, RockFieldError } from './errors.ts';
 import { ErrorPace } from './error-pace.ts';
@@ -595,12 +595,17 @@ export abstract class SceneElement extends Base {
         isOver: () => signal?.aborted !== false || this.#painted || this.#kept.renderer !== undefined,
         tree: this.#tree,
         language: () => this.language,
-        scene: () => ({ field: this.#field, wood: this.#wood, style: this.#style, camera: this.camera, size: this.#size?.pixels ?? UNSEEN_SIZE }),
+        scene: () => ({ field: this.#field, wood: this.#wood, style: this.#style, camera: this.#planCamera(), size: this.#size?.pixels ?? UNSEEN_SIZE }),
       });
     } catch (thrown) {
       console.warn(thrown);
     }
     this.#isStandingIn = false;
+  }
+
+  /** Shows the whole plan until somebody moves the camera. */
+  #planCamera(): CameraState {
+    return this.framed && !this.subject ? defaultCamera(...this.#extent(), this.aspect, 'selection', false) : this.camera;
   }
 
   #fill(renderer: SceneRenderer): void {

@@ -206,3 +206,26 @@ for (const [address, lang, words] of [
     await close();
   });
 }
+
+test('colony and ground die each by itself, at random moments: every run ends with a result or a named error, and the next one works', async () => {
+  broken = {};
+  const { page, close } = await session.open('wood-ears.html');
+  await page.waitForFunction(() => heard.some(({ type }) => type === 'generate'));
+  let state = 20_131_211;
+  const random = () => (state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0) / 2 ** 32;
+  for (let round = 0; round < 12; round += 1) {
+    const run = page.evaluate((seed) => {
+      const element = document.querySelector('wood-ear-log');
+      element.params = { ...element.params, seed };
+      return element.generate().then(() => 'made', (error) => error.name);
+    }, round + 1);
+    await page.waitForTimeout(250 * random());
+    const workers = page.workers();
+    // One that computes hears of its end only afterwards: the run need not wait for that.
+    workers[Math.floor(workers.length * random())]?.evaluate(() => self.close()).catch(() => undefined);
+    const outcome = await Promise.race([run, page.waitForTimeout(PATIENCE_MS)]);
+    assert.match(String(outcome), /^(made|WorkerLost|WorkerUnavailable|Internal|AbortError)$/, `round ${round}`);
+  }
+  assert.equal(await page.evaluate(() => document.querySelector('wood-ear-log').generate().then(() => 'made', (error) => error.name)), 'made');
+  await close();
+});

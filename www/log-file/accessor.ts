@@ -62,7 +62,7 @@ export class Accessors {
     const number = index as number;
     const what = `accessors[${number}]`;
     const type = gltf.whole(item, 'componentType', what);
-    if (WIDTHS[String(item['type'])] !== width || !types.includes(type)) throw gltf.broken(`${what} is of a type that does not fit its use`, item['type']);
+    if (WIDTHS[String(item['type'])] !== width || !types.includes(type)) throw gltf.broken({ en: `${what} is of a type that does not fit its use`, ja: `${what} の型が用途に合いません` }, item['type']);
     const accessor = this.#accessors.get(number) ?? this.#made(item, what, width, type);
     this.#accessors.set(number, accessor);
     return accessor;
@@ -89,7 +89,7 @@ export class Accessors {
     const size = width * component.bytes;
     const stride = given || size;
     const end = count === 0 ? 0 : start + stride * (count - 1) + size;
-    if (stride < size || end > bytes.length) throw this.#gltf.broken(`${what} has ${count} elements, for which its buffer view is too short`, count);
+    if (stride < size || end > bytes.length) throw this.#gltf.broken({ en: `${what} has ${count} elements, for which its buffer view is too short`, ja: `${what} の要素は ${count} 個ですが、バッファービューが足りません` }, count);
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
     return (index, k) => component.get(view, start + stride * index + component.bytes * k);
   }
@@ -98,18 +98,18 @@ export class Accessors {
   #sparse(item: Item, what: string, count: number, width: number, component: Component): ((index: number, k: number) => number | undefined) | undefined {
     const gltf = this.#gltf;
     if (item['sparse'] === undefined) return undefined;
-    const sparse = gltf.object(item['sparse'], `sparse of ${what}`);
-    const number = gltf.whole(sparse, 'count', `sparse of ${what}`);
+    const sparse = gltf.object(item['sparse'], `${what}.sparse`);
+    const number = gltf.whole(sparse, 'count', `${what}.sparse`);
     const [indices, values] = ['indices', 'values'].map((key) => gltf.object(sparse[key], `sparse ${key} of ${what}`)) as [Item, Item];
-    const type = gltf.whole(indices, 'componentType', `sparse indices of ${what}`);
+    const type = gltf.whole(indices, 'componentType', `${what}.sparse.indices`);
     const ofIndex = [5121, 5123, 5125].includes(type) ? COMPONENTS[type] : undefined;
-    if (!ofIndex) throw gltf.broken(`sparse indices of ${what} are of a type that does not fit their use`, type);
-    const at = this.#reader(indices, `sparse indices of ${what}`, number, 1, ofIndex, this.#view(indices['bufferView']));
-    const value = this.#reader(values, `sparse values of ${what}`, number, width, component, this.#view(values['bufferView']));
+    if (!ofIndex) throw gltf.broken({ en: `sparse indices of ${what} are of a type that does not fit their use`, ja: `${what} の疎なインデックスの型が用途に合いません` }, type);
+    const at = this.#reader(indices, `${what}.sparse.indices`, number, 1, ofIndex, this.#view(indices['bufferView']));
+    const value = this.#reader(values, `${what}.sparse.values`, number, width, component, this.#view(values['bufferView']));
     const places = new Map<number, number>();
     for (let k = 0; k < number; k += 1) {
       const index = at(k, 0);
-      if (index >= count) throw gltf.broken(`sparse indices of ${what} name element ${index} of ${count}`, index);
+      if (index >= count) throw gltf.broken({ en: `sparse indices of ${what} name element ${index} of ${count}`, ja: `${what} の疎なインデックスが要素 ${index} を指していますが、要素は ${count} 個です` }, index);
       places.set(index, k);
     }
     return (index, k) => {
@@ -145,7 +145,7 @@ export class Accessors {
     try {
       this.#decoder?.decodeGltfBuffer(bytes, count, stride, source, String(packed['mode']), packed['filter'] === undefined ? undefined : String(packed['filter']));
     } catch {
-      throw gltf.broken(`${what} cannot be unpacked`);
+      throw gltf.broken({ en: `${what} cannot be unpacked`, ja: `${what} を展開できません` });
     }
     return { bytes, stride };
   }
@@ -154,7 +154,7 @@ export class Accessors {
     const gltf = this.#gltf;
     const buffer = gltf.buffer(item['buffer']);
     const [start, length] = [gltf.whole(item, 'byteOffset', what, 0), gltf.whole(item, 'byteLength', what)];
-    if (start + length > buffer.length) throw gltf.broken(`${what} ends at byte ${start + length} of the ${buffer.length} of its buffer`, start + length);
+    if (start + length > buffer.length) throw gltf.broken({ en: `${what} ends at byte ${start + length} of the ${buffer.length} of its buffer`, ja: `${what} はバッファー（${buffer.length} バイト）の ${start + length} バイト目まで必要です` }, start + length);
     return buffer.subarray(start, start + length);
   }
 }

@@ -31,12 +31,12 @@ export class Gltf {
   /** The number of entries of a list. */
   count(list: List): number {
     const entries = this.#root[list] ?? [];
-    if (!Array.isArray(entries)) throw this.broken(`${list} is not a list`);
+    if (!Array.isArray(entries)) throw this.broken({ en: `${list} is not a list`, ja: `${list} が配列ではありません` });
     return entries.length;
   }
 
   item(list: List, index: unknown): Item {
-    if (typeof index !== 'number' || !Number.isInteger(index) || index < 0 || index >= this.count(list)) throw this.broken(`there is no ${list}[${shown(String(index))}]`, index);
+    if (typeof index !== 'number' || !Number.isInteger(index) || index < 0 || index >= this.count(list)) throw this.broken({ en: `there is no ${list}[${shown(String(index))}]`, ja: `${list}[${shown(String(index))}] がありません` }, index);
     return this.object((this.#root[list] as unknown[])[index], `${list}[${index}]`);
   }
 
@@ -51,27 +51,27 @@ export class Gltf {
   }
 
   object(value: unknown, what: string): Item {
-    if (typeof value !== 'object' || value === null || Array.isArray(value)) throw this.broken(`${what} is not an object`);
+    if (typeof value !== 'object' || value === null || Array.isArray(value)) throw this.broken({ en: `${what} is not an object`, ja: `${what} がオブジェクトではありません` });
     return value as Item;
   }
 
   list(value: unknown, what: string): readonly unknown[] {
     if (value === undefined) return [];
-    if (!Array.isArray(value)) throw this.broken(`${what} is not a list`);
+    if (!Array.isArray(value)) throw this.broken({ en: `${what} is not a list`, ja: `${what} が配列ではありません` });
     return value;
   }
 
   extension(item: Item, name: string, what: string): Item | undefined {
     const extensions = item['extensions'];
     if (extensions === undefined) return undefined;
-    const found = this.object(extensions, `extensions of ${what}`)[name];
+    const found = this.object(extensions, `${what}.extensions`)[name];
     return found === undefined ? undefined : this.object(found, `${name} of ${what}`);
   }
 
   /** A number that counts: an integer from 0. */
   whole(item: Item, key: string, what: string, fallback?: number): number {
     const value = item[key] ?? fallback;
-    if (typeof value !== 'number' || !Number.isSafeInteger(value) || value < 0) throw this.broken(`${key} of ${what} is ${shown(String(value))}; it has to be a whole number`, value);
+    if (typeof value !== 'number' || !Number.isSafeInteger(value) || value < 0) throw this.broken({ en: `${key} of ${what} is ${shown(String(value))}; it has to be a whole number`, ja: `${what} の ${key} が ${shown(String(value))} です。整数でなければなりません` }, value);
     return value;
   }
 
@@ -79,7 +79,7 @@ export class Gltf {
     const value = item[key];
     if (value === undefined) return fallback;
     const isGood = Array.isArray(value) && value.length === fallback.length && value.every((number) => typeof number === 'number' && Number.isFinite(number));
-    if (!isGood) throw this.broken(`${key} of ${what} has to be ${fallback.length} numbers`);
+    if (!isGood) throw this.broken({ en: `${key} of ${what} has to be ${fallback.length} numbers`, ja: `${what} の ${key} は ${fallback.length} 個の数値でなければなりません` });
     return value as number[];
   }
 
@@ -90,14 +90,14 @@ export class Gltf {
     const length = this.whole(buffer, 'byteLength', `buffers[${number}]`);
     const bytes = this.#buffers.get(number) ?? this.#load(buffer, number);
     this.#buffers.set(number, bytes);
-    if (bytes.length < length) throw this.broken(`buffers[${number}] has ${bytes.length} of its ${length} bytes`, length);
+    if (bytes.length < length) throw this.broken({ en: `buffers[${number}] has ${bytes.length} of its ${length} bytes`, ja: `buffers[${number}] は ${length} バイト中 ${bytes.length} バイトしかありません` }, length);
     return bytes.subarray(0, length);
   }
 
   #load(buffer: Item, index: number): Uint8Array {
     const { uri } = buffer;
     if (uri === undefined) {
-      if (index !== 0 || !this.#binary) throw this.broken(`buffers[${index}] has no bytes`);
+      if (index !== 0 || !this.#binary) throw this.broken({ en: `buffers[${index}] has no bytes`, ja: `buffers[${index}] にデータがありません` });
       return this.#binary;
     }
     const [, encoded] = typeof uri === 'string' ? (/^data:[^,]*;base64,(.*)$/s.exec(uri) ?? []) : [];
@@ -108,12 +108,12 @@ export class Gltf {
     try {
       return Uint8Array.from(atob(encoded), (char) => char.charCodeAt(0));
     } catch {
-      throw this.broken(`buffers[${index}] is no base64`);
+      throw this.broken({ en: `buffers[${index}] is no base64`, ja: `buffers[${index}] が base64 ではありません` });
     }
   }
 
-  broken(reason: string, value?: unknown): Error {
-    return refused('LogFileBroken', { en: `${this.name} is no whole glTF file: ${reason}`, ja: `${this.name} は glTF ファイルとして壊れています（${reason}）` }, { value });
+  broken(reason: Words, value?: unknown): Error {
+    return refused('LogFileBroken', { en: `${this.name} is no whole glTF file: ${reason.en}`, ja: `${this.name} は glTF ファイルとして壊れています：${reason.ja}` }, { value });
   }
 
   unsupported(reason: Words): Error {

@@ -73,12 +73,12 @@ class Scene {
       const { index, parent } = next;
       const node = gltf.item('nodes', index);
       const what = `nodes[${index as number}]`;
-      if (seen.has(index as number)) throw gltf.broken(`${what} is the child of two nodes, or of itself`);
+      if (seen.has(index as number)) throw gltf.broken({ en: `${what} is the child of two nodes, or of itself`, ja: `${what} が 2 つのノード、または自分自身の子になっています` });
       seen.add(index as number);
       if (gltf.extension(node, 'KHR_node_visibility', what)?.['visible'] === false) continue;
       const matrix = product(parent, this.#local(node, what));
       if (node['mesh'] !== undefined) this.#place(node, what, matrix);
-      for (const child of gltf.list(node['children'], `children of ${what}`)) open.push({ index: child, parent: matrix });
+      for (const child of gltf.list(node['children'], `${what}.children`)) open.push({ index: child, parent: matrix });
     }
     return this.#placed;
   }
@@ -88,10 +88,10 @@ class Scene {
     const gltf = this.#gltf;
     if (gltf.scene !== undefined || gltf.count('scenes') > 0) {
       const index = gltf.scene ?? 0;
-      return gltf.list(gltf.item('scenes', index)['nodes'], `nodes of scenes[${String(index)}]`);
+      return gltf.list(gltf.item('scenes', index)['nodes'], `scenes[${String(index)}].nodes`);
     }
     const all = Array.from({ length: gltf.count('nodes') }, (_, index) => index);
-    const children = new Set(all.flatMap((index) => gltf.list(gltf.item('nodes', index)['children'], `children of nodes[${index}]`)));
+    const children = new Set(all.flatMap((index) => gltf.list(gltf.item('nodes', index)['children'], `nodes[${index}].children`)));
     return all.filter((index) => !children.has(index));
   }
 
@@ -116,7 +116,7 @@ class Scene {
 
   #instances(instancing: Item, what: string, matrix: Matrix): Matrix[] {
     const gltf = this.#gltf;
-    const attributes = gltf.object(instancing['attributes'], `instances of ${what}`);
+    const attributes = gltf.object(instancing['attributes'], `${what}.attributes`);
     const read = (key: string, width: number, types: readonly number[]) => (attributes[key] === undefined ? undefined : this.#accessors.get(attributes[key], width, types));
     const translation = read('TRANSLATION', 3, [FLOAT]);
     const rotation = read('ROTATION', 4, [FLOAT, BYTE, SHORT]);
@@ -133,7 +133,7 @@ class Scene {
     const number = index as number;
     const known = this.#meshes.get(number);
     if (known) return known;
-    const items = this.#gltf.list(mesh['primitives'], `primitives of meshes[${number}]`);
+    const items = this.#gltf.list(mesh['primitives'], `meshes[${number}].primitives`);
     const primitives = items.flatMap((item, k) => this.#primitive(item, `meshes[${number}].primitives[${k}]`) ?? []);
     this.#meshes.set(number, primitives);
     return primitives;
@@ -145,7 +145,7 @@ class Scene {
     const item = gltf.object(value, what);
     const mode = gltf.whole(item, 'mode', what, TRIANGLES);
     if (mode !== TRIANGLES && mode !== STRIP && mode !== FAN) return undefined;
-    const position = gltf.object(item['attributes'], `attributes of ${what}`)['POSITION'];
+    const position = gltf.object(item['attributes'], `${what}.attributes`)['POSITION'];
     if (position === undefined) return undefined;
     const { bufferView, sparse } = gltf.item('accessors', position);
     if (bufferView === undefined && sparse === undefined && gltf.extension(item, 'KHR_draco_mesh_compression', what)) {
@@ -175,7 +175,7 @@ class Builder {
     const isMirrored = determinant(matrix) < 0;
     const corner = (k: number): number => {
       const vertex = indices ? indices.get(k) : k;
-      if (vertex >= position.count) throw this.#gltf.broken(`an index of ${what} names vertex ${vertex} of ${position.count}`, vertex);
+      if (vertex >= position.count) throw this.#gltf.broken({ en: `an index of ${what} names vertex ${vertex} of ${position.count}`, ja: `${what} のインデックスが頂点 ${vertex} を指していますが、頂点は ${position.count} 個です` }, vertex);
       return vertex;
     };
     const number = (vertex: number): number => {
