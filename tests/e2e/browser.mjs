@@ -59,8 +59,8 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
  * warnings. Service workers are blocked unless asked for, so that a test never sees another's files.
  * The other options are Playwright's context options (viewport, colorScheme, locale …).
  */
-async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, ...context } = {}) {
-  const owner = await browser.newContext({ serviceWorkers, ...context });
+async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, deviceScaleFactor = 0.25, ...context } = {}) {
+  const owner = await browser.newContext({ serviceWorkers, deviceScaleFactor, ...context });
   const page = await owner.newPage();
   const errors = [];
   const warnings = [];
