@@ -66,7 +66,7 @@ async function withPage(webgpu, body, use) {
   // A page that hangs never answers: without its browser the test fails instead of waiting for ever.
   const watchdog = setTimeout(() => session.browser.close(), PATIENCE_MS);
   try {
-    const opened = await session.open('many.html', { viewport: { width: 1280, height: 720 } });
+    const opened = await session.open('many.html', { viewport: { width: 1280, height: 720 }, deviceScaleFactor: 1 });
     await use(opened.page);
     assert.deepEqual(opened.errors, []);
   } finally {
