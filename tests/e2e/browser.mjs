@@ -57,6 +57,7 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
  *
  * `errors` fills with every console error and uncaught exception of the page and its workers, `warnings` with the console
  * warnings. Service workers are blocked unless asked for, so that a test never sees another's files.
+ * A software GPU pays by the pixel: pictures have a sixteenth of them, unless a test that looks at one asks for `deviceScaleFactor: 1`.
  * The other options are Playwright's context options (viewport, colorScheme, locale …).
  */
 async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, deviceScaleFactor = 0.25, ...context } = {}) {

@@ -372,7 +372,7 @@ test('an element that is removed leaves no panel and no listener behind', async 
 test('small, tall and wide: the panel stays inside, every control can be reached, and the picture is where it can be seen', async () => {
   for (const [size, layout] of [[[300, 150], 'over'], [[360, 300], 'over'], [[360, 640], 'below'], [[640, 400], 'beside']]) {
     for (const touch of [false, true]) {
-      const opened = await open(undefined, { size, ...(touch && { hasTouch: true, isMobile: true, viewport: { width: size[0] + 40, height: size[1] + 140 } }) });
+      const opened = await open(undefined, { size, deviceScaleFactor: 1, ...(touch && { hasTouch: true, isMobile: true, viewport: { width: size[0] + 40, height: size[1] + 140 } }) });
       const { page } = opened;
       const name = `${size.join('x')}${touch ? ' touch' : ''}`;
       if (touch) await button(page).tap();
@@ -423,7 +423,7 @@ test('under a strict policy, and from another origin as a classic script, the pa
 for (const lang of ['en', 'ja']) {
   for (const colorScheme of ['light', 'dark']) {
     test(`axe finds nothing, closed or open: ${lang}, ${colorScheme}`, async () => {
-      const opened = await open(undefined, { lang, colorScheme });
+      const opened = await open(undefined, { lang, colorScheme, deviceScaleFactor: 1 });
       const { page } = opened;
       assert.deepEqual(await violations(page), []);
       await openPanel(page);

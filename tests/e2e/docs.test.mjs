@@ -15,9 +15,6 @@ const MAX_ALIVE = 10;
 /** A software GPU on a busy machine. */
 const SECONDS = 120;
 
-/** Pictures of a sixteenth of the pixels: the software GPU paints every one of them, and nobody looks at them here. */
-const COARSE = { deviceScaleFactor: 0.25 };
-
 /** The page with few rocks. */
 const SMALL = '#preset=journal-fig1&w=256&h=256';
 
@@ -72,7 +69,7 @@ test('every page opens without an error or a foreign request, fits a phone, and 
 
 for (const name of PAGES) {
   test(`${name}: every example runs, and everything in it can be used, without an error`, { timeout: 10 * SECONDS * 1000 }, async () => {
-    const { page, errors, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 }, ...COARSE });
+    const { page, errors, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
     await page.evaluate(() => customElements.whenDefined('rock-field'));
     const examples = await page.locator('live-example').all();
     for (const example of examples) {
@@ -143,7 +140,7 @@ test('only what is near the screen is alive, however far one scrolls', { timeout
 
 test('a screen reader finds nothing wrong on any page, in light and in dark', { timeout: 10 * SECONDS * 1000 }, async () => {
   for (const name of PAGES) {
-    const { page, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 }, ...COARSE });
+    const { page, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
     await page.evaluate(() => customElements.whenDefined('live-example'));
     for (const colorScheme of ['light', 'dark']) {
       await page.emulateMedia({ colorScheme });

@@ -633,7 +633,7 @@ test('the page works by keyboard alone', async () => {
 
 for (const language of ['en', 'ja']) {
   test(`a phone of 360 px in ${language}: nothing is cut off, the picture stays visible, targets are large`, async () => {
-    const opened = await open('#preset=journal-fig1', { viewport: { width: 360, height: 740 }, isMobile: true, hasTouch: true, locale: language === 'ja' ? 'ja-JP' : 'en-US', colorScheme: language === 'ja' ? 'dark' : 'light' });
+    const opened = await open('#preset=journal-fig1', { viewport: { width: 360, height: 740 }, deviceScaleFactor: 1, isMobile: true, hasTouch: true, locale: language === 'ja' ? 'ja-JP' : 'en-US', colorScheme: language === 'ja' ? 'dark' : 'light' });
     const { page } = opened;
     assert.equal(await page.evaluate(() => document.documentElement.lang), language);
     await page.screenshot({ path: screenshotPath(`page-phone-${language}`) });

@@ -341,7 +341,7 @@ test('a large file is read beside the page: no task of the page takes long, and 
 });
 
 test('while files are dragged over the picture a frame says what happens; of an OBJ and its materials the OBJ is taken; a link without the log says so', async () => {
-  const opened = await open('#preset=thesis-default&r=25&d=60');
+  const opened = await open('#preset=thesis-default&r=25&d=60', { deviceScaleFactor: 1 });
   const { page } = opened;
   const frame = () => page.evaluate(() => document.querySelector('wood-ear-log').shadowRoot.querySelector('.drop').checkVisibility());
   const drag = (type, target, files) =>
@@ -391,7 +391,7 @@ test('of a drag the colony before its collisions is followed at once, and the ne
 });
 
 test('a phone has the picture and a sheet of controls, and Japanese has all its words', async () => {
-  const opened = await open(SMALL, { viewport: { width: 360, height: 720 }, locale: 'ja-JP', hasTouch: true });
+  const opened = await open(SMALL, { viewport: { width: 360, height: 720 }, deviceScaleFactor: 1, locale: 'ja-JP', hasTouch: true });
   const { page } = opened;
   assert.equal(await page.locator('html').getAttribute('lang'), 'ja');
   assert.match(await page.locator('.summary').textContent(), /キクラゲ/);
