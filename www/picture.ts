@@ -3,7 +3,8 @@
 import { RockFieldError } from './errors.ts';
 import type { ErrorName } from './errors.ts';
 import { errorText } from './renderer-keeper.ts';
-import type { CameraState, SceneRenderer } from './renderer/renderer.ts';
+import type { CameraState, Quality, SceneRenderer } from './renderer/renderer.ts';
+import type { StageSize } from './stage-size.ts';
 import { MAX_PIXELS } from './renderer/limits.ts';
 
 export interface PictureOptions {
@@ -16,12 +17,53 @@ export interface PictureOptions {
   quality?: number;
 }
 
+/** Of a picture that has no place on the screen, px. */
+const UNSEEN_SIZE: [number, number] = [300, 150];
+
+/** A device that is lost again and again is waited for no longer than this. */
+const LOSSES_MS = 120_000;
+
+/** What the picture is of. */
+interface Pictured {
+  /** Resolves when there is what to draw and what to draw it with. */
+  drawable(): Promise<void>;
+  renderer(): SceneRenderer | undefined;
+  size(): StageSize | undefined;
+  best(): Quality | null;
+  camera(aspect: number): CameraState;
+  redraw(): void;
+}
+
+/** The picture as a file, as soon as there is one; taken again when the device was lost meanwhile, since it is blank then. */
+export async function picture(options: PictureOptions, scene: Pictured): Promise<Blob> {
+  for (const end = performance.now() + LOSSES_MS; ; ) {
+    await scene.drawable();
+    const renderer = scene.renderer();
+    const stage = scene.size();
+    if (!renderer || !stage) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
+    // In a tab that nobody sees, nobody has told the size yet.
+    if (stage.isEmpty) stage.measure();
+    const size = pictureSize(options, stage.isEmpty ? UNSEEN_SIZE : stage.pixels);
+    const best = scene.best();
+    if (best) renderer.setQuality(best);
+    const taken = takePicture(renderer, size, scene.camera(size[0] / size[1]), options);
+    // In the same task the screen gets its own picture back.
+    renderer.resize(...stage.pixels);
+    scene.redraw();
+    const blob = await taken.catch((thrown: unknown) => {
+      if (!renderer.isLost) throw thrown;
+    });
+    if (blob && (await isSound(renderer))) return blob;
+    if (performance.now() > end) throw new RockFieldError({ name: 'NoPicture', message: 'the graphics device is lost again and again' });
+  }
+}
+
 /**
  * Width and height in pixels.
  *
  * @throws {RockFieldError} `OutOfRange` for a size that cannot be drawn.
  */
-export function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHeight]: [number, number]): [number, number] {
+function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHeight]: [number, number]): [number, number] {
   const size: [number, number] = [
     width ?? Math.round((ownWidth * (height ?? ownHeight)) / ownHeight),
     height ?? Math.round((ownHeight * (width ?? ownWidth)) / ownWidth),
@@ -78,7 +120,7 @@ interface GpuContext {
 }
 
 /** Whether what was drawn last was drawn: WebGPU and 2D canvases tell of a loss some time after they have given a blank picture. */
-export async function isSound(renderer: SceneRenderer): Promise<boolean> {
+async function isSound(renderer: SceneRenderer): Promise<boolean> {
   if (renderer.backend === 'webgpu') {
     const device = (renderer.canvas.getContext('webgpu') as GpuContext | null)?.getConfiguration?.()?.device;
     if (device) await Promise.race([device.lost, device.queue.onSubmittedWorkDone().catch(() => undefined)]);

@@ -35,9 +35,6 @@ import { Visibility } from './visibility.ts';
 /** How long an element may be out of the document before its worker, device and buffers go. */
 export const IDLE_TIMEOUT_MS = 1000;
 
-/** Of a picture that has no place on the screen, px. */
-const UNSEEN_SIZE: [number, number] = [300, 150];
-
 /** How long `toBlob` waits for a picture. */
 const PICTURE_TIMEOUT_MS = 120_000;
 
@@ -258,28 +255,15 @@ export abstract class SceneElement extends Base {
    */
   async toBlob(options: PictureOptions = {}): Promise<Blob> {
     this.start();
-    const end = performance.now() + PICTURE_TIMEOUT_MS;
-    const { isSound, pictureSize, takePicture } = await lazily(() => import('./picture.ts'));
-    for (;;) {
-      await this.#drawable();
-      const renderer = this.#kept.renderer;
-      if (!renderer || !this.#size) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
-      // In a tab that nobody sees, nobody has told the size yet.
-      if (this.#size.isEmpty) this.#size.measure();
-      const size = pictureSize(options, this.#size.isEmpty ? UNSEEN_SIZE : this.#size.pixels);
-      const { best } = this.#pacer;
-      if (best) renderer.setQuality(best);
-      const taken = takePicture(renderer, size, this.#camera.forAspect(size[0] / size[1]), options);
-      // In the same task the screen gets its own picture back.
-      renderer.resize(...this.#size.pixels);
-      this.#pacer.redraw();
-      const blob = await taken.catch((thrown: unknown) => {
-        if (!renderer.isLost) throw thrown;
-      });
-      // A picture of a device that was lost meanwhile is blank: it is taken again with the next renderer.
-      if (blob && (await isSound(renderer))) return blob;
-      if (performance.now() > end) throw new RockFieldError({ name: 'NoPicture', message: 'the graphics device is lost again and again' });
-    }
+    const { picture } = await lazily(() => import('./picture.ts'));
+    return picture(options, {
+      drawable: () => this.#drawable(),
+      renderer: () => this.#kept.renderer,
+      size: () => this.#size,
+      best: () => this.#pacer.best,
+      camera: (aspect) => this.#camera.forAspect(aspect),
+      redraw: () => this.#pacer.redraw(),
+    });
   }
 
   /** Resolves when there is what to draw and what to draw it with; rejects when the cycle ends, or there will be none. */
@@ -595,7 +579,7 @@ export abstract class SceneElement extends Base {
         isOver: () => signal?.aborted !== false || this.#painted || this.#kept.renderer !== undefined,
         tree: this.#tree,
         language: () => this.language,
-        scene: () => ({ field: this.#field, wood: this.#wood, style: this.#style, camera: this.#planCamera(), size: this.#size?.pixels ?? UNSEEN_SIZE }),
+        scene: () => ({ field: this.#field, wood: this.#wood, style: this.#style, camera: this.#planCamera(), size: this.#size?.pixels }),
       });
     } catch (thrown) {
       console.warn(thrown);

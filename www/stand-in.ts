@@ -20,7 +20,7 @@ interface Shown {
   wood: Wood | null;
   style: SceneStyle;
   camera: CameraState;
-  size: readonly [number, number];
+  size: readonly [number, number] | undefined;
 }
 
 interface Host {
@@ -56,7 +56,7 @@ export async function standIn({ isOver, tree, language, scene }: Host): Promise<
       if (now.field) plan.setField(now.field);
       plan.setWood(now.wood);
       plan.setStyle(now.style);
-      plan.resize(...now.size);
+      plan.resize(...(now.size ?? ([1, 1] as const)));
       plan.setCamera(now.camera);
       plan.render();
     }

@@ -148,7 +148,6 @@ for (const [address, lang, file, words, label] of [
   ['wood-ears.html', 'en', '/generator_bg-', /^generator_bg-\w+\.wasm could not be fetched: the server answered 404/, 'Retry'],
   ['index.html#preset=journal-fig1&w=200&h=200', 'en', '/renderer-webgl_bg-', /^The 3D renderer could not be loaded; the plan is shown instead/, 'Retry'],
   ['wood-ears3d.html', 'en', '/renderer-webgl_bg-', /^The 3D renderer could not be loaded; the plan is shown instead/, 'Retry'],
-  ['rocks.html', 'en', '/worker-', /^the generator's worker could not be started/, 'Retry'],
 ]) {
   test(`${address.replace(/#.*/, '')} in ${lang} without ${file}…: one box that is true, whose button works once the file is there`, async () => {
     broken = { [file]: missing };
