@@ -24,6 +24,9 @@ export interface ErrorInfo {
   words?: Words | undefined;
 }
 
+/** Names of the errors of a file that cannot be had, whatever the parameters are. */
+export const UNAVAILABLE = /^(Wasm|Worker|Script)Unavailable$/;
+
 export class RockFieldError extends Error {
   override readonly name: ErrorName;
   readonly key: string | undefined;

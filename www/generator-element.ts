@@ -7,7 +7,7 @@ import { METRES_PER_PIXEL } from './camera-orbit.ts';
 import type { Edition } from './controls/scene-store.ts';
 import { CAN_SHOW } from './document-styles.ts';
 import type { ControlsButton, PanelModule } from './controls-button.ts';
-import { errorInfo, isAbort, RockFieldError } from './errors.ts';
+import { errorInfo, isAbort, RockFieldError, UNAVAILABLE } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Progress } from './generator/protocol.ts';
 import { History } from './history.ts';
@@ -79,6 +79,9 @@ function parameterAttributes<K extends Kind>({ rowAttributes, itemAttributes, ow
 /** Assigned before the element was defined, these would hide the accessors. */
 const PROPERTIES = ['params', 'view', 'color', 'quality', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel', 'backend', 'controls'];
 
+/** Begins the steps of undo of an element, for a store that shares them; `onEdit` is called when the element has changed something. */
+export let historyOf: <K extends Kind>(element: GeneratorElement<K>, onEdit: () => void) => History<Edition<K>>;
+
 /**
  * @attribute src - A share link or its fragment, or parameters as JSON; fills everything.
  * @attribute quality - `low`, `medium` or `high`, of natural colours; `auto`: as well as motion flows, and `high` at rest.
@@ -115,6 +118,12 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   /** What is on screen, and what it was made from. */
   #result: K['result'] | null = null;
   #shown: K['params'] | null = null;
+  /** Parameters whose run has come to its end: `#shown`, unless that is a preview. */
+  #made: K['params'] | null = null;
+  /** How things were seen before a link was opened whose run is still to come. */
+  #beforeLink: Pick<SceneLink<K>, 'view' | 'color' | 'camera'> | null = null;
+  /** Tells a store that shares the history of what it has not done itself. */
+  #onEdit: (() => void) | undefined;
   /** What runs under way were written against. */
   #presets = new WeakMap<K['params'], K['preset']>();
   /** Parameters that are taken when the generator has made them, and what is then to be done. */
@@ -131,8 +140,22 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.#runs = scene.newRuns({
       onResult: (result, { superseded, isPreview }, params) => this.#show(result, superseded, isPreview, params),
       onProgress: (progress) => this.tellProgress(progress),
-      onError: (error) => this.report(error),
+      onError: (error, params) => {
+        // What cannot be made now says nothing of the edits before it.
+        if (!UNAVAILABLE.test(error.name)) this.#refuse(params);
+        else if (this.#history?.giveUp()) this.#goBack();
+        this.report(error);
+      },
     });
+  }
+
+  static {
+    historyOf = (element, onEdit) => {
+      const history = new History(element.#ownHistory.present);
+      element.#history = history;
+      element.#onEdit = onEdit;
+      return history;
+    };
   }
 
   /** Shows what a run gave. False when the renderer refused it. */
@@ -142,7 +165,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
 
   /**
    * All parameters; a copy, both ways. Assigning starts a run, the latest wins; several assignments in one task are one run. What
-   * is only seen, like `sunAzimuth`, starts none.
+   * is only seen, like `sunAzimuth`, starts none. When a run fails or is cancelled, these are the parameters of the picture again.
    *
    * @throws {RockFieldError} naming key, value and bounds; nothing has changed.
    */
@@ -181,6 +204,12 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.#params = params;
   }
 
+  /** What is on screen was made from these; before the first picture, what is to be made. */
+  protected get onScreen(): Edition<K> {
+    const params = this.#shown ?? this.params;
+    return { params, preset: this.#presets.get(params) ?? this.presetInUse };
+  }
+
   /** What the parameters were written against. */
   protected get presetInUse(): K['preset'] {
     return this.#history?.present.preset ?? this.#scene.table.presets[0]?.name ?? '';
@@ -208,10 +237,58 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     if (!this.#params) return;
     const edition: Edition<K> = { params: this.#params, preset };
     const present = this.#history?.present;
-    if (present && preset !== present.preset) this.releaseCamera();
     if (!present) this.#history = new History(edition);
     else if (preset !== present.preset || !same(this.#scene.table, edition.params, present.params)) this.#history?.record(edition, label, performance.now());
+    this.#settle();
+    this.#tellEdit();
+  }
+
+  #tellEdit(): void {
     this.#controls?.sync();
+    this.#onEdit?.();
+  }
+
+  get #ownHistory(): History<Edition<K>> {
+    this.#readAttributes();
+    return (this.#history ??= new History<Edition<K>>({ params: this.params, preset: this.presetInUse }));
+  }
+
+  /** What was made last is what may be shared, and gone back to. */
+  #settle(): void {
+    const history = this.#history;
+    if (!history || !this.#made) return;
+    const { preset } = history.settled;
+    history.settle(({ params }) => this.#sameMade(params, this.#made));
+    if (history.settled === history.present) this.#beforeLink = null;
+    if (history.settled.preset !== preset) this.releaseCamera();
+  }
+
+  /** A run of `params` has failed. Edits before it that have not been run yet are tried next. */
+  #refuse(params: K['params']): void {
+    const history = this.#history;
+    let isRefused = false;
+    while (history && this.#sameMade(history.present.params, params) && history.refuse()) isRefused = true;
+    if (isRefused) this.#goBack();
+  }
+
+  /** The history has gone back: so does everything else. */
+  #goBack(): void {
+    const history = this.#ownHistory;
+    const { params } = history.present;
+    this.#scene.properties.keepTrue(this, params);
+    this.#params = params;
+    if (this.#result && this.#sameMade(params, this.#shown)) this.#runs.settle(this.#result);
+    else this.#runs.stale = true;
+    if (this.#beforeLink && history.settled === history.present) {
+      const { view, color, camera } = this.#beforeLink;
+      this.#beforeLink = null;
+      this.sceneView = view;
+      this.#color = color;
+      super.camera = camera;
+    }
+    this.#dress();
+    this.#schedule();
+    this.#tellEdit();
   }
 
   get view(): View {
@@ -241,9 +318,11 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   #chooseColor(color: ColorMode | null): void {
-    this.#color = color;
     if (color) this.sceneColor = color;
-    else this.#dress();
+    // The renderer may have refused it.
+    if (color && this.sceneColor !== color) return;
+    this.#color = color;
+    if (!color) this.#dress();
   }
 
   /** How much work natural colours are worth: see the attribute. */
@@ -330,12 +409,19 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     return this.#interaction;
   }
 
-  /** A link that shows this: `base`, the page's own address by default, with the parameters as its fragment. */
+  /**
+   * A link to what is shown: `base`, the page's own address by default, with the parameters as its fragment. Parameters that are
+   * still to be made are not in it; wait for `generate()` first if they should be.
+   */
   shareURL(base: string = addressOf(this.ownerDocument)): string {
     const url = new URL(base, this.ownerDocument.baseURI);
-    const { params, view, color, camera } = this;
-    url.hash = this.#scene.encode({ params, preset: this.presetInUse, view, color, camera: this.hasDefaultCamera ? null : camera });
+    const { params, preset } = this.#ownHistory.settled;
+    url.hash = this.#scene.encode({ params, preset, ...(this.#beforeLink ?? this.#seen) });
     return url.href;
+  }
+
+  get #seen(): Pick<SceneLink<K>, 'view' | 'color' | 'camera'> {
+    return { view: this.sceneView, color: this.#color, camera: this.hasDefaultCamera ? null : super.camera };
   }
 
   /**
@@ -370,9 +456,10 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   #travel(moved = false): boolean {
     if (moved && this.#history) {
       this.#takeParams(this.#history.present.params);
+      this.#settle();
       this.#dress();
       this.#schedule();
-      this.#controls?.sync();
+      this.#tellEdit();
     }
     return moved;
   }
@@ -405,7 +492,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
       try {
         await this.#runs.attempt(candidate.params);
         // The renderer may have refused what the generator made.
-        if (this.#candidate === candidate) this.#take(candidate);
+        if (this.#candidate === candidate) throw new RockFieldError({ name: 'RendererFailed', message: 'the log could not be shown' });
         return;
       } catch (thrown) {
         const isSuperseded = isAbort(thrown) && this.#candidate === candidate && this.#runs.isOpen && !this.#runs.isSettled;
@@ -421,12 +508,10 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.#candidate = null;
   }
 
-  #take({ params, taken }: { params: K['params']; taken: () => void }): void {
-    this.#candidate = null;
+  #take(params: K['params']): void {
     this.#scene.properties.forget(this);
     this.#params = params;
     this.#record(this.presetInUse, '');
-    taken();
   }
 
   /** Of what takes longer; null when it has ended. */
@@ -436,9 +521,10 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.heard(progress);
   }
 
-  /** Gives the running run up; what is shown stays. */
+  /** Gives the running run up, with the parameters that it was to show. */
   cancel(): void {
     this.#runs.cancel();
+    if (this.#history?.giveUp()) this.#goBack();
   }
 
   /** A fresh random seed, which the caller may put into `params`. */
@@ -509,10 +595,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
       isOpen: () => this.#runs.isOpen,
       isSettled: () => this.#runs.isSettled,
       chosenColor: () => this.#color,
-      history: () => {
-        this.#readAttributes();
-        return (this.#history ??= new History<Edition<K>>({ params: this.params, preset: this.presetInUse }));
-      },
+      history: () => this.#ownHistory,
       result: () => this.#result,
       random: this.#scene.random,
       loadPanel: this.#scene.loadPanel,
@@ -529,16 +612,25 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   #show(result: K['result'], superseded: boolean, isPreview: boolean, params: K['params']): void {
-    const candidate = this.#candidate;
-    if (candidate?.params === params && !superseded && !isPreview) this.#take(candidate);
+    const candidate = this.#candidate?.params === params && !superseded && !isPreview ? this.#candidate : null;
+    if (candidate) this.#take(candidate.params);
     // One that is not taken is not shown.
     else if (this.#candidates.has(params) && params !== this.#params) return;
-    if (!this.present(result)) return;
+    if (!this.present(result)) {
+      this.#refuse(params);
+      return;
+    }
+    this.#candidate = candidate ? null : this.#candidate;
     this.#result = result;
     this.#shown = params;
     // Its look may have been edited since it was asked for.
     if (this.#params && this.#sameMade(this.#params, params)) this.#putOn(this.#params, this.presetInUse);
     else this.#putOn(params, this.#presets.get(params) ?? this.presetInUse);
+    if (!isPreview) {
+      this.#made = params;
+      this.#settle();
+    }
+    candidate?.taken();
     // Without these words the picture is still a picture.
     this.#describe(result).catch((thrown: unknown) => console.warn(thrown));
     this.emit('generate', this.detailOf(result, superseded, isPreview));
@@ -588,6 +680,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
       this.#setParams(this.#withAssigned(own));
     }
     if (isAboutParams) this.#record(has('src', 'preset') ? read.preset : undefined);
+    if (has('src') && this.#history?.settled !== this.#history?.present) this.#beforeLink ??= this.#seen;
     if (has('src', 'view')) this.sceneView = read.view;
     if (has('src', 'color')) this.#chooseColor(read.color);
     this.#dress();

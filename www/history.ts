@@ -1,33 +1,56 @@
-/** Undo and redo: a list of states, where a whole gesture is one step. */
+/** Undo and redo: a list of states, where a whole gesture is one step. It also knows which of them a run has confirmed. */
 
 /** Keyboard edits of one control closer together than this are one step: a held arrow key repeats every 30 ms or so. */
 const MERGE_MS = 700;
 /** Steps kept. A state shares what it did not change, so this is a few hundred kB at most. */
 const MAX_STEPS = 300;
+/** Unconfirmed states kept: a drag makes some 60 a second, and a run of it ends within a few seconds. */
+const MAX_OPEN = 200;
+
+/** The whole of a history at one moment. */
+interface Moment<T> {
+  readonly past: readonly T[];
+  readonly present: T;
+  readonly future: readonly T[];
+}
 
 export class History<T> {
-  #past: T[] = [];
-  #future: T[] = [];
-  #present: T;
+  #now: Moment<T>;
   #label = '';
   #at = 0;
-  #held = false;
-  #atHold: { past: T[]; future: T[]; present: T } | undefined;
+  /** How it was when a pointer went down; undefined while none is. */
+  #atHold: Moment<T> | undefined;
+  /** The newest moment whose present was confirmed. */
+  #settled: Moment<T> | undefined;
+  #isBack = false;
+  /** The moments since, oldest first: each of these may still be refused. */
+  #open: Moment<T>[];
 
   constructor(initial: T) {
-    this.#present = initial;
+    this.#now = { past: [], present: initial, future: [] };
+    this.#open = [this.#now];
   }
 
   get present(): T {
-    return this.#present;
+    return this.#now.present;
+  }
+
+  /** The newest confirmed state; the present one while none has been. */
+  get settled(): T {
+    return (this.#settled ?? this.#now).present;
+  }
+
+  /** Whether the last move was one back from what was refused or given up. */
+  get isBack(): boolean {
+    return this.#isBack;
   }
 
   get canUndo(): boolean {
-    return this.#past.length > 0;
+    return this.#now.past.length > 0;
   }
 
   get canRedo(): boolean {
-    return this.#future.length > 0;
+    return this.#now.future.length > 0;
   }
 
   /**
@@ -35,54 +58,82 @@ export class History<T> {
    * without a label every edit is a step of its own. `now` in ms.
    */
   record(next: T, label = '', now = 0): void {
-    const continues = label !== '' && label === this.#label && (this.#held || now - this.#at <= MERGE_MS);
-    if (!continues) {
-      this.#past.push(this.#present);
-      if (this.#past.length > MAX_STEPS) this.#past.shift();
-    }
-    this.#present = next;
-    this.#future = [];
-    this.#label = label;
+    const { past, present } = this.#now;
+    const continues = label !== '' && label === this.#label && (this.#atHold !== undefined || now - this.#at <= MERGE_MS);
+    this.#go({ past: continues ? past : [...past, present].slice(-MAX_STEPS), present: next, future: [] }, label);
     this.#at = now;
   }
 
   /** A pointer went down: until `release`, edits with one label are one step, however slow. */
   hold(): void {
     this.#label = '';
-    this.#held = true;
-    this.#atHold = { past: [...this.#past], future: this.#future, present: this.#present };
+    this.#atHold = this.#now;
   }
 
   release(): void {
     this.#label = '';
-    this.#held = false;
+    this.#atHold = undefined;
   }
 
   /** Lets go of what is held as if nothing had happened since. False where nothing has. */
   abandon(): boolean {
-    const before = this.#held ? this.#atHold : undefined;
+    const before = this.#atHold;
     this.release();
-    if (!before || before.present === this.#present) return false;
-    this.#past = before.past;
-    this.#future = before.future;
-    this.#present = before.present;
+    if (!before || before.present === this.present) return false;
+    this.#go(before);
     return true;
   }
 
   undo(): boolean {
-    return this.#step(this.#past, this.#future);
+    const { past, present, future } = this.#now;
+    if (past.length === 0) return false;
+    this.#go({ past: past.slice(0, -1), present: past.at(-1) as T, future: [...future, present] });
+    return true;
   }
 
   redo(): boolean {
-    return this.#step(this.#future, this.#past);
+    const { past, present, future } = this.#now;
+    if (future.length === 0) return false;
+    this.#go({ past: [...past, present], present: future.at(-1) as T, future: future.slice(0, -1) });
+    return true;
   }
 
-  #step(from: T[], to: T[]): boolean {
-    const state = from.pop();
-    if (state === undefined) return false;
-    to.push(this.#present);
-    this.#present = state;
-    this.#label = '';
+  /** Confirms the newest state for which `isShown` is true: a run has made it. */
+  settle(isShown: (state: T) => boolean): void {
+    const index = this.#open.map(({ present }) => isShown(present)).lastIndexOf(true);
+    if (index < 0) return;
+    this.#settled = this.#open[index];
+    this.#open = this.#open.slice(index + 1);
+  }
+
+  /** The present was refused: goes back to the step before it that may still be possible. False where there is none. */
+  refuse(): boolean {
+    const refused = this.#now;
+    const open = this.#open.filter(({ past }) => past !== refused.past);
+    return this.#back(open.at(-1) ?? this.#settled, open);
+  }
+
+  /** Goes back to what was confirmed last. False where nothing was, or that is the present. */
+  giveUp(): boolean {
+    return this.#back(this.#settled, []);
+  }
+
+  #back(to: Moment<T> | undefined, open: Moment<T>[]): boolean {
+    const from = this.#now;
+    if (!to || to === from) return false;
+    // In the middle of a drag it goes on as the same step.
+    if (to.past !== from.past) this.#label = '';
+    if (this.#atHold === from) this.#atHold = to;
+    this.#now = to;
+    this.#open = open;
+    this.#isBack = true;
     return true;
+  }
+
+  #go(to: Moment<T>, label = ''): void {
+    this.#now = to;
+    this.#label = label;
+    this.#isBack = false;
+    this.#open = [...this.#open, to].slice(-MAX_OPEN);
   }
 }

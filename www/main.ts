@@ -27,7 +27,8 @@ if (preferences.language === 'ja') await loadJapanese();
 const element = document.createElement('rock-field');
 
 openPage({
-  store: new Store(readLink(location.search + location.hash), preferences),
+  newStore: (link, own, history) => new Store(link, own, history),
+  preferences,
   element,
   panel: new ControlPanel(),
   readLink,

@@ -1,17 +1,18 @@
-/** A page of one scene: wires an element, the controls and the address bar to one store. */
+/** A page of one scene: wires an element, the controls and the address bar to one store, which has one history with the element. */
 
 import './controls/stage-overlay.ts';
 import { loadLater } from './controls/load-later.ts';
 import { savePreferences } from './controls/preferences.ts';
-import { RockFieldError, errorInfo } from './errors.ts';
+import { RockFieldError, UNAVAILABLE, errorInfo } from './errors.ts';
+import { historyOf } from './generator-element.ts';
 import { lazily, onMissingFile, tellMissingFile } from './lazy.ts';
 import { isLink } from './link.ts';
 import { rememberScene } from './scenes.ts';
 import { pageTitle, translate } from './strings.ts';
-import { same } from './table.ts';
 import type { Actions, ScenePanel } from './controls/scene-panel.ts';
-import type { Change, OpenedLink, SceneStore } from './controls/scene-store.ts';
+import type { Change, Edition, OpenedLink, Preferences, SceneStore } from './controls/scene-store.ts';
 import type { GeneratorElement, SceneEventMap } from './generator-element.ts';
+import type { History } from './history.ts';
 import type { SceneLink } from './link.ts';
 import type { StringKey } from './strings.ts';
 import type { Kind } from './table.ts';
@@ -19,12 +20,10 @@ import type { Kind } from './table.ts';
 /** A drag makes some 60 edits a second; Safari allows 100 changes of the address in 30 s. */
 const ADDRESS_DELAY_MS = 300;
 
-/** Errors that a file may be the reason of which is not there any more. */
-const UNAVAILABLE = /^(Wasm|Worker)Unavailable$/;
-
 /** What the page is made of. */
 export interface Page<K extends Kind> {
-  store: SceneStore<K>;
+  newStore: (link: OpenedLink<K>, preferences: Preferences, history: History<Edition<K>>) => SceneStore<K>;
+  preferences: Preferences;
   element: GeneratorElement<K>;
   panel: ScenePanel<K>;
   readLink: (text: string) => OpenedLink<K>;
@@ -39,7 +38,11 @@ export interface Page<K extends Kind> {
   random: (params: K['params'], seed: number) => Promise<K['params']>;
 }
 
-export function openPage<K extends Kind>({ store, element, panel, readLink, encode, shown, random, hasUnsavedLog = () => false, actions: own = {} }: Page<K>): void {
+/** Returns the store, whose steps of undo are the element's. */
+export function openPage<K extends Kind>({ newStore, preferences, element, panel, readLink, encode, shown, random, hasUnsavedLog = () => false, actions: own = {} }: Page<K>): SceneStore<K> {
+  const opening = readLink(location.search + location.hash);
+  element.params = { ...opening.params, preset: opening.preset };
+  const store = newStore(opening, preferences, historyOf(element, hear));
   const stage = found('.stage');
   // What helps when a file cannot be had has to be there before that.
   const offline = lazily(() => import('./offline.ts'));
@@ -54,17 +57,17 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     if (change === 'params' || change === 'look' || change === 'camera') scheduleAddress();
   }
 
-  /** The preset that the element was told last. */
-  let told = store.preset;
+  /** The parameters that element and store agreed on last. */
+  let seen = store.params;
 
   function showParams(): void {
-    // The element has them already where a change of it came here: assigning them would be another run.
-    if (told === store.preset && same(store.table, element.params, store.params)) return;
+    if (store.params === seen) return;
+    seen = store.params;
     try {
-      element.params = { ...store.params, preset: store.preset };
-      told = store.preset;
+      // The preset is in the history, which both share.
+      element.params = store.params;
     } catch (thrown) {
-      void store.fail(errorInfo(thrown));
+      store.refuse(errorInfo(thrown));
     }
   }
 
@@ -84,6 +87,12 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
 
   // … and tells it what happened.
 
+  function hear(): void {
+    if (store.params === seen) return;
+    seen = store.params;
+    if (store.sync()) element.camera = store.camera;
+  }
+
   function listen<Event>(type: string, listener: (event: Event) => void): void {
     element.addEventListener(type, listener as EventListener);
   }
@@ -95,7 +104,8 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   listen('generate', ({ detail }: CustomEvent<{ superseded: boolean }>) => {
     store.setBackend(element.backend);
     const result = shown();
-    if (result) store.showResult(result, detail.superseded ? null : store.params);
+    if (result) store.showResult(result, detail.superseded);
+    scheduleAddress();
   });
   listen('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
   listen('error', (event: SceneEventMap<string>['error']) => {
@@ -127,7 +137,7 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   let addressTimer: ReturnType<typeof setTimeout> | undefined;
 
   function link(): string {
-    return encode(store);
+    return encode(store.shown);
   }
 
   function pageAddress(): string {
@@ -142,19 +152,34 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   function writeAddress(): void {
     clearTimeout(addressTimer);
     addressTimer = undefined;
+    // What a run has not made yet may be refused.
+    if (!store.isSettled) return;
+    write(link());
+  }
+
+  function write(text: string): void {
     // Without the `?…` it may have been opened with: one link, not two.
     try {
-      history.replaceState(null, '', `${location.pathname}#${link()}`);
+      history.replaceState(null, '', `${location.pathname}#${text}`);
     } catch {
       // A frame without an address of its own, or a browser that has counted too many changes. Links are made without it.
     }
-    rememberScene(link());
+    rememberScene(text);
+  }
+
+  /** What a page that is opened in place of this one begins with: also what this one has not made. */
+  function wantedLink(): string {
+    const { wanted, params, preset, view, chosenColor, camera } = store;
+    return encode({ view, color: chosenColor, camera, ...(wanted ?? { params, preset }) });
   }
 
   // Whoever leaves the page finds it again as it was left. A click comes before the page is left, a closed window does not.
   const writeAtOnce = () => addressTimer !== undefined && writeAddress();
   document.addEventListener('click', writeAtOnce, true);
-  window.addEventListener('pagehide', writeAtOnce);
+  window.addEventListener('pagehide', () => {
+    writeAtOnce();
+    if (!store.isSettled) rememberScene(wantedLink());
+  });
   if (isLink(store.table, location.hash)) rememberScene(link());
 
   window.addEventListener('hashchange', () => {
@@ -203,12 +228,6 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
     }
   }
 
-  function cancel(): void {
-    element.cancel();
-    store.setProgress(null);
-    store.backToShown();
-  }
-
   // Everything stands; put it on the page.
 
   panel.className = 'panel';
@@ -218,11 +237,11 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   Object.assign(panel, { store, actions: { ...actions, ...own } });
 
   const overlay = document.createElement('stage-overlay');
-  Object.assign(overlay, { store, actions: { cancel, frameAll: () => element.frameAll(), toggleFullScreen: () => void toggleFullScreen() } });
+  Object.assign(overlay, { store, actions: { cancel: () => store.cancel(element), frameAll: () => element.frameAll(), toggleFullScreen: () => void toggleFullScreen() } });
 
   store.subscribe(follow);
   showPreferences();
-  Object.assign(element, { params: { ...store.params, preset: store.preset }, view: store.view, color: store.chosenColor, camera: store.camera });
+  Object.assign(element, { view: store.view, color: store.chosenColor, camera: store.camera });
   element.className = 'picture';
   // Nothing scrolls here.
   element.interaction = 'always';
@@ -238,13 +257,14 @@ export function openPage<K extends Kind>({ store, element, panel, readLink, enco
   });
   found('.boot').remove();
 
-  void offline.then(({ offerNewerVersion }) => offerNewerVersion(onMissingFile, store, writeAddress, hasUnsavedLog));
+  void offline.then(({ offerNewerVersion }) => offerNewerVersion(onMissingFile, store, () => write(wantedLink()), hasUnsavedLog));
 
   // What nobody caught is said, not swallowed.
   window.addEventListener('unhandledrejection', ({ reason }) => {
     const message = reason instanceof RockFieldError ? reason.message : String(reason);
     if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => translate(language, 'pageFailed', { message }), true);
   });
+  return store;
 }
 
 function found(selector: string): HTMLElement {

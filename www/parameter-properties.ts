@@ -5,6 +5,7 @@ import { RockFieldError } from './errors.ts';
 import { isList } from './param-checks.ts';
 import type { Layer, Params, Triple } from './params.ts';
 import { writeAttribute } from './reflected-properties.ts';
+import { same } from './table.ts';
 import type { Kind, Row, Table } from './table.ts';
 
 type LayerKey = Exclude<keyof Layer, 'id'>;
@@ -87,6 +88,12 @@ export class RowProperties<K extends Kind> {
     const values = this.#assigned.get(element);
     if (!attributes) values?.clear();
     else for (const row of [...(values?.keys() ?? [])]) if (attributes.has(attributeOf(row))) values?.delete(row);
+  }
+
+  /** What was assigned to single properties counts no more where `params` have another value. */
+  keepTrue(element: HTMLElement, params: K['params']): void {
+    const values = this.#assigned.get(element);
+    for (const [row, value] of [...(values ?? [])]) if (!same(this.#table, this.#replaced(params, row, value), params)) values?.delete(row);
   }
 
   #replaced(params: K['params'], row: Row, value: unknown): K['params'] {

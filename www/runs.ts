@@ -25,8 +25,8 @@ export interface RunsHost<Request, Result, Stage extends string> {
   onResult: OnResult<Request, Result>;
   /** Of a run that takes longer; null when there is none. */
   onProgress(progress: Progress<Stage> | null): void;
-  /** A run failed, and not because a newer one took its place. */
-  onError(error: ErrorInfo): void;
+  /** A run of `request` failed, and not because a newer one took its place. */
+  onError(error: ErrorInfo, request: Request): void;
 }
 
 export class Runs<Request, Result, Stage extends string> {
@@ -79,7 +79,7 @@ export class Runs<Request, Result, Stage extends string> {
       () => this.#ended(run),
       (thrown: unknown) => {
         this.#ended(run);
-        if (!isAbort(thrown)) this.#host.onError(errorInfo(thrown));
+        if (!isAbort(thrown)) this.#host.onError(errorInfo(thrown), request);
       },
     );
     return run;
@@ -119,6 +119,12 @@ export class Runs<Request, Result, Stage extends string> {
   cancel(): void {
     this.stale = false;
     this.#client?.cancel();
+  }
+
+  /** What is wanted is `result` again, which is shown. */
+  settle(result: Result): void {
+    this.stale = false;
+    this.#run = Promise.resolve(result);
   }
 
   async freshSeed(): Promise<number> {

@@ -319,8 +319,7 @@ export abstract class SceneElement extends Base {
 
   /** Drawn with the next frame: whoever changes it with the field calls this in the same task. */
   protected setSceneLook(look: Look): void {
-    this.#look = look;
-    this.#tell((renderer) => renderer.setLook(look));
+    if (this.#tell((renderer) => renderer.setLook(look))) this.#look = look;
   }
 
   /** Shows a field, perhaps with a log on it. False when the renderer refused them: that is reported, and the old ones stay on screen. */
@@ -662,17 +661,19 @@ export abstract class SceneElement extends Base {
 
   #restyle(change: Partial<SceneStyle>): void {
     const style = { ...this.#style, ...change };
-    this.#style = style;
-    this.#tell((renderer) => renderer.setStyle(style));
+    if (this.#tell((renderer) => renderer.setStyle(style))) this.#style = style;
   }
 
-  #tell(work: (renderer: SceneRenderer) => void): void {
+  /** False when the renderer refused it: that is reported. */
+  #tell(work: (renderer: SceneRenderer) => void): boolean {
+    this.invalidate();
     try {
       if (this.#kept.renderer) work(this.#kept.renderer);
+      return true;
     } catch (thrown) {
       this.report({ name: 'RendererFailed', message: `the view could not be shown: ${errorText(thrown)}` });
+      return false;
     }
-    this.invalidate();
   }
 
   #hasPicture(): boolean {

@@ -246,8 +246,8 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
 
   /** It stays while bases are edited: the picture must not jump from under the hand. */
   protected override get subject(): Subject {
-    const { params } = this;
-    const framed = [this.presetInUse, params.log.length, params.mesh];
+    const { params, preset } = this.onScreen;
+    const framed = [preset, params.log.length, params.mesh];
     if (!this.#subject || framed.some((value, k) => value !== this.#framed[k])) this.#subject = subjectOf(params);
     this.#framed = framed;
     return this.#subject;

@@ -5,6 +5,7 @@
  */
 
 import type { WoodEarColony, WoodEarLog } from './colony.ts';
+import { errorInfo, isCoded, RockFieldError } from './errors.ts';
 import type { Field } from './field.ts';
 import { footprintOf } from './footprint.ts';
 import { GeneratorClient } from './generator/client.ts';
@@ -120,13 +121,22 @@ export class WoodEarSceneClient implements RunClient<WoodEarSceneParams, WoodEar
   async #rocksOf(link: string, side: number, log: WoodEarLog, place: Place): Promise<Field> {
     this.#rocks ??= new GeneratorClient();
     const { params } = decodeLink(link);
-    return this.#rocks.generate({ ...params, imageWidth: side, imageHeight: side, footprint: footprintOf(log, place, CLEARANCE) });
+    try {
+      return await this.#rocks.generate({ ...params, imageWidth: side, imageHeight: side, footprint: footprintOf(log, place, CLEARANCE) });
+    } catch (thrown) {
+      throw ofGround(thrown);
+    }
   }
 }
 
 function sceneOf(colony: WoodEarColony, ground: Field, params: WoodEarSceneParams): WoodEarScene {
   const { rings, meridians } = params;
   return { colony, ground, place: placeOf(colony.log, params), rings, meridians };
+}
+
+/** What is wrong with a parameter of the rocks is wrong with the ground, which has no such parameter of its own. */
+function ofGround(thrown: unknown): unknown {
+  return isCoded(thrown) && thrown.key ? new RockFieldError({ ...errorInfo(thrown), key: 'ground', layer: undefined, message: `ground: ${thrown.message}` }) : thrown;
 }
 
 /** Soil without a rock. */

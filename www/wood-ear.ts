@@ -10,12 +10,10 @@ import { isLink } from './link.ts';
 import { droppedFiles, hasFiles, logAmong } from './log-drop.ts';
 import { openPage } from './page.ts';
 import { loadJapanese } from './strings.ts';
-import { same } from './table.ts';
 import { decodeWoodEarLink, encodeWoodEarLink } from './wood-ear-link.ts';
 import { WOOD_EARS } from './wood-ears.ts';
 import type { OpenedLink } from './controls/scene-store.ts';
 import type { WoodEarPresetName } from './wood-ear-flat.ts';
-import type { WoodEarLogEventMap } from './wood-ear-log-element.ts';
 import type { WoodEars } from './wood-ears.ts';
 
 /** What the page shows where no link says anything. */
@@ -30,7 +28,6 @@ const preferences = loadPreferences();
 if (preferences.language === 'ja') await loadJapanese();
 
 const element = document.createElement('wood-ear-log');
-const store = new WoodEarStore(readLink(location.search + location.hash), preferences);
 
 function loadLog(file: File): void {
   element.loadLog(file).catch((thrown: unknown) => {
@@ -38,27 +35,19 @@ function loadLog(file: File): void {
   });
 }
 
-openPage({
-  store,
+const store = openPage({
+  newStore: (link, own, history) => new WoodEarStore(link, own, history),
+  preferences,
   element,
   panel: new WoodEarPanel(),
   readLink,
   encode: encodeWoodEarLink,
   shown: () => element.scene,
   random: async (params, seed) => (await lazily(() => import('./controls/randomise-wood-ears.ts'))).randomWoodEars(params, seed),
-  hasUnsavedLog: () => Boolean(store.params.mesh),
+  hasUnsavedLog: () => element.params.mesh !== null,
   actions: { loadLog, rocksPage: './' },
 });
 
-// What the user does on the picture is the store's to know.
-let wasHeld = false;
-element.addEventListener('change', (event) => {
-  const { params, held } = (event as WoodEarLogEventMap['change']).detail;
-  if (held && !wasHeld) store.hold();
-  if (!same(WOOD_EARS, params, store.params)) store.edit(params, 'bases');
-  if (!held && wasHeld) store.release();
-  wasHeld = held;
-});
 element.editable = true;
 
 // A file that is dropped beside the picture is meant for it; the browser would leave the page for the file.

@@ -164,15 +164,12 @@ test('the colour follows the preset until one is chosen that is not its own', ()
   assert.equal(page.color, 'layer');
 });
 
-test('a cancelled run gives the look back that it was begun with', () => {
-  const page = store('#preset=riverbed');
-  page.showResult({} as Field, page.params);
-  const dust = SLIDERS.find(({ key }) => key === 'dust')!;
-  page.setParam(dust, null, 0.9);
-  assert.equal(page.shownParams, page.params, 'it is shown without a run');
-  page.setParam(SLIDERS.find(({ key }) => key === 'radius')!, 0, 50);
-  page.backToShown();
-  assert.deepEqual([page.params.dust, page.params.layers[0]!.radius], [0.9, presetParams('riverbed').layers[0]!.radius]);
+test('the same value again is no step of undo', () => {
+  const page = store('#seed=4');
+  page.setSeed(4);
+  page.setParam(SLIDERS.find(({ key }) => key === 'packing')!, null, page.params.packing);
+  page.choosePreset(page.preset);
+  assert.equal(page.canUndo, false);
 });
 
 test('the embed code is safe HTML', () => {

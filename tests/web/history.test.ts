@@ -61,3 +61,72 @@ test('old steps are forgotten, not new ones', () => {
   assert.ok(steps >= 100 && steps < 1000);
   assert.equal(history.present, 1000 - steps);
 });
+
+/** All that can be seen of a history, without changing it for the test that asks. */
+function steps(history: History<number>): number[] {
+  const before: number[] = [];
+  let undone = 0;
+  for (; history.undo(); undone += 1) before.unshift(history.present);
+  for (; undone > 0; undone -= 1) history.redo();
+  return [...before, history.present];
+}
+
+test('a refused state is no step: the history is as it was when the last confirmed one was present, redo included', () => {
+  const history = new History(0);
+  history.settle((state) => state === 0);
+  history.record(1);
+  history.settle((state) => state === 1);
+  history.undo();
+  history.settle((state) => state === 0);
+  history.record(2);
+  assert.equal(history.settled, 0, 'what is tried is not confirmed');
+  assert.ok(history.refuse());
+  assert.deepEqual([steps(history), history.canRedo], [[0], true]);
+  assert.equal(history.refuse(), false, 'what was confirmed cannot be refused');
+});
+
+test('an edit that no run has reached yet survives the refusal of a later one, and can still be refused itself', () => {
+  const history = new History(0);
+  history.settle((state) => state === 0);
+  history.record(1, 'seed', 0);
+  history.record(-1, 'r 0', 2000);
+  assert.ok(history.refuse());
+  assert.deepEqual([history.present, history.settled, steps(history)], [1, 0, [0, 1]]);
+  assert.ok(history.refuse());
+  assert.deepEqual(steps(history), [0]);
+});
+
+test('a drag goes back to the last result of it that was shown, and goes on as one step', () => {
+  const history = new History(0);
+  history.settle((state) => state === 0);
+  history.hold();
+  for (const value of [1, 2, -3, -4]) history.record(value, 'r 0');
+  history.settle((state) => state === 2);
+  assert.ok(history.refuse());
+  assert.equal(history.present, 2);
+  history.record(5, 'r 0');
+  history.release();
+  assert.deepEqual(steps(history), [0, 5]);
+});
+
+test('what is held and refused is not what a hand lets go to', () => {
+  const history = new History(0);
+  history.settle((state) => state === 0);
+  history.record(-1);
+  history.hold();
+  assert.ok(history.refuse());
+  assert.equal(history.abandon(), false);
+  assert.equal(history.present, 0);
+});
+
+test('giving up goes back past everything that was not confirmed; before the first result there is nothing to go back to', () => {
+  const history = new History(0);
+  history.record(1);
+  assert.equal(history.giveUp(), false);
+  assert.equal(history.settled, 1);
+  history.settle((state) => state === 1);
+  history.record(2);
+  history.record(3);
+  assert.ok(history.giveUp());
+  assert.deepEqual(steps(history), [0, 1]);
+});

@@ -55,7 +55,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     const result = owner.result();
     this.#store = newStore({ ...history.present, view, color: owner.chosenColor(), camera: null, notices: [] }, { language: owner.language(), theme }, history);
     this.#seen = this.#store.params;
-    if (result) this.#store.showResult(result, owner.isSettled() ? this.#seen : null);
+    if (result) this.#store.showResult(result, !owner.isSettled());
     this.#store.setBackend(backend);
     this.#store.subscribe((change) => this.#follow(change));
     this.#listen();
@@ -104,8 +104,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     }
     if (store.params !== this.#seen) {
       this.#seen = store.params;
-      store.problem = null;
-      store.notify('params');
+      store.sync();
     }
   }
 
@@ -117,7 +116,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     on('restored', showBackend);
     on('generate', ({ detail }: CustomEvent<{ superseded: boolean }>) => {
       const result = this.#owner.result();
-      if (result) store.showResult(result, detail.superseded ? null : store.params);
+      if (result) store.showResult(result, detail.superseded);
     });
     on('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
     on('error', (event: CustomEvent<{ error: ErrorInfo; shown: boolean }>) => {
@@ -139,7 +138,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     try {
       this.#element.params = store.params;
     } catch (thrown) {
-      void store.fail(errorInfo(thrown));
+      store.refuse(errorInfo(thrown));
     }
   }
 
@@ -162,11 +161,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       share: () => void copyOrShow(store, root(), element.shareURL(), 'copied', 'share'),
       embed: script === null ? undefined : () => void copyOrShow(store, root(), embedCode(element.localName, new URL(element.shareURL()).hash.slice(1), script), 'embedCopied', 'embed'),
       close: this.#close,
-      cancel: () => {
-        element.cancel();
-        store.setProgress(null);
-        store.backToShown();
-      },
+      cancel: () => store.cancel(element),
     };
   }
 

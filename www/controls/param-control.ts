@@ -37,7 +37,7 @@ function choiceControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
     label: spec.label[language],
     help: store.help(spec),
     options: spec.choices.map(({ value, label }) => ({ value, label: label[language] })),
-    value: String(store.valueOf(spec, item)),
+    value: String(store.refusedValue(spec, item) ?? store.valueOf(spec, item)),
     action: (value) => store.setParam(spec, item, value),
     problem: problemOf(store, spec, item),
   });
@@ -45,7 +45,7 @@ function choiceControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
 
 function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null, beside?: TemplateResult): TemplateResult {
   const { language, params, table } = store;
-  const value = Number(store.valueOf(spec, item));
+  const value = Number(store.refusedValue(spec, item) ?? store.valueOf(spec, item));
   const scale = sliderScale(table.boundsOf(spec, params));
   const unit = table.unitOf(spec, params);
   const shown = shownNumber(value);

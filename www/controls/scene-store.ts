@@ -1,7 +1,8 @@
 /** What the page knows: the one place that the controls read and change. It draws nothing and talks to no element. */
 
 import { History } from '../history.ts';
-import { isMade, presetColor, same } from '../table.ts';
+import { UNAVAILABLE } from '../errors.ts';
+import { presetColor, same } from '../table.ts';
 import { loadJapanese, translate } from '../strings.ts';
 import { loadLater } from './load-later.ts';
 import type { Later } from './load-later.ts';
@@ -29,7 +30,19 @@ export interface Problem {
   item: number | null;
   component: number | null;
   text: (language: Language) => string;
+  /** What was set there and refused: the control still shows it, until something else is set. */
+  refused?: number | string | null;
 }
+
+/** A value that was set in a control. */
+interface Wish {
+  row: Row;
+  item: number | null;
+  value: number | string | null;
+}
+
+/** How a scene is looked at. */
+type Seen<K extends Kind> = Pick<SceneLink<K>, 'view' | 'color' | 'camera'>;
 
 /** A quicker way to what a long run is after. */
 export interface Offer {
@@ -77,8 +90,8 @@ export abstract class SceneStore<K extends Kind> {
   /** `null`: everything is in view. */
   camera: CameraState | null;
   result: K['result'] | null = null;
-  /** The newest parameters whose result was shown; differs from `params` while a run is under way. */
-  shownParams: K['params'] | null = null;
+  /** What was edited last and is not made yet, also where a file that is missing keeps it from being made: a reload begins with it. */
+  wanted: Edition<K> | null = null;
   backend: Backend | null = null;
   progress: Progress<K['stage']> | null = null;
   problem: Problem | null = null;
@@ -87,6 +100,10 @@ export abstract class SceneStore<K extends Kind> {
 
   #docs: Readonly<Record<string, Words>> = {};
   readonly #history: History<Edition<K>>;
+  /** What the last edit set, if it was that of a control. */
+  #wish: Wish | null = null;
+  /** How things were seen before a link was opened that is not shown yet. */
+  #beforeLink: Seen<K> | null = null;
   readonly #listeners = new Set<(change: Change) => void>();
 
   /** `history`: an element's, whose steps are then the store's too. */
@@ -131,6 +148,20 @@ export abstract class SceneStore<K extends Kind> {
     return this.#history.canRedo;
   }
 
+  /** What is on screen, as a link says it. It differs from `params` while a run is under way. */
+  get shown(): SceneLink<K> {
+    return { ...this.#history.settled, ...(this.#beforeLink ?? this.#seen) };
+  }
+
+  /** Whether what is on screen is what the parameters say. */
+  get isSettled(): boolean {
+    return this.#history.settled === this.#history.present;
+  }
+
+  get #seen(): Seen<K> {
+    return { view: this.view, color: this.chosenColor, camera: this.camera };
+  }
+
   /** Calls back at once on every change; returns the way to stop it. */
   subscribe(listener: (change: Change) => void): () => void {
     this.#listeners.add(listener);
@@ -145,10 +176,34 @@ export abstract class SceneStore<K extends Kind> {
     return translate(this.language, key, slots);
   }
 
-  /** Makes `params` the present; edits with one `label` that belong together are one step of undo. */
-  edit(params: K['params'], label = '', preset = this.preset): void {
-    this.#history.record({ params, preset }, label, performance.now());
+  /** Makes `params` the present; edits with one `label` that belong together are one step of undo. `wish`: where they were set. */
+  edit(params: K['params'], label = '', preset = this.preset, wish: Wish | null = null): void {
+    if (preset !== this.preset || !same(this.table, params, this.params)) this.#history.record({ params, preset }, label, performance.now());
+    this.#wish = wish;
+    this.wanted = this.#history.present;
     this.#moved();
+  }
+
+  /**
+   * The element has changed the history: by an edit of its own, or since a run was refused or cancelled. True when the camera of a
+   * link that was refused has to be taken back too.
+   */
+  sync(): boolean {
+    const seen = this.#history.isBack && this.isSettled ? this.#beforeLink : null;
+    if (!this.#history.isBack) this.#wish = this.wanted = null;
+    if (seen) {
+      this.#beforeLink = null;
+      Object.assign(this, { view: seen.view, chosenColor: seen.color, camera: seen.camera });
+      this.notify('look');
+    }
+    this.#moved();
+    return seen !== null;
+  }
+
+  /** What was set in the control of a row and refused there. */
+  refusedValue(row: Row, item: number | null): number | string | null | undefined {
+    const { problem } = this;
+    return problem?.key === row.key && problem.item === item && problem.component === row.component ? problem.refused : undefined;
   }
 
   /** What is known of the result, in a line. */
@@ -174,9 +229,8 @@ export abstract class SceneStore<K extends Kind> {
   /** Edits one row of the table, of item `item` for a row of items. */
   setParam(row: Row, item: number | null, value: number | string | null): void {
     const { table, params } = this;
-    const label = `${row.url} ${item}`;
-    if (item === null) this.edit(table.written(params, row, value), label);
-    else this.edit(table.withItems(params, table.items(params).map((old, index) => (index === item ? table.written(old, row, value) : old))), label);
+    const edited = item === null ? table.written(params, row, value) : table.withItems(params, table.items(params).map((old, index) => (index === item ? table.written(old, row, value) : old)));
+    this.edit(edited, `${row.url} ${item}`, this.preset, { row, item, value });
   }
 
   /** The value of a row, of item `item` for a row of items. */
@@ -245,27 +299,32 @@ export abstract class SceneStore<K extends Kind> {
   }
 
   undo(): void {
-    if (this.#history.undo()) this.#moved();
+    if (this.#history.undo()) this.#travelled();
   }
 
   redo(): void {
-    if (this.#history.redo()) this.#moved();
+    if (this.#history.redo()) this.#travelled();
+  }
+
+  #travelled(): void {
+    this.#wish = this.wanted = null;
+    this.#moved();
   }
 
   #moved(): void {
     this.problem = null;
-    // Another look has no run to wait for.
-    if (this.shownParams && same(this.table, this.shownParams, this.params, isMade)) this.shownParams = this.params;
     this.notify('params');
   }
 
   /** Another link was opened: its parameters are one step of undo, its look is taken over. */
   open(link: OpenedLink<K>): void {
+    const before = this.#beforeLink ?? this.#seen;
     this.view = link.view;
     this.chosenColor = link.color;
     this.camera = link.camera;
     this.messages = this.#messagesOf(link.notices);
     this.edit(link.params, '', link.preset);
+    if (!this.isSettled) this.#beforeLink = before;
     this.notify('look');
     this.notify('camera');
     this.notify('messages');
@@ -303,13 +362,11 @@ export abstract class SceneStore<K extends Kind> {
     this.notify('preferences');
   }
 
-  /** `params` is null while a newer run is under way: then nobody knows which of the edits `result` is of. */
-  showResult(result: K['result'], params: K['params'] | null): void {
+  /** `superseded`: a newer run is under way. */
+  showResult(result: K['result'], superseded: boolean): void {
     this.result = result;
-    if (params) {
-      this.shownParams = params;
-      this.progress = null;
-    }
+    if (!superseded) this.progress = null;
+    if (this.isSettled) this.#wish = this.wanted = this.#beforeLink = null;
     this.notify('result');
   }
 
@@ -329,13 +386,18 @@ export abstract class SceneStore<K extends Kind> {
     this.notify('progress');
   }
 
-  /** A cancelled run leaves the old picture: back to what it shows. */
-  backToShown(): void {
-    const { shownParams } = this;
-    if (shownParams && shownParams !== this.params) {
-      this.edit(shownParams);
-      this.say((language) => translate(language, 'cancelled'));
-    }
+  /** Gives the run of `element` up, which goes back to what is shown. */
+  cancel(element: { cancel: () => void }): void {
+    const { params } = this;
+    element.cancel();
+    this.setProgress(null);
+    if (this.params !== params) this.say((language) => translate(language, 'cancelled'));
+  }
+
+  /** The element did not take the last edit. */
+  refuse(error: ErrorInfo): void {
+    if (this.#history.refuse()) this.#moved();
+    void this.fail(error);
   }
 
   setProblem(problem: Problem | null): void {
@@ -343,9 +405,16 @@ export abstract class SceneStore<K extends Kind> {
     this.notify('messages');
   }
 
-  /** An error of the element: under its control, or on the line for the page when it has none. */
+  /**
+   * An error of the element: under the control whose value was refused; where the scene stays what was refused, since there is none
+   * before it, under the control to change; else on the line for the page.
+   */
   async fail(error: ErrorInfo): Promise<void> {
     const { params } = this;
+    const { isBack } = this.#history;
+    const wish = isBack ? this.#wish : null;
+    this.#wish = null;
+    if (!UNAVAILABLE.test(error.name)) this.wanted = null;
     const { key = '', layer, message } = error;
     this.setProgress(null);
     // In its own words where ours cannot be had.
@@ -353,7 +422,10 @@ export abstract class SceneStore<K extends Kind> {
     const text = (language: Language) => errorText(language, error);
     const row = this.table.rows.find((candidate) => candidate.key === key && layer === undefined);
     const ofItem = row ? undefined : this.table.itemRows.find((candidate) => candidate.key === key);
-    if (!row && !ofItem && !this.listKeys.includes(key)) this.say(text, true);
+    // Without a value the control is not there.
+    if (wish && wish.value !== null && (this.valueOf(wish.row, wish.item) ?? null) !== null) {
+      if (this.params === params) this.setProblem({ key: wish.row.key, item: wish.item, component: wish.row.component, text, refused: wish.value });
+    } else if ((isBack || (!row && !ofItem)) && !this.listKeys.includes(key)) this.say(text, true);
     else if (this.params === params) this.setProblem({ key, item: ofItem ? (layer ?? this.itemAtFault()) : null, component: null, text });
   }
 

@@ -69,7 +69,7 @@ export class Store extends SceneStore<Rocks> {
     const from = layer === this.#resized?.to ? this.#resized.from : layer;
     const { scaled, isClamped } = scaledLayer(from, radius, notation);
     this.#resized = { from, to: scaled };
-    this.edit({ ...this.params, layers: layers.map((old, index) => (index === item ? scaled : old)) }, `${row.url} ${item}`);
+    this.edit({ ...this.params, layers: layers.map((old, index) => (index === item ? scaled : old)) }, `${row.url} ${item}`, this.preset, { row, item, value: radius });
     if (isClamped) this.setProblem({ key: row.key, item, component: null, text: (language) => later(language, 'shapeClamped') });
   }
 
