@@ -9,7 +9,7 @@ import type { History } from './history.ts';
 import type { Language } from './params.ts';
 import type { ColorMode } from './renderer/renderer.ts';
 import type { GeneratorElement } from './generator-element.ts';
-import type { Kind } from './table.ts';
+import type { Draw, Kind } from './table.ts';
 
 /** What the panel needs of its element beside what is public. */
 export interface PanelOwner<K extends Kind> {
@@ -23,7 +23,7 @@ export interface PanelOwner<K extends Kind> {
   /** Null while the colour is the preset's. */
   chosenColor: () => ColorMode | null;
   result: () => K['result'] | null;
-  random: (params: K['params'], seed: number) => Promise<K['params']>;
+  random: (params: K['params'], draw: Draw) => Promise<K['params']>;
   history: () => History<Edition<K>>;
   /** The panel, on demand: nothing of it is fetched before. */
   loadPanel: () => Promise<PanelModule<K>>;

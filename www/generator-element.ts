@@ -23,7 +23,7 @@ import type { Backend, CameraState, ColorMode, Look, View } from './renderer/ren
 import type { Runs, RunsHost } from './runs.ts';
 import { SceneElement } from './scene-element.ts';
 import { isLook, isMade, presetColor, same } from './table.ts';
-import type { Kind, Row, Table } from './table.ts';
+import type { Draw, Kind, Row, Table } from './table.ts';
 
 /** The events, by name, with their details. None bubbles; all are composed. */
 export interface SceneEventMap<Stage extends string> {
@@ -61,7 +61,7 @@ export interface Scene<K extends Kind> {
   encode(state: SceneLink<K>): string;
   /** What is shown, in a sentence. */
   describe(result: K['result'], metresPerPixel: number, language: Language): Promise<string>;
-  random(params: K['params'], seed: number): Promise<K['params']>;
+  random(params: K['params'], draw: Draw): Promise<K['params']>;
   loadPanel(): Promise<PanelModule<K>>;
 }
 
@@ -200,8 +200,14 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
 
   #setParams(params: K['params']): void {
     const isDressed = this.#params !== null && this.#sameMade(this.#params, params) && !same(this.#scene.table, this.#params, params, isLook);
-    if (!isDressed) this.#runs.stale = true;
+    const isShown = this.#shown === this.#made && this.#sameMade(params, this.#made);
     this.#params = params;
+    if (isDressed) return;
+    // Taken back before it was seen: what is under way is not wanted any more, and nothing else is to be made.
+    if (isShown && this.#result && !this.#candidate && !this.#runs.isSettled) {
+      this.#runs.cancel();
+      this.#runs.settle(this.#result);
+    } else this.#runs.stale = true;
   }
 
   /** What is on screen was made from these; before the first picture, what is to be made. */
@@ -435,7 +441,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     const stranger = lock.find((name) => name !== list && !properties.names.includes(name));
     if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${shown(stranger)}` });
     const old = this.params;
-    let params = await random(old, await this.freshSeed());
+    let params = await random(old, { seed: await this.freshSeed(), preset: this.presetInUse, lock });
     if (lock.includes(list)) params = table.withItems(params, table.items(old));
     for (const name of lock) params = properties.kept(name, params, old);
     this.#history?.hold();

@@ -34,5 +34,5 @@ openPage({
   readLink,
   encode: encodeLink,
   shown: () => element.field,
-  random: async (params, seed) => (await loadLater()).randomParams(params, seed),
+  random: async (params, draw) => (await loadLater()).randomParams(params, draw),
 });

@@ -15,7 +15,7 @@ import type { GeneratorElement, SceneEventMap } from './generator-element.ts';
 import type { History } from './history.ts';
 import type { SceneLink } from './link.ts';
 import type { StringKey } from './strings.ts';
-import type { Kind } from './table.ts';
+import type { Draw, Kind } from './table.ts';
 
 /** A drag makes some 60 edits a second; Safari allows 100 changes of the address in 30 s. */
 const ADDRESS_DELAY_MS = 300;
@@ -35,7 +35,7 @@ export interface Page<K extends Kind> {
   /** Whether a reload would lose a log from a file, which is not in the address. */
   hasUnsavedLog?: () => boolean;
   /** Other parameters by lot. */
-  random: (params: K['params'], seed: number) => Promise<K['params']>;
+  random: (params: K['params'], draw: Draw) => Promise<K['params']>;
 }
 
 /** Returns the store, whose steps of undo are the element's. */
@@ -204,7 +204,7 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
 
   const actions: Actions<K> = {
     freshSeed: () => void withFreshSeed((seed) => store.setSeed(seed)),
-    randomise: () => void withFreshSeed(async (seed) => store.edit(await random(store.params, seed))),
+    randomise: () => void withFreshSeed((seed) => store.randomise(random, seed)),
     link,
     newElement: () => document.createElement(element.localName) as GeneratorElement<K>,
     share: async () => {

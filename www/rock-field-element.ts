@@ -38,7 +38,7 @@ const SCENE: Scene<Rocks> = {
   groundSize: ({ imageWidth, imageHeight }) => [imageWidth, imageHeight],
   encode: encodeLink,
   describe: async (field, metresPerPixel, language) => (await lazily(() => import('./field-description.ts'))).describeField(field, metresPerPixel, language),
-  random: async (params, seed) => (await lazily(() => import('./controls/randomise.ts'))).randomParams(params, seed),
+  random: async (params, draw) => (await lazily(() => import('./controls/randomise.ts'))).randomParams(params, draw),
   loadPanel,
 };
 

@@ -31,6 +31,13 @@ export interface Kind {
   stage: string;
 }
 
+/** Parameters by lot: of which seed, near which preset, and without touching what. */
+export interface Draw {
+  seed: number;
+  preset: string;
+  lock?: readonly string[];
+}
+
 /** Parameters are values: nothing here changes what it is given. */
 export interface Table<K extends Kind> {
   rows: readonly Row[];

@@ -52,7 +52,7 @@ const SCENE: Scene<WoodEars> = {
   groundSize: (params) => [groundSide(params), groundSide(params)],
   encode: encodeWoodEarLink,
   describe: async ({ colony }, metresPerPixel, language) => (await lazily(() => import('./wood-ear-words.ts'))).describeColony(colony, metresPerPixel, language),
-  random: async (params, seed) => (await lazily(() => import('./controls/randomise-wood-ears.ts'))).randomWoodEars(params, seed),
+  random: async (params, draw) => (await lazily(() => import('./controls/randomise-wood-ears.ts'))).randomWoodEars(params, draw),
   loadPanel: loadWoodEarPanel,
 };
 

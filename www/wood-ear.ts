@@ -43,7 +43,7 @@ const store = openPage({
   readLink,
   encode: encodeWoodEarLink,
   shown: () => element.scene,
-  random: async (params, seed) => (await lazily(() => import('./controls/randomise-wood-ears.ts'))).randomWoodEars(params, seed),
+  random: async (params, draw) => (await lazily(() => import('./controls/randomise-wood-ears.ts'))).randomWoodEars(params, draw),
   hasUnsavedLog: () => element.params.mesh !== null,
   actions: { loadLog, rocksPage: './' },
 });

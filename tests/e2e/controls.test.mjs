@@ -169,7 +169,7 @@ test('panel and element have one history, and the panel shows what either of the
   await page.evaluate(() => (a.packing = 0.25));
   await at.getByRole('button', { name: 'Undo' }).click();
   assert.equal((await state()).packing, 0.5);
-  const [link, shown] = await page.evaluate(() => [a.shareURL('https://example.org/'), JSON.stringify(a.params)]);
+  const [link, shown] = await page.evaluate(async () => (await a.getField(), [a.shareURL('https://example.org/'), JSON.stringify(a.params)]));
   assert.equal(await page.evaluate((src) => { const other = document.createElement('rock-field'); other.setAttribute('src', src); return JSON.stringify(other.params); }, link), shown);
   await page.evaluate(() => a.getField());
   assert.deepEqual(await page.evaluate(() => [heard.error ?? 0, heard.generate > 1]), [0, true]);

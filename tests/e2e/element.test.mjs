@@ -163,7 +163,9 @@ test('the colour is the preset\'s until one is chosen, and comes with its field'
     a.setAttribute('preset', 'journal-fig11a');
     colors.push(a.color);
     a.setAttribute('color', 'natural');
-    colors.push(a.color, new URL(a.shareURL()).hash);
+    colors.push(a.color);
+    await a.getField();
+    colors.push(new URL(a.shareURL()).hash);
     return { colors, framings };
   });
   assert.deepEqual(seen.colors, ['layer', 'natural', 'plain', '#v=1&preset=scree&color=plain', 'natural', '#v=1&preset=scree&camera', 'layer', 'natural', '#v=1&preset=journal-fig11a&color=natural']);

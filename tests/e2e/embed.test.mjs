@@ -206,6 +206,7 @@ test('shareURL shows the same field elsewhere; undo and redo go back and forth; 
     const first = a.params;
     await a.randomize({ lock: ['imageWidth', 'packing'] });
     const second = a.params;
+    await a.getField();
     const b = document.createElement('rock-field');
     b.setAttribute('src', a.shareURL('https://example.org/field?x=1'));
     document.body.append(b);

@@ -170,7 +170,7 @@ test('a shared link shows the same log on the same rocks elsewhere', async () =>
   await page.locator('#ground').selectOption('shingle');
   await page.getByRole('button', { name: 'Other rocks' }).click();
   const here = await hash(page);
-  await page.waitForURL(/ground=.*seed\.1/, { timeout: 60_000 });
+  await page.waitForURL(/ground=.*seed\.1/, { timeout: 15_000 });
   const other = await open(new URL(page.url()).hash);
   assert.equal(await hash(other.page), here);
   assert.deepEqual(await params(other.page), await params(page));

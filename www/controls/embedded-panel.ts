@@ -152,7 +152,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     };
     return {
       freshSeed: () => withFreshSeed((seed) => store.setSeed(seed)),
-      randomise: () => withFreshSeed((seed) => owner.random(store.params, seed).then((params) => store.edit(params))),
+      randomise: () => withFreshSeed((seed) => void store.randomise(owner.random, seed)),
       newElement: () => {
         const other = new (element.constructor as new () => GeneratorElement<K>)();
         other.backend = element.backend;

@@ -12,7 +12,7 @@ import type { Notice, SceneLink } from '../link.ts';
 import type { Language, Words } from '../params.ts';
 import type { Backend, CameraState, ColorMode, View } from '../renderer/renderer.ts';
 import type { StringKey } from '../strings.ts';
-import type { Kind, Row, Table } from '../table.ts';
+import type { Draw, Kind, Row, Table } from '../table.ts';
 
 export type Theme = 'auto' | 'light' | 'dark';
 export const THEMES = ['auto', 'light', 'dark'] as const satisfies readonly Theme[];
@@ -264,6 +264,16 @@ export abstract class SceneStore<K extends Kind> {
     this.edit({ ...this.table.presetParams(preset), seed: this.params.seed }, '', preset);
   }
 
+  /** What is kept when parameters are drawn by lot. */
+  protected get lock(): readonly string[] {
+    return [];
+  }
+
+  async randomise(random: (params: K['params'], draw: Draw) => Promise<K['params']>, seed: number): Promise<void> {
+    const { params, preset, lock } = this;
+    this.edit(await random(params, { seed, preset, lock }));
+  }
+
   /** The preset as printed; the seed stays. */
   reset(): void {
     this.edit({ ...this.table.presetParams(this.preset), seed: this.params.seed });
@@ -314,6 +324,8 @@ export abstract class SceneStore<K extends Kind> {
   #moved(): void {
     this.problem = null;
     this.notify('params');
+    // Back at what is shown, nothing is under way.
+    if (this.isSettled && this.progress) this.setProgress(null);
   }
 
   /** Another link was opened: its parameters are one step of undo, its look is taken over. */

@@ -1,7 +1,7 @@
 /** The store of a field of rocks: with layers, and two notations. */
 
 import { ROCKS } from '../rocks.ts';
-import { loadLater } from './load-later.ts';
+import { withLater } from './load-later.ts';
 import { SceneStore } from './scene-store.ts';
 import { summary } from './summary.ts';
 import type { Layer } from '../params.ts';
@@ -22,7 +22,6 @@ export class Store extends SceneStore<Rocks> {
   keepsShape = false;
   /** The layer whose radius was changed last, as it was before, and as it is. All that follows is measured from there: a drag rounds nothing away. */
   #resized: { from: Layer; to: Layer } | undefined;
-  #later: Later | undefined;
 
   constructor(link: OpenedLink<Rocks>, preferences: Preferences, history?: History<Edition<Rocks>>) {
     super(ROCKS, link, preferences, history);
@@ -52,8 +51,12 @@ export class Store extends SceneStore<Rocks> {
 
   override setParam(row: Row, item: number | null, value: number | string | null): void {
     if (row.key === 'notation') void this.setNotation(value as Notation);
-    else if (row.key === 'radius' && item !== null && !this.keepsShape) void this.#resize(row, item, Number(value));
+    else if (row.key === 'radius' && item !== null && !this.keepsShape) void withLater((later) => this.#resize(later, row, item, Number(value)));
     else super.setParam(row, item, value);
+  }
+
+  protected override get lock(): readonly string[] {
+    return this.keepsShape ? ['taper', 'height'] : [];
   }
 
   setKeepsShape(keeps: boolean): void {
@@ -61,8 +64,7 @@ export class Store extends SceneStore<Rocks> {
     this.notify('messages');
   }
 
-  async #resize(row: Row, item: number, radius: number): Promise<void> {
-    const { scaledLayer, later } = (this.#later ??= await loadLater());
+  #resize({ scaledLayer, later }: Later, row: Row, item: number, radius: number): void {
     const { layers, notation } = this.params;
     const layer = layers[item];
     if (!layer) return;
@@ -73,17 +75,16 @@ export class Store extends SceneStore<Rocks> {
     if (isClamped) this.setProblem({ key: row.key, item, component: null, text: (language) => later(language, 'shapeClamped') });
   }
 
-  async setNotation(notation: Notation): Promise<void> {
-    if (notation === this.params.notation) return;
-    const { inNotation, later } = await loadLater();
-    const { params, clamped } = inNotation(this.params, notation);
-    this.edit(params);
-    if (clamped) this.say((language) => later(language, 'notationClamped'));
+  setNotation(notation: Notation): Promise<void> {
+    return withLater(({ inNotation, later }) => {
+      const { params, clamped } = inNotation(this.params, notation);
+      this.edit(params);
+      if (clamped) this.say((language) => later(language, 'notationClamped'));
+    });
   }
 
-  async addLayer(): Promise<void> {
-    const { nextLayer } = await loadLater();
-    this.setItems([...this.params.layers, nextLayer(this.params, this.#freeId())]);
+  addLayer(): Promise<void> {
+    return withLater(({ nextLayer }) => this.setItems([...this.params.layers, nextLayer(this.params, this.#freeId())]));
   }
 
   duplicateLayer(index: number): void {
