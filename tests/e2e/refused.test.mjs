@@ -35,7 +35,7 @@ after(() => session?.close());
 
 /** On a device of 4 GB, whose budget is 512 MiB. */
 async function open(address, options = {}) {
-  const opened = await session.open(address, { viewport: { width: 960, height: 640 }, locale: 'en-US', colorScheme: 'light', ...options, prepare: (page) => page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'deviceMemory', { get: () => 4 })) });
+  const opened = await session.open(address, { viewport: { width: 720, height: 320 }, locale: 'en-US', colorScheme: 'light', ...options, prepare: (page) => page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'deviceMemory', { get: () => 4 })) });
   await opened.page.waitForFunction(() => document.querySelector('rock-field, wood-ear-log')?.field, undefined, { timeout: 60_000, polling: 100 });
   await opened.page.evaluate(() => {
     const a = document.querySelector('rock-field, wood-ear-log');
