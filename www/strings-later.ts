@@ -63,8 +63,8 @@ const ERRORS: Partial<Record<ErrorName, Words>> = {
   NotAnInteger: { en: '{value} has to be a whole number.', ja: '{value} は整数でなければなりません。' },
   TooManyLayers: { en: 'At most {max} layers.', ja: '層は {max} 個までです。' },
   OverBudget: {
-    en: 'This would need about {valueMiB} MiB of memory; this device’s budget is {maxMiB} MiB. Change this value; the picture stays until then.',
-    ja: 'この設定には約 {valueMiB} MiB のメモリが必要です（上限 {maxMiB} MiB）。この値を変更してください。それまで画像は変わりません。',
+    en: 'This would need about {valueMiB} MiB of memory, and this device’s budget is {maxMiB} MiB, so it is not shown.',
+    ja: 'この設定には約 {valueMiB} MiB のメモリが必要ですが、上限が {maxMiB} MiB のため表示できません。',
   },
 };
 

@@ -242,6 +242,17 @@ test('the embed code shows the same rocks', async () => {
   assert.deepEqual(shown, await params(page));
   assert.equal(await hash(page), expected);
   assert.match(code, /<script async crossorigin src="http:\/\/[^"]+\/cdn\.js"><\/script>/);
+  // Where the browser refuses to change the address, the link is copied all the same.
+  await page.evaluate(() => {
+    history.replaceState = () => {
+      throw new DOMException('refused', 'SecurityError');
+    };
+  });
+  await page.getByRole('button', { name: 'Next seed' }).click();
+  await hash(page);
+  await page.getByRole('button', { name: 'Share' }).click();
+  await page.locator('.toast.is-shown', { hasText: 'Link copied' }).waitFor();
+  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /#v=1&preset=journal-fig1&seed=6&w=256&h=256$/);
   await closeClean(opened);
 });
 

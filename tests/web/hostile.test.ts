@@ -11,7 +11,10 @@ import { errorInfo } from '../../www/errors.ts';
 import type { RockFieldError } from '../../www/errors.ts';
 import { LAYER_ROWS, presetParams, resolveParams } from '../../www/params-flat.ts';
 import { errorText } from '../../www/strings-later.ts';
+import type { Params } from '../../www/params.ts';
+import { RowProperties } from '../../www/parameter-properties.ts';
 import { writeAttribute } from '../../www/reflected-properties.ts';
+import { ROCKS } from '../../www/rocks.ts';
 import { readWoodEarAttributes } from '../../www/wood-ear-attributes.ts';
 import { WOOD_EARS } from '../../www/wood-ears.ts';
 
@@ -61,6 +64,18 @@ test('typed arrays are lists of numbers', () => {
   assert.deepEqual(checkCamera({ azimuth: 0, elevation: 1, distance: 9, target: Float32Array.of(1, 2, 3) }), { azimuth: 0, elevation: 1, distance: 9, target: [1, 2, 3] });
   assert.throws(() => resolveParams({ layers: [{ taper: new DataView(new ArrayBuffer(3)) as never }] }), { name: 'WrongType' });
   assert.throws(() => resolveParams({ layers: [{ taper: BigInt64Array.of(1n, 2n, 3n) as never }] }), { name: 'WrongType' });
+});
+
+test('a property of an element that is a list takes typed arrays, and holds numbers', () => {
+  const properties = new RowProperties(ROCKS, ROCKS.itemRows);
+  const element = { params: presetParams('journal-fig1') } as unknown as HTMLElement & { params: Params; radius: unknown; taperRock: unknown };
+  properties.define(element);
+  element.radius = Float32Array.of(40, 20);
+  element.taperRock = Uint8Array.of(1, 2);
+  assert.deepEqual(element.params.layers.map(({ radius, taper }) => [radius, taper[1]]), [[40, 1], [20, 2]]);
+  assert.deepEqual([element.radius, element.taperRock], [[40, 20], [1, 2]]);
+  assert.throws(() => (element.radius = new DataView(new ArrayBuffer(8))), { name: 'WrongType', key: 'radius' });
+  assert.deepEqual(element.radius, [40, 20]);
 });
 
 test('options of both generators name themselves, and nothing runs', async () => {
