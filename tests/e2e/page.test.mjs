@@ -466,7 +466,8 @@ test('the radius takes height and taper with it, and back; a lock keeps them', a
 });
 
 test('each scene is found as it was left, and the log can be laid on the rocks that were edited', async () => {
-  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20');
+  // Small, since natural colours are what a software GPU paints slowly.
+  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20', { viewport: { width: 720, height: 280 } });
   const { page } = opened;
   const ready = (name) => page.waitForFunction((element) => document.querySelector(element) && document.querySelector('.summary'), name, { timeout: 60_000 });
   const tab = (name) => page.getByRole('navigation').getByRole('link', { name });
