@@ -13,7 +13,6 @@ import type { Progress } from './generator/protocol.ts';
 import { History } from './history.ts';
 import type { SceneLink } from './link.ts';
 import type { Language } from './params.ts';
-import { shown, wrongType } from './param-checks.ts';
 import type { RowProperties } from './parameter-properties.ts';
 import { lazily } from './lazy.ts';
 import { REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
@@ -436,14 +435,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
    * @throws {RockFieldError} `UnknownKey` for a name in `lock` that is no parameter.
    */
   async randomize({ lock = [] }: { lock?: readonly string[] } = {}): Promise<void> {
-    const { table, properties, list, random } = this.#scene;
-    if (!Array.isArray(lock)) throw wrongType('lock', lock, 'a list of names');
-    const stranger = lock.find((name) => name !== list && !properties.names.includes(name));
-    if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${shown(stranger)}` });
-    const old = this.params;
-    let params = await random(old, { seed: await this.freshSeed(), preset: this.presetInUse, lock });
-    if (lock.includes(list)) params = table.withItems(params, table.items(old));
-    for (const name of lock) params = properties.kept(name, params, old);
+    const { lockedDraw } = await lazily(() => import('./locked-draw.ts'));
+    const params = await lockedDraw(this.#scene, this.params, () => this.freshSeed(), { preset: this.presetInUse, lock });
     this.#history?.hold();
     this.params = params;
     this.#history?.release();

@@ -1,5 +1,7 @@
 /** What a page does when a file of its build cannot be had: it says so, in words that are true, and offers to reload. */
 
+import { RockFieldError } from './errors.ts';
+import { translate } from './strings.ts';
 import type { SceneStore } from './controls/scene-store.ts';
 import type { onMissingFile } from './lazy.ts';
 import type { Words } from './params.ts';
@@ -59,4 +61,12 @@ export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, 
   }
 
   listen((isSaid) => void offer(isSaid));
+}
+
+/** What nobody caught is said, not swallowed. */
+export function sayUncaught<K extends Kind>(store: SceneStore<K>): void {
+  window.addEventListener('unhandledrejection', ({ reason }) => {
+    const message = reason instanceof RockFieldError ? reason.message : String(reason);
+    if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => translate(language, 'pageFailed', { message }), true);
+  });
 }

@@ -3,7 +3,7 @@
 import { ownBuild } from './newer-version.ts';
 import type { KeepMessage } from './service-worker.ts';
 
-export { offerNewerVersion } from './newer-version.ts';
+export { offerNewerVersion, sayUncaught } from './newer-version.ts';
 
 /**
  * Registers the service worker and hands it the files this page has fetched so far: on a first visit it was not there to see them.

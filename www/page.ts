@@ -2,8 +2,9 @@
 
 import './controls/stage-overlay.ts';
 import { loadLater } from './controls/load-later.ts';
+import type { Later } from './controls/load-later.ts';
 import { savePreferences } from './controls/preferences.ts';
-import { RockFieldError, UNAVAILABLE, errorInfo } from './errors.ts';
+import { UNAVAILABLE, errorInfo } from './errors.ts';
 import { historyOf } from './generator-element.ts';
 import { lazily, onMissingFile, tellMissingFile } from './lazy.ts';
 import { isLink } from './link.ts';
@@ -140,10 +141,6 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
     return encode(store.shown);
   }
 
-  function pageAddress(): string {
-    return `${location.origin}${location.pathname}#${link()}`;
-  }
-
   function scheduleAddress(): void {
     clearTimeout(addressTimer);
     addressTimer = setTimeout(writeAddress, ADDRESS_DELAY_MS);
@@ -194,39 +191,20 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
 
   // What the buttons do.
 
-  async function withFreshSeed(use: (seed: number) => void | Promise<void>): Promise<void> {
-    try {
-      await use(await element.freshSeed());
-    } catch (thrown) {
-      void store.fail(errorInfo(thrown));
-    }
-  }
+  const act = (name: keyof Later['pageActions']) => () => void loadLater().then(({ pageActions }) => pageActions[name]({ store, element, stage, random, link }));
 
   const actions: Actions<K> = {
-    freshSeed: () => void withFreshSeed((seed) => store.setSeed(seed)),
-    randomise: () => void withFreshSeed((seed) => store.randomise(random, seed)),
+    freshSeed: act('freshSeed'),
+    randomise: act('randomise'),
     link,
     newElement: () => document.createElement(element.localName) as GeneratorElement<K>,
-    share: async () => {
+    share: () => {
       writeAddress();
-      const { copyOrShow } = await loadLater();
-      await copyOrShow(store, document.body, pageAddress(), 'copied', 'share');
+      act('share')();
     },
-    embed: async () => {
-      const { copyOrShow, embedCode } = await loadLater();
-      await copyOrShow(store, document.body, embedCode(element.localName, link(), location.href), 'embedCopied', 'embed');
-    },
-    help: async () => (await loadLater()).showKeys(store, document.body),
+    embed: act('embed'),
+    help: act('help'),
   };
-
-  async function toggleFullScreen(): Promise<void> {
-    try {
-      if (document.fullscreenElement) await document.exitFullscreen();
-      else await stage.requestFullscreen();
-    } catch (thrown) {
-      console.info('rock-field: no full screen:', thrown);
-    }
-  }
 
   // Everything stands; put it on the page.
 
@@ -237,7 +215,7 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
   Object.assign(panel, { store, actions: { ...actions, ...own } });
 
   const overlay = document.createElement('stage-overlay');
-  Object.assign(overlay, { store, actions: { cancel: () => store.cancel(element), frameAll: () => element.frameAll(), toggleFullScreen: () => void toggleFullScreen() } });
+  Object.assign(overlay, { store, actions: { cancel: () => store.cancel(element), frameAll: () => element.frameAll(), toggleFullScreen: act('fullScreen') } });
 
   store.subscribe(follow);
   showPreferences();
@@ -257,12 +235,9 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
   });
   found('.boot').remove();
 
-  void offline.then(({ offerNewerVersion }) => offerNewerVersion(onMissingFile, store, () => write(wantedLink()), hasUnsavedLog));
-
-  // What nobody caught is said, not swallowed.
-  window.addEventListener('unhandledrejection', ({ reason }) => {
-    const message = reason instanceof RockFieldError ? reason.message : String(reason);
-    if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => translate(language, 'pageFailed', { message }), true);
+  void offline.then(({ offerNewerVersion, sayUncaught }) => {
+    offerNewerVersion(onMissingFile, store, () => write(wantedLink()), hasUnsavedLog);
+    sayUncaught(store);
   });
   return store;
 }

@@ -113,12 +113,8 @@ export class RowProperties<K extends Kind> {
     return table.withItems(params, items);
   }
 
-  /** `params` with the value that the property `name`, if it is one, has in `old`. Values of items can only be kept with as many items. */
-  kept(name: string, params: K['params'], old: K['params']): K['params'] {
-    const table = this.#table;
-    const row = this.#rows[this.names.indexOf(name)];
-    if (!row) return params;
-    if (!this.#isItems(row)) return table.written(params, row, table.read(old, row));
-    return table.withItems(params, table.items(old).map((item, index) => table.written(table.items(params)[index] ?? item, row, table.read(item, row))));
+  /** The row of a property; undefined where the name is none. */
+  rowOf(name: string): Row | undefined {
+    return this.#rows[this.names.indexOf(name)];
   }
 }

@@ -158,7 +158,7 @@ export abstract class SceneStore<K extends Kind> {
   }
 
   /** Of an error that names no item, the one that is to be changed. */
-  protected itemAtFault(): number {
+  itemAtFault(): number {
     return 0;
   }
 
@@ -358,28 +358,16 @@ export abstract class SceneStore<K extends Kind> {
     this.notify('messages');
   }
 
-  /**
-   * An error of the element: under the control whose value was refused; where the scene stays what was refused, since there is none
-   * before it, under the control to change; else on the line for the page.
-   */
+  /** An error of the element, told where it can be put right. */
   async fail(error: ErrorInfo): Promise<void> {
     const { params } = this;
     const { isBack } = this.#history;
     const wish = isBack ? this.#wish : null;
     this.#wish = null;
     if (!UNAVAILABLE.test(error.name)) this.wanted = null;
-    const { key = '', layer, message } = error;
     this.setProgress(null);
     // In its own words where ours cannot be had.
-    const errorText = await loadLater().then((later) => later.errorText, () => () => message);
-    const text = (language: Language) => errorText(language, error);
-    const row = this.table.rows.find((candidate) => candidate.key === key && layer === undefined);
-    const ofItem = row ? undefined : this.table.itemRows.find((candidate) => candidate.key === key);
-    // Without a value the control is not there.
-    if (wish && wish.value !== null && (this.valueOf(wish.row, wish.item) ?? null) !== null) {
-      if (this.params === params) this.setProblem({ key: wish.row.key, item: wish.item, component: wish.row.component, text, refused: wish.value });
-    } else if ((isBack || (!row && !ofItem)) && !this.listKeys.includes(key)) this.say(text, true);
-    else if (this.params === params) this.setProblem({ key, item: ofItem ? (layer ?? this.itemAtFault()) : null, component: null, text });
+    await loadLater().then(({ placeError }) => placeError(this, error, { params, isBack, wish }), () => this.say(() => error.message, true));
   }
 
   /** Stands before all messages. */

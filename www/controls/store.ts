@@ -44,7 +44,7 @@ export class Store extends SceneStore<Rocks> {
   }
 
   /** What is too much for the memory is too many small rocks. */
-  protected override itemAtFault(): number {
+  override itemAtFault(): number {
     const radii = this.params.layers.map(({ radius }) => radius);
     return radii.indexOf(Math.min(...radii));
   }

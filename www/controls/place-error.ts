@@ -1,0 +1,34 @@
+/** Where an error of the element is told. */
+
+import { errorText } from '../strings-later.ts';
+import type { ErrorInfo } from '../errors.ts';
+import type { Language } from '../params.ts';
+import type { Kind } from '../table.ts';
+import type { SceneStore } from './scene-store.ts';
+import type { Wish } from './store-types.ts';
+
+/** How things stood when the error came. */
+interface Circumstances<K extends Kind> {
+  params: K['params'];
+  /** The edit was taken back. */
+  isBack: boolean;
+  /** What was set in a control and taken back. */
+  wish: Wish | null;
+}
+
+/**
+ * Under the control whose value was refused; where the scene stays what was refused, since there is none before it, under the control
+ * to change; else on the line for the page.
+ */
+export function placeError<K extends Kind>(store: SceneStore<K>, error: ErrorInfo, { params, isBack, wish }: Circumstances<K>): void {
+  const { table } = store;
+  const { key = '', layer } = error;
+  const text = (language: Language) => errorText(language, error);
+  const row = table.rows.find((candidate) => candidate.key === key && layer === undefined);
+  const ofItem = row ? undefined : table.itemRows.find((candidate) => candidate.key === key);
+  // Without a value the control is not there.
+  if (wish && wish.value !== null && (store.valueOf(wish.row, wish.item) ?? null) !== null) {
+    if (store.params === params) store.setProblem({ key: wish.row.key, item: wish.item, component: wish.row.component, text, refused: wish.value });
+  } else if ((isBack || (!row && !ofItem)) && !store.listKeys.includes(key)) store.say(text, true);
+  else if (store.params === params) store.setProblem({ key, item: ofItem ? (layer ?? store.itemAtFault()) : null, component: null, text });
+}
