@@ -191,6 +191,8 @@ const hash = (page) => page.evaluate(() => location.hash);
 const params = (page) => page.evaluate(() => document.querySelector('rock-field, wood-ear-log').params);
 const LINK = '#v=1&preset=journal-fig1&w=2048&h=2048&r=200&a=0.3';
 const isUndoDisabled = (page) => page.getByRole('button', { name: 'Undo' }).isDisabled();
+/** Waits for words on the line of messages, by the clock: frames may be slow to come. */
+const says = (page, words) => page.waitForFunction((text) => document.querySelector('stage-overlay > .message')?.innerText.includes(text), words, { timeout: PATIENCE_MS, polling: 100 });
 /** What Share copies. */
 async function shared(page) {
   await page.getByRole('button', { name: 'Share' }).click();
@@ -230,13 +232,13 @@ test('a link that is refused leaves the picture, its view, colour and camera, an
   });
   const [before, address] = [await seen(), await hash(page)];
   await page.evaluate(() => (location.hash = '#preset=riverbed&w=2048&h=2048&r=1&view=wireframe&color=plain&camera=0,1,300,9,9,0'));
-  await page.locator('stage-overlay > .message', { hasText: 'MiB' }).waitFor({ timeout: PATIENCE_MS });
+  await says(page, 'MiB');
   assert.deepEqual(await seen(), before);
-  await page.waitForFunction((wanted) => location.hash === wanted, address, { timeout: PATIENCE_MS });
+  await page.waitForFunction((wanted) => location.hash === wanted, address, { timeout: PATIENCE_MS, polling: 100 });
   assert.ok(await isUndoDisabled(page));
   // Layers that code adds are no control's.
   await page.evaluate(() => (document.querySelector('rock-field').layers = [{ radius: 1 }, { radius: 1 }]));
-  await page.locator('stage-overlay > .message', { hasText: '1 / 2' }).waitFor({ timeout: PATIENCE_MS });
+  await says(page, '1 / 2');
   assert.deepEqual([await seen(), await hash(page), await page.locator('.layers > .layer').count()], [before, address, 1]);
   assert.deepEqual(errors, []);
   await close();
@@ -247,11 +249,11 @@ test('a ground that is refused leaves the log on the old one, on the page and in
   const { page, errors, close } = await open(`wood-ear.html${link}`);
   const before = await params(page);
   await page.evaluate((text) => (location.hash = text), link.replace('r.200_a.0.3', 'r.1,1,1,1,1,1,1,1').replace('d=4', 'd=9'));
-  await page.locator('stage-overlay > .message, .control-problem', { hasText: 'MiB' }).first().waitFor({ timeout: PATIENCE_MS });
+  await says(page, 'MiB');
   assert.deepEqual(await params(page), before);
-  await page.waitForFunction((wanted) => location.hash === wanted, link, { timeout: PATIENCE_MS });
+  await page.waitForFunction((wanted) => location.hash === wanted, link, { timeout: PATIENCE_MS, polling: 100 });
   await page.locator('[id="d"]').press('PageUp');
-  await page.waitForFunction(() => /d=(?!4)\d+.*r\.200/.test(location.hash), undefined, { timeout: PATIENCE_MS });
+  await page.waitForFunction(() => /d=(?!4)\d+.*r\.200/.test(location.hash), undefined, { timeout: PATIENCE_MS, polling: 100 });
   assert.deepEqual(errors, []);
   await close();
 });
