@@ -38,7 +38,7 @@ test('every preset is a link of its name alone, and comes back', () => {
 test('what is edited comes back from a link: every row, bases more or fewer, the ground, view, colour and camera', () => {
   for (let seed = 0; seed < 60; seed += 1) {
     const preset = PRESETS[seed % PRESETS.length]!;
-    let params = randomWoodEars(WOOD_EARS.presetParams(preset), seed);
+    let params = randomWoodEars(WOOD_EARS.presetParams(preset), { seed, preset });
     for (const row of WOOD_EARS.rows) {
       const other = row.kind === 'choice' ? row.choices[seed % row.choices.length]!.value : Math.max(row.min, Math.min(row.max, (row.default ?? 0) + row.step * (seed % 3)));
       if (seed % 4 === 0) params = WOOD_EARS.written(params, row, other);
