@@ -39,7 +39,69 @@ export async function measureWoodEar(rounds) {
     const each = Object.fromEntries(['off', 'thesis', 'pressed'].map((collisions) => [collisions, median(Math.min(rounds, 3), () => once(new glue.WoodEarGenerator(), flat({ ...values, collisions })))]));
     result.growth.push({ individuals, ...each });
   }
+  result.ownLogs = measureOwnLogs(glue, flat, rounds);
   return result;
+}
+
+/** A cylinder like the default's log, of so many vertices, in turn with that log: what a mesh takes over it does not drift with the machine. */
+function measureOwnLogs(glue, flat, rounds) {
+  const params = flat({ logBark: 0, logBend: 0 });
+  return CYLINDERS.map((vertices) => {
+    const { positions, indices } = cylinder(vertices);
+    const own = () => {
+      const generator = new glue.WoodEarGenerator();
+      const start = performance.now();
+      generator.set_log(positions, indices);
+      const read = performance.now() - start;
+      const run = once(generator, params);
+      generator.free();
+      return { ...run, read, total: run.total + read };
+    };
+    const made = () => {
+      const generator = new glue.WoodEarGenerator();
+      const run = once(generator, params);
+      generator.free();
+      return run;
+    };
+    [own, made].forEach((run) => run());
+    const pairs = Array.from({ length: Math.max(rounds, 9) }, () => [made(), own()]);
+    const middle = (of) => pairs.map(of).sort((a, b) => a - b)[pairs.length >> 1];
+    return {
+      vertices: positions.length / 3,
+      total: middle(([, run]) => run.total),
+      read: middle(([, run]) => run.read),
+      times: middle(([of, run]) => run.total / of.total),
+      individuals: pairs[0][1].individuals,
+      ofMade: pairs[0][0].individuals,
+    };
+  });
+}
+
+const CYLINDERS = [800, 3_200, 12_800, 51_200, 199_811];
+
+/** Closed, along x, 2 m long and of radius 14 cm: squares along the side, a fan at each end. */
+function cylinder(vertices) {
+  const around = Math.max(6, Math.round(Math.sqrt((vertices * 88) / 200)));
+  const rows = Math.floor((vertices - 2) / around);
+  const positions = [];
+  const indices = [];
+  for (let row = 0; row < rows; row++) {
+    for (let k = 0; k < around; k++) {
+      const angle = (2 * Math.PI * k) / around;
+      positions.push((200 * row) / (rows - 1) - 100, 14 * Math.cos(angle), 14 * Math.sin(angle) + 14);
+    }
+  }
+  const at = (row, k) => row * around + (k % around);
+  for (let row = 0; row < rows - 1; row++) {
+    for (let k = 0; k < around; k++) {
+      const [a, b, c, d] = [at(row, k), at(row + 1, k), at(row + 1, k + 1), at(row, k + 1)];
+      indices.push(a, c, b, a, d, c);
+    }
+  }
+  const ends = rows * around;
+  positions.push(-100, 0, 14, 100, 0, 14);
+  for (let k = 0; k < around; k++) indices.push(ends, at(0, k + 1), at(0, k), ends + 1, at(rows - 1, k), at(rows - 1, k + 1));
+  return { positions: Float32Array.from(positions), indices: Uint32Array.from(indices) };
 }
 
 /** One run: ms in all, until there is something to show, by stage, and of the longest step. */
@@ -88,7 +150,7 @@ function flatOf({ WOOD_EAR_PARAMS: rows }, values) {
 }
 
 /** For people. */
-export function reportWoodEar({ default: usual, maximum, growth }) {
+export function reportWoodEar({ default: usual, maximum, growth, ownLogs }) {
   const ms = (value) => value.toFixed(1).padStart(9);
   const row = (name, run) => `${name.padEnd(24)}${ms(run.total)}${ms(run.preview)}${ms(run.deform)}${ms(run.collide)}${ms(run.mesh)}${ms(run.longest)}${String(run.individuals).padStart(8)}${String(run.crossing).padStart(9)}${run.kept.toFixed(2).padStart(7)}`;
   return [
@@ -96,6 +158,8 @@ export function reportWoodEar({ default: usual, maximum, growth }) {
     ...Object.entries(usual).map(([name, run]) => row(`default, ${name}`, run)),
     ...Object.entries(maximum).map(([name, run]) => row(`maximum, ${name}`, run)),
     ...growth.flatMap(({ individuals, ...each }) => Object.entries(each).map(([name, run]) => row(`${individuals}, ${name}, fresh`, run))),
+    'Logs of one\'s own         total     read  times the made log    ears of the made log',
+    ...ownLogs.map((of) => `${`${of.vertices} vertices`.padEnd(24)}${ms(of.total)}${ms(of.read)}${of.times.toFixed(2).padStart(20)}${String(of.individuals).padStart(8)}${String(of.ofMade).padStart(17)}`),
   ].join('\n');
 }
 

@@ -113,65 +113,48 @@ impl Error {
 
 impl Error {
     /// The message for people; `number` writes a number. JavaScript has a way to write numbers, and Rust's takes 20 kB of a wasm file.
-    pub(crate) fn message(&self, number: impl Fn(f64) -> String) -> String {
-        let mut text = String::new();
+    pub(crate) fn message(&self, number: &dyn Fn(f64) -> String) -> String {
+        let key = self.key();
         // These keys are the wood ears' alone.
-        let is_colony = matches!(self.key(), "density" | "logSpacing" | "x" | "y" | "z" | "range");
+        let is_colony = matches!(key, "density" | "logSpacing" | "x" | "y" | "z" | "range");
         let [whole, part] = if is_colony { ["this colony", " of base "] } else { ["this field", " of layer "] };
-        let mut say = |words: &str, value: Option<f64>| {
-            text.push_str(words);
-            if let Some(value) = value {
-                text.push_str(&number(value));
-            }
+        let place = self.layer().map(|index| [part, &number(index as f64)].concat()).unwrap_or_default();
+        let [value, min, max] = self.numbers();
+        let mebibytes = |bytes: f64| (bytes / 1_048_576.0).floor();
+        let (text, words, numbers) = match self {
+            Error::OutOfRange { .. } => ("@@ is #; it has to lie in # to #", [key, &place], [value, min, max]),
+            Error::NotAnInteger { .. } => ("@@ is #; it has to be a whole number", [key, &place], [value; 3]),
+            Error::TooManyLayers { .. } => ("# layers; at most #", [""; 2], [value, max, max]),
+            Error::DuplicateLayerId { .. } => ("two layers have the id #", [""; 2], [value; 3]),
+            Error::UnknownPreset { value } => ("there is no preset called \"@\"", [value.as_str(), ""], [0.0; 3]),
+            Error::MalformedRequest { .. } => ("the request holds # numbers instead of #", [""; 2], [value, max, max]),
+            Error::OverBudget { .. } => (
+                "@ would need about # MiB and the budget is # MiB; change @",
+                [whole, key],
+                [mebibytes(value), mebibytes(max), 0.0],
+            ),
         };
-        let mut place = |key: &str, layer: &Option<usize>| match layer {
-            Some(index) => {
-                say(key, None);
-                say(part, Some(*index as f64));
-            }
-            None => say(key, None),
-        };
-        match self {
-            Error::OutOfRange { key, layer, value, min, max } => {
-                place(key, layer);
-                say(" is ", Some(*value));
-                say("; it has to lie in ", Some(*min));
-                say(" to ", Some(*max));
-            }
-            Error::NotAnInteger { key, layer, value } => {
-                place(key, layer);
-                say(" is ", Some(*value));
-                say("; it has to be a whole number", None);
-            }
-            Error::TooManyLayers { value, max } => {
-                say("", Some(*value as f64));
-                say(" layers; at most ", Some(*max as f64));
-            }
-            Error::DuplicateLayerId { value } => say("two layers have the id ", Some(f64::from(*value))),
-            Error::UnknownPreset { value } => {
-                say("there is no preset called \"", None);
-                say(value, None);
-                say("\"", None);
-            }
-            Error::MalformedRequest { value, expected } => {
-                say("the request holds ", Some(*value as f64));
-                say(" numbers instead of ", Some(*expected as f64));
-            }
-            Error::OverBudget { key, estimate, budget } => {
-                say(whole, None);
-                say(" would need about ", Some((estimate >> 20) as f64));
-                say(" MiB and the budget is ", Some((budget >> 20) as f64));
-                say(" MiB; change ", None);
-                say(key, None);
-            }
-        }
-        text
+        fill(text, &words, &numbers, number)
     }
+}
+
+/// A text, in ASCII, with the words in the places of its `@` and the numbers in those of its `#`.
+pub(crate) fn fill(text: &str, words: &[&str], numbers: &[f64], number: &dyn Fn(f64) -> String) -> String {
+    let mut filled = String::new();
+    let (mut words, mut numbers) = (words.iter(), numbers.iter());
+    for c in text.bytes().map(char::from) {
+        match c {
+            '@' => filled.push_str(words.next().unwrap_or(&"")),
+            '#' => filled.push_str(&number(numbers.next().copied().unwrap_or(f64::NAN))),
+            _ => filled.push(c),
+        }
+    }
+    filled
 }
 
 impl fmt::Display for Error {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message(|n| n.to_string()))
+        f.write_str(&self.message(&|n| n.to_string()))
     }
 }
 

@@ -114,7 +114,7 @@ fn ratios(case: u64, budget: u64) -> Result<Vec<f64>, String> {
 }
 
 /// Prints the distribution; panics with what went wrong.
-fn check(cases: std::ops::Range<u64>, budget: u64) {
+fn check(cases: impl Iterator<Item = u64>, budget: u64) {
     let (mut all, mut wrong) = (Vec::new(), Vec::new());
     for case in cases {
         match ratios(case, budget) {
@@ -132,7 +132,8 @@ fn check(cases: std::ops::Range<u64>, budget: u64) {
 
 #[test]
 fn the_estimate_lies_between_the_peak_and_twice_it_for_any_parameters() {
-    check(0..300, 100 << 20);
+    // Behind the first ones, those that once were untrue: few sites that stand before clear pixels are listed; runs that select nothing.
+    check((0..300).chain([338, 2231, 2560, 4620, 6200, 7498, 7887, 7944, 8935]), 100 << 20);
 }
 
 #[test]

@@ -4,94 +4,17 @@
 mod common;
 
 use common::field_test;
-use common::wood_ear::small;
+use common::wood_ear::{Mesh, cylinder, small};
 use glam::DVec3;
 use rock_field::params::wood_ear::{Collisions, Params};
 use rock_field::validate::check_colony;
 use rock_field::wood_ear::Generator;
 
-#[derive(Clone, Default)]
-struct Mesh {
-    positions: Vec<f32>,
-    indices: Vec<u32>,
-}
-
-impl Mesh {
-    fn points(&self) -> Vec<DVec3> {
-        self.positions.chunks_exact(3).map(|p| DVec3::new(p[0].into(), p[1].into(), p[2].into())).collect()
-    }
-
-    fn turned(&self) -> Mesh {
-        let indices = self.indices.chunks_exact(3).flat_map(|t| [t[0], t[2], t[1]]).collect();
-        Mesh { indices, ..self.clone() }
-    }
-
-    fn scaled(&self, scale: f32) -> Mesh {
-        Mesh { positions: self.positions.iter().map(|c| c * scale).collect(), ..self.clone() }
-    }
-
-    fn moved(&self, by: [f32; 3]) -> Mesh {
-        let positions = self.positions.chunks_exact(3).flat_map(|p| [0, 1, 2].map(|k| p[k] + by[k])).collect();
-        Mesh { positions, ..self.clone() }
-    }
-
-    fn with(&self, other: &Mesh) -> Mesh {
-        let first = self.positions.len() as u32 / 3;
-        Mesh {
-            positions: [&self.positions[..], &other.positions].concat(),
-            indices: self.indices.iter().copied().chain(other.indices.iter().map(|i| i + first)).collect(),
-        }
-    }
-
-    /// Without every n-th triangle.
-    fn with_holes(&self, n: usize) -> Mesh {
-        let kept = self.indices.chunks_exact(3).enumerate().filter(|(k, _)| k % n != 0);
-        Mesh { indices: kept.flat_map(|(_, t)| t.to_vec()).collect(), ..self.clone() }
-    }
-
-    /// Every triangle with vertices of its own.
-    fn split(&self) -> Mesh {
-        let corner = |i: &u32| self.positions[3 * *i as usize..3 * *i as usize + 3].to_vec();
-        Mesh {
-            positions: self.indices.iter().flat_map(corner).collect(),
-            indices: (0..self.indices.len() as u32).collect(),
-        }
-    }
-}
-
-/// A closed cylinder along x, 2 m long and of radius 14 cm, of about so many vertices.
-fn cylinder(vertices: usize) -> Mesh {
-    // Squares along the side, a fan at each end.
-    let around = ((vertices as f64 * 88.0 / 200.0).sqrt().round() as usize).max(6);
-    let rows = (vertices - 2) / around;
-    let mut mesh = Mesh::default();
-    for row in 0..rows {
-        for k in 0..around {
-            let angle = k as f64 / around as f64 * std::f64::consts::TAU;
-            let x = 200.0 * row as f64 / (rows - 1) as f64 - 100.0;
-            mesh.positions.extend([x, 14.0 * angle.cos(), 14.0 * angle.sin() + 14.0].map(|c| c as f32));
-        }
-    }
-    let at = |row: usize, k: usize| (row * around + k % around) as u32;
-    for row in 0..rows - 1 {
-        for k in 0..around {
-            let [a, b, c, d] = [at(row, k), at(row + 1, k), at(row + 1, k + 1), at(row, k + 1)];
-            mesh.indices.extend([a, c, b, a, d, c]);
-        }
-    }
-    let ends = (rows * around) as u32;
-    mesh.positions.extend([-100.0, 0.0, 14.0, 100.0, 0.0, 14.0]);
-    for k in 0..around {
-        mesh.indices.extend([ends, at(0, k + 1), at(0, k), ends + 1, at(rows - 1, k), at(rows - 1, k + 1)]);
-    }
-    mesh
-}
-
 fn grown(mesh: &Mesh, params: &Params) -> Generator {
     let mut generator = Generator::new();
     generator.set_log(&mesh.positions, &mesh.indices).unwrap();
     generator.start(params.clone(), u64::MAX).unwrap();
-    while !generator.step() {}
+    while !generator.step().unwrap() {}
     generator
 }
 
@@ -116,7 +39,7 @@ field_test! {
         let params = Params { collisions: Collisions::Off, ..Params::with_defaults() };
         let mut made = Generator::new();
         made.start(Params { log: rock_field::params::wood_ear::Log { bark: 0.0, bend: 0.0, ..params.log }, ..params.clone() }, u64::MAX).unwrap();
-        while !made.step() {}
+        while !made.step().unwrap() {}
         for vertices in [800, 3_200, 12_800, 51_200, 199_811] {
             let mesh = cylinder(vertices);
             assert!((mesh.positions.len() as f64 / 3.0 / vertices as f64 - 1.0).abs() < 0.1);
@@ -202,7 +125,7 @@ field_test! {
             let mut params = all();
             params.log.spacing = spacing;
             generator.start(params.clone(), u64::MAX).unwrap();
-            while !generator.step() {}
+            while !generator.step().unwrap() {}
             assert_eq!(generator.mesh(), grown(&mesh, &params).mesh());
         }
     }
@@ -286,7 +209,7 @@ field_test! {
         let mut generator = grown(&log.turned(), &all());
         generator.clear_log();
         generator.start(small(), u64::MAX).unwrap();
-        while !generator.step() {}
+        while !generator.step().unwrap() {}
         assert!(!generator.log_turned());
     }
 }

@@ -32,6 +32,6 @@ pub(super) fn coded(
 
 impl From<Error> for JsValue {
     fn from(error: Error) -> JsValue {
-        coded(error.code(), &error.message(number), error.key(), error.layer(), error.numbers())
+        coded(error.code(), &error.message(&number), error.key(), error.layer(), error.numbers())
     }
 }

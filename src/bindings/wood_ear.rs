@@ -9,7 +9,7 @@ use crate::wood_ear::{Generator, LogError, Stats};
 
 impl From<LogError> for JsValue {
     fn from(error: LogError) -> JsValue {
-        coded(error.code(), &error.message(number), "log", None, error.numbers())
+        coded(error.code(), &error.message(&number), "log", None, error.numbers())
     }
 }
 
@@ -46,11 +46,11 @@ impl JsWoodEar {
     }
 
     pub fn start(&mut self, params: &[f64], max_bytes: f64) -> Result<(), JsValue> {
-        Ok(self.0.start(Params::from_flat(params)?, max_bytes as u64)?)
+        Ok(self.0.begin(Params::from_flat(params)?, max_bytes as u64)?)
     }
 
-    pub fn step(&mut self) -> bool {
-        self.0.step()
+    pub fn step(&mut self) -> Result<bool, JsValue> {
+        Ok(self.0.step()?)
     }
 
     pub fn stage(&self) -> u32 {

@@ -87,6 +87,13 @@ pub(crate) fn expected_sites(params: &Params, radius: f64) -> f64 {
     sites.min(target).min(pixels)
 }
 
+/// Whether darts may go on until clear pixels have to be found: not where N_p of them stand long before.
+pub(super) fn may_jam(params: &Params, radius: f64) -> bool {
+    let dense = Params { packing: 1.0, ..params.clone() };
+    let target = target_sites(params.pixels() as f64, params.packing, radius).floor();
+    params.darts == Darts::Saturate && target >= 0.8 * expected_sites(&dense, radius)
+}
+
 /// Random discs jam at 0.547 of the area (decision A1); small ones, on a grid, a little denser.
 const JAMMED: f64 = 0.57;
 

@@ -33,8 +33,8 @@ impl MemoryEstimate {
 ///
 /// For fields as they are usually asked for this lies between the real peak and twice it (`tests/memory.rs`). How many rocks find room
 /// between coarser ones is only expected here, though, and where few cells decide about much ground it comes otherwise. A run therefore
-/// estimates again before its stages allocate, with the numbers it has by then and what it holds already: when the sites are known,
-/// and when the rocks are. [`crate::rocks::Generator::estimate`] is the largest of these. It lies between the real peak and twice it for
+/// estimates again before its stages allocate, with the numbers it has by then and what it holds already: when clear pixels have
+/// to be found, when the sites are known, and when the rocks are. [`crate::rocks::Generator::estimate`] is the largest of these. It lies between the real peak and twice it for
 /// any parameters, on a fresh generator as on one that has run before, unless both are below 4 MiB (`tests/memory_random.rs`). A run whose
 /// estimate exceeds the budget ends in [`Error::OverBudget`] before the stage in question has allocated anything.
 pub fn memory_estimate(params: &Params) -> MemoryEstimate {
@@ -66,7 +66,9 @@ fn estimate_before(params: &Params, rocks: bool) -> MemoryEstimate {
             counts.iter_mut().for_each(Counts::without_rocks);
         }
         let layers: Vec<Load> = counts.into_iter().map(Load::all).collect();
-        Need::of(0.0, params, &layers, [0.0; 3]).bytes(0.0)
+        let jams = params.layers.iter().any(|layer| expect::may_jam(params, params.layer_in_px(layer).radius));
+        let clear = if jams { CLEAR * params.pixels() as f64 } else { 0.0 };
+        Need::of(0.0, params, &layers, [0.0; 3], Bitmaps { clear, selects: true }).bytes(0.0)
     };
     let [width, height] = [params.image_width, params.image_height];
     // Halving the longer side.
@@ -135,6 +137,16 @@ impl Load {
     }
 }
 
+/// What a run does with its pixels.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Bitmaps {
+    /// Bytes to find the clear ones, where darts go on until that is necessary. Where few sites fill the image, chance decides how many are
+    /// clear then, if any; a run says so when it comes to that.
+    pub(crate) clear: f64,
+    /// Cells are selected, and flagged.
+    pub(crate) selects: bool,
+}
+
 /// Bytes that the rest of a run needs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Need {
@@ -158,13 +170,12 @@ pub(crate) struct Need {
 impl Need {
     /// `held` bytes are in the cache already; `buffers` of them hold positions, normals and indices.
     #[inline(never)]
-    pub(crate) fn of(held: f64, params: &Params, layers: &[Load], buffers: [f64; 3]) -> Self {
+    pub(crate) fn of(held: f64, params: &Params, layers: &[Load], buffers: [f64; 3], bitmaps: Bitmaps) -> Self {
         let pixels = params.pixels() as f64;
-        let flags = if layers.is_empty() { 0.0 } else { FLAG * pixels };
         let mut kept = held;
         let mut peak = held;
         for Load { counts, .. } in layers.iter().filter(|load| load.sites) {
-            peak = peak.max(kept + (FLAG + CLEAR) * pixels + counts.sites * 4.0).max(kept + counts.sites * 17.0);
+            peak = peak.max(kept + FLAG * pixels + bitmaps.clear + counts.sites * 4.0).max(kept + counts.sites * 17.0);
             kept += counts.sites * 4.0;
         }
         for Load { counts: Counts { sites, corners, .. }, .. } in layers.iter().filter(|load| load.cells) {
@@ -172,7 +183,9 @@ impl Need {
             kept += sites * 12.0 + corners * 20.0;
         }
         let most = |of: fn(&Counts) -> f64| layers.iter().fold(0.0_f64, |most, load| most.max(of(&load.counts)));
-        peak = peak.max(kept + flags + most(|counts| counts.sites) * 8.125);
+        if bitmaps.selects && !layers.is_empty() {
+            peak = peak.max(kept + FLAG * pixels + most(|counts| counts.sites) * 8.125);
+        }
         for Load { counts: Counts { sites, rocks, rims, .. }, .. } in layers.iter().filter(|load| load.shapes) {
             let shapes = rocks * 12.0 + 16.0 * rims + (3.0 * rims - 2.0 * rocks) * 6.0;
             // The lists have room for a little more than six corners a rock.

@@ -4,7 +4,7 @@ use super::cache::{LayerCache, bytes};
 use super::footprint::Footprint;
 use super::generator::Generator;
 use crate::error::Error;
-use crate::memory::{Load, MemoryEstimate, Need, expected_sites, memory_estimate};
+use crate::memory::{Bitmaps, Load, MemoryEstimate, Need, expected_sites, memory_estimate};
 use crate::mesh::Mesh;
 
 /// What a run knows of its numbers.
@@ -44,7 +44,10 @@ impl Generator {
             cache.load(params, expected, known == Known::Rocks)
         };
         let loads: Vec<Load> = self.layers.iter().filter_map(load).collect();
-        let of = |this: &Generator| Need::of(this.held(), params, &loads, this.mesh.bytes().map(|bytes| bytes as f64));
+        let bitmaps = Bitmaps { clear: self.clear_bytes, selects: self.selects || known != Known::Rocks };
+        let of = |this: &Generator| {
+            Need::of(this.held(), params, &loads, this.mesh.bytes().map(|bytes| bytes as f64), bitmaps)
+        };
         let mut need = of(self);
         if need.bytes(0.0) > self.max_bytes {
             // Rocks of the run before would be overwritten sooner or later.

@@ -46,6 +46,10 @@ pub struct Generator {
     pub(super) checked: Known,
     /// Bytes of the run before that were there at the start.
     pub(super) held_before: f64,
+    /// The run has made a selection.
+    pub(super) selects: bool,
+    /// Most bytes that the run has taken to find clear pixels.
+    pub(super) clear_bytes: f64,
     /// The largest estimate of the run.
     pub(super) estimate: u64,
     /// Why the run cannot go on.
@@ -108,6 +112,7 @@ impl Generator {
         // What the run before has left goes before anything comes, but it was there.
         self.held_before = self.held();
         self.checked = Known::Nothing;
+        (self.selects, self.clear_bytes) = (false, 0.0);
         (self.max_bytes, self.estimate, self.refused) = (max_bytes, 0, None);
         self.task = None;
         self.taken = None;
@@ -155,10 +160,24 @@ impl Generator {
                 self.complete(task);
                 self.go_on();
             } else {
-                self.task = Some(task);
+                match self.allow(&mut task) {
+                    Ok(()) => self.task = Some(task),
+                    Err(error) => self.refused = Some(error),
+                }
             }
         }
         self.refused.take().map_or(Ok(self.task.is_none()), Err)
+    }
+
+    /// Estimates again before darts list the clear pixels, which not all have to.
+    fn allow(&mut self, task: &mut Task) -> Result<(), Error> {
+        let Work::Sites(_, thrower) = &mut task.work else { return Ok(()) };
+        if thrower.waits_for_list() {
+            self.clear_bytes = self.clear_bytes.max(thrower.clear_bytes());
+            self.check_memory(Known::Nothing)?;
+            thrower.may_list = true;
+        }
+        Ok(())
     }
 
     fn go_on(&mut self) {
@@ -311,6 +330,7 @@ impl Generator {
                 coarser: coarser.iter().map(|&(_, version)| version).collect(),
             };
             if !cache.selection.is_current(&key) {
+                self.selects = true;
                 let taken = self.taken.get_or_insert_with(|| {
                     let image = [params.image_width, params.image_height];
                     let mut bitmap = Bitmap::new(image[0], image[1]);

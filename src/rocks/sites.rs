@@ -76,6 +76,10 @@ pub(crate) struct DartThrower {
     picks_left: Option<u64>,
     /// Clear pixels, some of them stale; present from the second phase on.
     free: Option<ClearPixels>,
+    /// The clear pixels have to be listed, anew if they have been, before darts are thrown on.
+    is_list_due: bool,
+    /// They may be; without it [`DartThrower::advance`] returns where they are due.
+    pub(crate) may_list: bool,
     /// Picks that hit nothing since the clear pixels were listed.
     misses: u32,
     batch: Batch,
@@ -125,6 +129,8 @@ impl DartThrower {
             stream: Stream::new(seed, Purpose::Darts, layer, 0),
             picks_left: attempts.then_some(target),
             free: None,
+            is_list_due: false,
+            may_list: false,
             misses: 0,
             batch: Batch { pixels: [[0; 2]; BATCH as usize], count: 0 },
         }
@@ -137,8 +143,13 @@ impl DartThrower {
     #[inline(never)]
     pub(crate) fn advance(&mut self, mut picks: u32) -> bool {
         while !self.is_finished() {
-            if picks == 0 {
+            if picks == 0 || (self.is_list_due && !self.may_list) {
                 return false;
+            }
+            if core::mem::take(&mut self.is_list_due) {
+                self.free = None;
+                self.free = Some(self.bitmap.clear_pixels());
+                self.misses = 0;
             }
             let limit = self.picks_left.map_or(BATCH, |left| left.min(u64::from(BATCH)) as u32);
             let drawn = match &mut self.free {
@@ -179,15 +190,10 @@ impl DartThrower {
                 }
                 None => {
                     self.misses += drawn - hits;
-                    let is_worth_it = match self.free {
+                    self.is_list_due = match self.free {
                         None => hits < FEW_HITS,
                         Some(_) => 2 * hits < drawn && u64::from(self.misses) > self.bitmap.pixels() / LIST_COST,
                     };
-                    if is_worth_it {
-                        self.free = None;
-                        self.free = Some(self.bitmap.clear_pixels());
-                        self.misses = 0;
-                    }
                 }
             }
         }
@@ -204,6 +210,16 @@ impl DartThrower {
         self.sites.pixels.push(pixel);
         self.bitmap.stamp(&self.disc, x, y);
         true
+    }
+
+    /// Whether it waits for `may_list`.
+    pub(crate) fn waits_for_list(&self) -> bool {
+        self.is_list_due && !self.may_list
+    }
+
+    /// Bytes that the list will take.
+    pub(crate) fn clear_bytes(&self) -> f64 {
+        self.bitmap.clear_bytes()
     }
 
     fn is_finished(&self) -> bool {

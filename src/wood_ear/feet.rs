@@ -48,10 +48,10 @@ impl Feet {
             wanted,
             thrown: 0.0,
             grid: Grid::new(APART * spacing, wanted as usize),
-            points: Vec::new(),
-            faces: Vec::new(),
-            sums: Vec::new(),
-            triangles: Vec::new(),
+            points: Vec::with_capacity(wanted as usize),
+            faces: Vec::with_capacity(wanted as usize),
+            sums: Vec::with_capacity(wanted as usize),
+            triangles: Vec::with_capacity(wanted as usize),
         }
     }
 

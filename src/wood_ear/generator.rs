@@ -12,6 +12,7 @@ use super::deform::{Sheet, deform};
 use super::feet::Feet;
 use super::ground::{Given, Ground, Grown};
 use super::log::{Log, Sweep, counts};
+use super::memory::Memory;
 use super::mesh::{ColonyMesh, LogMesh, shade, write};
 use super::pose::Poser;
 use super::press::{Bodies, Press};
@@ -35,9 +36,9 @@ const PAIRS_PER_STEP: usize = 100;
 pub struct Generator {
     params: Option<Params>,
     /// A log of the user's own, and which one it is: a version of the log.
-    given: Option<(u32, Box<Surface>)>,
+    pub(super) given: Option<(u32, Box<Surface>)>,
     logs_given: u32,
-    log_key: Option<LogKey>,
+    pub(super) log_key: Option<LogKey>,
     /// What individuals stand on: a grown log's coarse mesh, or the feet drawn on the user's.
     log: Log,
     /// Per foot the number of the triangle it is on, as given; empty for a grown log.
@@ -45,7 +46,7 @@ pub struct Generator {
     log_mesh: LogMesh,
     log_version: u32,
     spawn_key: Option<SpawnKey>,
-    spawn: Spawn,
+    pub(super) spawn: Spawn,
     deform_key: Option<DeformKey>,
     layout: Layout,
     sheets: Vec<Sheet>,
@@ -57,10 +58,13 @@ pub struct Generator {
     /// What the mesh shows was written by this run or is still right for it.
     preview: bool,
     task: Option<Task>,
+    pub(super) memory: Memory,
+    /// Why the run cannot go on.
+    refused: Option<Error>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-enum LogKey {
+pub(super) enum LogKey {
     /// Which one, and the spacing of its feet.
     Given(u32, f64),
     Grown(LogParams),
@@ -137,6 +141,7 @@ impl Generator {
     pub fn set_log(&mut self, positions: &[f32], indices: &[u32]) -> Result<(), LogError> {
         let surface = user_log(positions, indices)?;
         self.task = None;
+        self.note_given(&surface);
         self.logs_given += 1;
         self.log_mesh = LogMesh::from(&surface.log);
         self.log_version += 1;
@@ -162,19 +167,36 @@ impl Generator {
     /// A parameter out of range, or an estimate over `max_bytes`; then nothing has changed.
     pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
         params.validate()?;
-        super::memory::check(&params, self.given.as_ref().map(|(_, surface)| &**surface), max_bytes)?;
+        self.begin(params, max_bytes)
+    }
+
+    /// [`Generator::start`] with parameters that have been checked.
+    pub(crate) fn begin(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
+        self.check_log(&params, max_bytes)?;
         self.params = Some(params);
         self.preview = false;
+        self.refused = None;
         self.task = self.next_task();
         Ok(())
     }
 
     /// Does a bounded piece of work. True when the run is finished.
-    pub fn step(&mut self) -> bool {
+    ///
+    /// # Errors
+    /// [`Error::OverBudget`], now that the individuals are counted; see [`Generator::estimate`]. The run has ended before any of them was
+    /// made, and the log is kept.
+    pub fn step(&mut self) -> Result<bool, Error> {
         if let Some(task) = self.task.take() {
             self.task = self.advance(task);
         }
-        self.task.is_none()
+        self.refused.take().map_or(Ok(self.task.is_none()), Err)
+    }
+
+    /// Frees the colony, which has to be made again anyway.
+    pub(super) fn forget_colony(&mut self) {
+        self.spawn_key = None;
+        self.sheets = Vec::new();
+        self.mesh = ColonyMesh::default();
     }
 
     /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
@@ -259,8 +281,12 @@ impl Generator {
 
     /// The first piece of work whose result is not in the cache.
     fn next_task(&mut self) -> Option<Task> {
-        let params = self.params.as_ref()?;
+        let params = &self.params.clone()?;
         let key = self.key_of_log(params);
+        if self.ground().is_none() {
+            // That of another log, or of one that nothing keeps clear of.
+            self.ground = None;
+        }
         if self.log_key.as_ref() != Some(&key) {
             self.spawn_key = None;
             if let Some((_, surface)) = &self.given {
@@ -272,14 +298,19 @@ impl Generator {
             self.deform_key = None;
             return Some(Task::Spawn);
         }
+        let stale = self.deform_key.as_ref() != Some(&DeformKey::new(params));
+        let stale = stale || self.collide_key.is_some_and(|rule| rule != params.collisions);
+        if let Err(error) = self.check_colony(params, stale || self.collide_key.is_none()) {
+            self.refused = Some(error);
+            return None;
+        }
         if params.clear_log && self.ground().is_none() {
             let Some((number, surface)) = &self.given else {
                 return Some(Task::Ground(Box::new(Grown::new(params.log))));
             };
             self.ground = Some(Ground::Given(Given::new(*number, &surface.log)));
         }
-        let stale = self.deform_key.as_ref() != Some(&DeformKey::new(params));
-        if stale || self.collide_key.is_some_and(|rule| rule != params.collisions) {
+        if stale {
             self.deform_key = None;
             self.collide_key = None;
             self.layout = Layout::new(params);
@@ -303,7 +334,7 @@ impl Generator {
         })
     }
 
-    fn key_of_log(&self, params: &Params) -> LogKey {
+    pub(super) fn key_of_log(&self, params: &Params) -> LogKey {
         match &self.given {
             Some((number, _)) => LogKey::Given(*number, params.log.spacing),
             None => LogKey::Grown(params.log),

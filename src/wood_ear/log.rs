@@ -28,6 +28,13 @@ pub struct Log {
     pub coords: Vec<[f32; 2]>,
 }
 
+impl Log {
+    /// Room for so many vertices, but for what they are made of, and triangles.
+    pub(super) fn with_capacity(vertices: usize, triangles: usize) -> Self {
+        Log { points: Vec::with_capacity(vertices), triangles: Vec::with_capacity(triangles), ..Log::default() }
+    }
+}
+
 /// One ring of the sweep; a point where `count` is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Ring {
@@ -92,7 +99,12 @@ pub(super) struct Sweep {
 impl Sweep {
     pub(super) fn new(log: &LogParams, fineness: u32) -> Self {
         let rings = rings(log, fineness);
-        Sweep { shape: LogShape::new(*log), rings, next: 0, before: 0, log: Log::default() }
+        let vertices = rings.iter().map(|ring| ring.count as usize).sum();
+        // Euler: it is closed.
+        let mut mesh = Log::with_capacity(vertices, 2 * vertices);
+        mesh.kinds.reserve_exact(vertices);
+        mesh.coords.reserve_exact(vertices);
+        Sweep { shape: LogShape::new(*log), rings, next: 0, before: 0, log: mesh }
     }
 
     pub(super) fn progress(&self) -> f64 {

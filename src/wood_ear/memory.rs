@@ -1,53 +1,165 @@
-//! The memory a colony needs, estimated before anything is allocated.
+//! The memory a run needs: of the log before it begins, of the colony as soon as its individuals are counted.
 
 use super::body::Layout;
 use super::feet::wanted;
+use super::generator::Generator;
 use super::log::counts;
 use super::user_log::Surface;
 use crate::error::Error;
-use crate::params::wood_ear::Params;
+use crate::params::wood_ear::{Collisions, Params};
 
 /// A wasm instance before its first run: stack and static data.
 const INSTANCE: f64 = 1.2e6;
 
+/// What a heap takes over what lies in it, after several runs: a memory of wasm never shrinks.
+const HOLES: f64 = 1.12;
+
 /// Vertices and corners are numbered in 32 bits, whatever the budget.
 const MOST_CORNERS: f64 = 2_147_483_648.0;
 
-/// # Errors
-/// [`Error::OverBudget`] where the estimate exceeds the budget; `given` is a log of the user's own.
-pub(super) fn check(params: &Params, given: Option<&Surface>, budget: u64) -> Result<(), Error> {
-    let layout = Layout::new(params);
-    let (places, vertices) = match given {
-        Some(surface) => (wanted(surface.area(), params.log.spacing), surface.log.points.len() as f64),
-        None => {
-            let (_, [coarse, fine]) = counts(&params.log);
-            (coarse as f64, fine as f64)
-        }
-    };
-    let individuals = expected(params, places, given);
-    let [v, t] = [f64::from(layout.vertices), layout.triangles.len() as f64];
-    // Positions, normals and indices, once in the generator and once copied out; positions again while collisions run; the sheets.
-    let sheet = f64::from(params.rings * params.meridians) * 24.0 * 2.0 + 64.0;
-    let each = 2.0 * (24.0 * v + 12.0 * t) + 12.0 * v + sheet + 400.0;
-    let log = 2.0 * (33.0 * vertices + 24.0 * vertices) + 48.0 * vertices + 90.0 * places;
-    let bytes = INSTANCE + individuals * each + log;
-    if bytes > budget as f64 || individuals * 3.0 * t > MOST_CORNERS {
-        let key = if individuals * each > log { "density" } else { "logSpacing" };
-        return Err(Error::OverBudget { key, estimate: bytes as u64, budget });
-    }
-    Ok(())
+/// Bytes of a log or a colony.
+#[derive(Debug, Clone, Copy, Default)]
+struct Need {
+    /// Kept after the run.
+    kept: f64,
+    /// Beside it, while it is made.
+    beside: f64,
+    /// Copied out.
+    copies: f64,
 }
 
-/// Individuals to be expected, rather more than fewer.
-fn expected(params: &Params, places: f64, given: Option<&Surface>) -> f64 {
-    let share = params.density / 100.0;
-    let within = match given {
-        Some(surface) => surface.share_within(params),
+/// What a run has been told it needs.
+#[derive(Debug, Default)]
+pub(super) struct Memory {
+    budget: f64,
+    /// The largest estimate of the run.
+    estimate: f64,
+    log: Need,
+    colony: Need,
+    /// The most that is there at once in the run, and while a mesh of the user's own was read since the run before.
+    peak: f64,
+    read: f64,
+}
+
+/// The vertices of a log that is seen are kept as f32, with what they are made of and where; those that feet are found on as f64.
+const SEEN: f64 = 57.0;
+const STOOD_ON: f64 = 81.0;
+
+/// A mesh of the user's own, while it is read and afterwards.
+fn given(surface: &Surface) -> Need {
+    let vertices = surface.given as f64;
+    let [kept, triangles] = [surface.log.points.len() as f64, surface.log.triangles.len() as f64];
+    Need {
+        kept: 57.0 * kept + 24.0 * triangles + 33.0 * kept + 12.0 * triangles,
+        beside: 44.0 * vertices + 12.0 * triangles,
+        copies: 33.0 * kept + 12.0 * triangles,
+    }
+}
+
+fn log(params: &Params, surface: Option<&Surface>) -> Need {
+    let mut need = match surface {
+        Some(surface) => {
+            let places = wanted(surface.area(), params.log.spacing);
+            let need = given(surface);
+            Need { kept: need.kept + 52.0 * places, beside: 88.0 * places, ..need }
+        }
         None => {
-            let reach: f64 = params.bases.iter().map(|base| 2.0 * base.range.unwrap_or(params.range)).sum();
-            reach / params.log.length
+            let (_, [coarse, fine]) = counts(&params.log);
+            let [coarse, fine] = [coarse as f64, fine as f64];
+            Need { kept: STOOD_ON * coarse + SEEN * fine, beside: STOOD_ON * fine, copies: SEEN * fine }
         }
     };
-    let mean = places * (within * 1.15).min(1.0) * share;
-    (mean + 4.0 * mean.sqrt()).min(places).ceil()
+    if params.clear_log {
+        need.kept += match surface {
+            Some(surface) => 80.0 * surface.log.triangles.len() as f64,
+            None => 10.0 * (params.log.length + 2.0 * params.log.radius) * params.log.radius * 4.0,
+        };
+    }
+    need
+}
+
+/// `collides`: the rule is not only to be kept.
+fn colony(params: &Params, individuals: f64, collides: bool) -> Need {
+    let layout = Layout::new(params);
+    let [v, t] = [f64::from(layout.vertices), layout.triangles.len() as f64];
+    let s = f64::from(params.rings * params.meridians);
+    let buffers = 24.0 * v + 12.0 * t + 17.0;
+    // Boxes overlap where neighbours are nearer than a wood ear is wide.
+    let near = 16.0 * params.size * params.size * params.density / (87.0 * params.log.spacing * params.log.spacing);
+    let pairs = 0.5 * near.min(individuals);
+    let settled = 24.0 * v + 4.0 * t + 100.0;
+    if individuals * 3.0 * t > MOST_CORNERS {
+        return Need { kept: f64::INFINITY, ..Need::default() };
+    }
+    let beside = match params.collisions {
+        Collisions::Off if !params.clear_log => 4.0 * t + 100.0,
+        Collisions::Off => 24.0 * s + settled,
+        Collisions::Thesis => (104.0 * s + 330.0).max(24.0 * s + settled) + 100.0,
+        Collisions::Pressed => settled + 300.0,
+    };
+    let each = Need {
+        kept: buffers + 24.0 * s + 250.0,
+        beside: if collides { beside + 24.0 * pairs } else { 0.0 },
+        copies: buffers,
+    };
+    Need { kept: individuals * each.kept, beside: individuals * each.beside, copies: individuals * each.copies }
+}
+
+impl Generator {
+    /// Bytes that the run needs at its peak, output included, as far as that is known: the larger of what was estimated at the start and of
+    /// what was, once its individuals were counted.
+    pub fn estimate(&self) -> u64 {
+        self.memory.estimate as u64
+    }
+
+    /// Before a run with these parameters begins.
+    pub(super) fn check_log(&mut self, params: &Params, budget: u64) -> Result<(), Error> {
+        let surface = self.given.as_ref().map(|(_, surface)| &**surface);
+        let log = log(params, surface);
+        // A mesh of the user's own is there already; feet are drawn on it.
+        let kept = surface.map_or(0.0, |surface| given(surface).kept);
+        let is_stale = self.log_key.as_ref() != Some(&self.key_of_log(params));
+        let making = if is_stale { log.kept - kept + log.beside } else { 0.0 };
+        let mut held = self.memory.held();
+        let peak = |held: f64| (held + making).max(log.kept);
+        let bytes = |held: f64| INSTANCE + HOLES * peak(held) + log.copies;
+        let budget = budget as f64;
+        if bytes(held) > budget {
+            over("logSpacing", bytes(0.0), budget)?;
+            self.forget_colony();
+            held = 0.0;
+        }
+        self.memory =
+            Memory { budget, estimate: bytes(held), log, colony: self.memory.colony, peak: peak(held), read: 0.0 };
+        Ok(())
+    }
+
+    /// Before the individuals that are counted by now are made.
+    pub(super) fn check_colony(&mut self, params: &Params, collides: bool) -> Result<(), Error> {
+        let Memory { budget, log, peak, .. } = self.memory;
+        let colony = colony(params, self.spawn.individuals.len() as f64, collides);
+        let peak = peak.max(log.kept + colony.kept + colony.beside);
+        let bytes = INSTANCE + HOLES * peak + log.copies + colony.copies;
+        over("density", bytes, budget)?;
+        self.memory.estimate = self.memory.estimate.max(bytes);
+        (self.memory.colony, self.memory.peak) = (colony, peak);
+        Ok(())
+    }
+
+    /// After a mesh of the user's own has been read, while the log before it was still there.
+    pub(super) fn note_given(&mut self, surface: &Surface) {
+        let need = given(surface);
+        self.memory.read = self.memory.held() + need.kept + need.beside;
+    }
+}
+
+impl Memory {
+    /// Bytes of what is there from the run before, and the most that they took since.
+    fn held(&self) -> f64 {
+        self.read.max(self.log.kept + self.colony.kept)
+    }
+}
+
+fn over(key: &'static str, bytes: f64, budget: f64) -> Result<(), Error> {
+    if bytes > budget { Err(Error::OverBudget { key, estimate: bytes as u64, budget: budget as u64 }) } else { Ok(()) }
 }

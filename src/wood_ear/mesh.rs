@@ -52,6 +52,10 @@ impl ColonyMesh {
     /// Makes room for exactly so many individuals, with all that does not depend on their shape.
     pub(super) fn resize(&mut self, individuals: usize, layout: &Layout) {
         fn fit<T: Copy>(buffer: &mut Vec<T>, len: usize, value: T) {
+            // Room that is not needed any more is given back.
+            if buffer.capacity() > len + len / 8 {
+                *buffer = Vec::new();
+            }
             buffer.reserve_exact(len.saturating_sub(buffer.len()));
             buffer.resize(len, value);
         }

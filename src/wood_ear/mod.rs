@@ -20,7 +20,7 @@
 //! params.range = 20.0;
 //! let mut generator = Generator::new();
 //! generator.start(params, u64::MAX)?;
-//! while !generator.step() {}
+//! while !generator.step()? {}
 //!
 //! // Individual k owns these indices, three per triangle, and vertex i of it is on ring i / c + 1 of its inner sheet.
 //! let mesh = generator.mesh();

@@ -5,8 +5,8 @@ use std::fmt;
 use glam::DVec3;
 
 use super::log::{Log, normals};
-use crate::params::wood_ear::Params;
-use crate::rng::{Purpose, Stream};
+use crate::error::fill;
+use crate::rng::Stream;
 
 /// Vertices and triangles a log may have.
 pub const MOST_VERTICES: usize = 200_000;
@@ -75,33 +75,28 @@ impl LogError {
     }
 
     /// The message for people; `number` writes a number, as JavaScript can: Rust's way takes 1 kB of the wasm file.
-    pub(crate) fn message(&self, number: impl Fn(f64) -> String) -> String {
+    pub(crate) fn message(&self, number: &dyn Fn(f64) -> String) -> String {
         let [value, _, max] = self.numbers();
-        let (before, first, between, second, after) = match *self {
+        let (text, numbers) = match *self {
             LogError::NotInThrees { .. } => {
-                ("the log's positions and its indices must come in threes; there are ", value, "", f64::NAN, "")
+                ("the log's positions and its indices must come in threes; there are #", [value, max])
             }
-            LogError::TooLarge { .. } => {
-                ("the log has ", value, " vertices or triangles; it may have at most ", max, "")
-            }
+            LogError::TooLarge { .. } => ("the log has # vertices or triangles; it may have at most #", [value, max]),
             LogError::BadPosition { vertex, .. } => {
-                ("vertex ", vertex as f64, " of the log has the coordinate ", value, ", not within 100 m of the origin")
+                ("vertex # of the log has the coordinate #, not within 100 m of the origin", [vertex as f64, value])
             }
             LogError::BadIndex { triangle, .. } => {
-                ("triangle ", triangle as f64, " of the log names vertex ", value, ", which is not there")
+                ("triangle # of the log names vertex #, which is not there", [triangle as f64, value])
             }
-            LogError::NoArea => ("no triangle of the log has an area", f64::NAN, "", f64::NAN, ""),
+            LogError::NoArea => ("no triangle of the log has an area", [value, max]),
         };
-        // A coordinate that is not a number is told as that; the other messages have no number there.
-        let is_told = |n: f64| !n.is_nan() || matches!(self, LogError::BadPosition { .. });
-        let [first, second] = [first, second].map(|n| if is_told(n) { number(n) } else { String::new() });
-        [before, &first, between, &second, after].concat()
+        fill(text, &[], &numbers, number)
     }
 }
 
 impl fmt::Display for LogError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(&self.message(|n| n.to_string()))
+        f.write_str(&self.message(&|n| n.to_string()))
     }
 }
 
@@ -115,6 +110,8 @@ pub(super) struct Surface {
     pub(super) numbers: Vec<u32>,
     /// Whether the mesh was closed and inside out, and has been turned.
     pub(super) is_turned: bool,
+    /// How many vertices were given.
+    pub(super) given: usize,
     /// Per triangle the area of all up to it, cm².
     areas: Vec<f64>,
 }
@@ -133,27 +130,6 @@ impl Surface {
         let [u, v] = [stream.unit().sqrt(), stream.unit()];
         let normal = (b - a).cross(c - a).normalize_or(DVec3::Z);
         (triangle as u32, a + u * ((1.0 - v) * (b - a) + v * (c - a)), normal)
-    }
-}
-
-/// Points of the surface by which it is estimated how much of it lies within range.
-const PROBES: u32 = 2048;
-
-impl Surface {
-    /// About what share of the surface lies within range of a base, by probing.
-    pub(super) fn share_within(&self, params: &Params) -> f64 {
-        let mut stream = Stream::new(0, Purpose::Feet, 1, 0);
-        let probes: Vec<DVec3> = (0..PROBES).map(|_| self.dart(&mut stream).1).collect();
-        // Bases are moved to the log.
-        let bases = params.bases.iter().map(|base| {
-            let at = DVec3::from_array(base.position);
-            let nearest =
-                |best: DVec3, p: &DVec3| if p.distance_squared(at) < best.distance_squared(at) { *p } else { best };
-            (probes.iter().fold(probes[0], nearest), base.range.unwrap_or(params.range))
-        });
-        let bases: Vec<(DVec3, f64)> = bases.collect();
-        let within = probes.iter().filter(|p| bases.iter().any(|(at, range)| p.distance(*at) <= *range));
-        (within.count() + 1) as f64 / f64::from(PROBES)
     }
 }
 
@@ -179,7 +155,9 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, Lo
     }
     let welded = weld(&given);
     let mut number = vec![u32::MAX; given.len()];
-    let (mut log, mut numbers, mut areas, mut area) = (Log::default(), Vec::new(), Vec::new(), 0.0);
+    let triangles = indices.len() / 3;
+    let (mut numbers, mut areas, mut area) = (Vec::with_capacity(triangles), Vec::with_capacity(triangles), 0.0);
+    let mut log = Log::with_capacity(given.len(), triangles);
     for (triangle, corners) in (0..).zip(indices.chunks_exact(3)) {
         let [a, b, c] = [corners[0], corners[1], corners[2]].map(|v| welded[v as usize]);
         let [p, q, r] = [a, b, c].map(|v| given[v as usize]);
@@ -206,10 +184,11 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, Lo
     if is_turned {
         log.triangles.iter_mut().for_each(|t| t.swap(1, 2));
     }
+    log.points.shrink_to_fit();
     log.normals = normals(&log.points, &log.triangles);
     log.kinds = vec![0; log.points.len()];
     log.coords = vec![[0.0; 2]; log.points.len()];
-    Ok(Surface { log, numbers, is_turned, areas })
+    Ok(Surface { log, numbers, is_turned, given: given.len(), areas })
 }
 
 /// Whether a mesh is closed and encloses a negative volume. What is open has no inside.

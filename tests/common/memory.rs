@@ -6,7 +6,7 @@ use rock_field::params::Params;
 use rock_field::rocks::Generator;
 
 /// A wasm instance before its first run: a stack of 1 MiB and static data. It is part of what a tab needs.
-const INSTANCE: usize = 1_150_000;
+pub const INSTANCE: usize = 1_150_000;
 
 /// Measures a generator that it sees from the beginning on. Nothing may run beside it.
 pub struct Meter<'a> {
