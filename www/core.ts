@@ -4,11 +4,12 @@
  * The work is done on the thread that calls, in slices of about 16 ms. It imports nothing from Node.
  */
 
-import * as glue from '../pkg/generator.js';
+import start, { __wbg_reset_state, fresh_seed, Generator, memory_estimate } from '../pkg/generator.js';
 import type { WoodEarColony } from './colony.ts';
 import type { Field } from './field.ts';
 import { generateOnce, openGenerator, Realm } from './generator/headless.ts';
 import type { FieldGenerator, GenerateOptions, GeneratorOptions } from './generator/headless.ts';
+import type { GeneratorGlue } from './generator/wasm.ts';
 import { growOnce, openWoodEars } from './generator/wood-ear-headless.ts';
 import type { WoodEarGenerator, WoodEarOptions } from './generator/wood-ear-headless.ts';
 import type { WoodEarModule } from './generator/wood-ear-session.ts';
@@ -29,6 +30,8 @@ export type { WoodEarGenerator, WoodEarOptions } from './generator/wood-ear-head
 export type { WoodEarStage } from './generator/wood-ear-session.ts';
 export type { WoodEarBase, WoodEarLogMesh, WoodEarLogShape, WoodEarParams, WoodEarPresetName, WoodEarRequest } from './wood-ear-flat.ts';
 
+// By name: a bundler's object of a whole module would put a helper into every script of the page.
+const glue: GeneratorGlue = { default: start, Generator, fresh_seed, memory_estimate, __wbg_reset_state };
 const realm = new Realm(glue, () => new URL('./generator_bg.wasm', import.meta.url));
 // Fetched when a colony is first asked for.
 const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(() => import('../pkg/wood-ear.js'), () => new URL('./wood-ear_bg.wasm', import.meta.url));

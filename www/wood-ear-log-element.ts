@@ -26,7 +26,7 @@ import { encodeWoodEarLink } from './wood-ear-link.ts';
 import { woodEarLook } from './wood-ear-look.ts';
 import { WoodEarSceneClient } from './wood-ear-runs.ts';
 import { isSlowThesis, timeLeft } from './wood-ear-patience.ts';
-import { sayOfLog, saySlow, sceneLabel } from './wood-ear-words.ts';
+import { describeColony, sayOfLog, saySlow, sceneLabel } from './wood-ear-words.ts';
 import { groundSide, WOOD_EARS } from './wood-ears.ts';
 import type { WoodEars, WoodEarScene, WoodEarSceneParams } from './wood-ears.ts';
 
@@ -51,7 +51,7 @@ const SCENE: Scene<WoodEars> = {
   lookOf: woodEarLook,
   groundSize: (params) => [groundSide(params), groundSide(params)],
   encode: encodeWoodEarLink,
-  describe: async ({ colony }, metresPerPixel, language) => (await lazily(() => import('./wood-ear-words.ts'))).describeColony(colony, metresPerPixel, language),
+  describe: async ({ colony }, metresPerPixel, language) => describeColony(colony, metresPerPixel, language),
   random: async (params, draw) => (await lazily(() => import('./controls/randomise-wood-ears.ts'))).randomWoodEars(params, draw),
   loadPanel: loadWoodEarPanel,
 };
