@@ -32,8 +32,7 @@ export function filesBefore(inputs, entryPoints) {
     const later = new Set([...all].flatMap((file) => imports(inputs, file, ['dynamic-import'])));
     for (const file of later) before.set(file, (before.get(file) ?? [...atOnce]).filter((other) => atOnce.has(other)));
   }
-  const isOurs = (file) => file.startsWith('www/') && !file.includes('?');
-  return new Map([...before].map(([file, files]) => [file, files.filter((other) => isOurs(other) && other !== file)]));
+  return new Map([...before].map(([file, files]) => [file, files.filter((other) => other.startsWith('www/') && other !== file)]));
 }
 
 function reached(inputs, entryPoint, kinds) {

@@ -24,18 +24,6 @@ export const nodeless = {
   },
 };
 
-/** So small, and without a state, that a copy for whoever imports them weighs less than a chunk of their own. */
-const TINY = /\/(filled|limits|budget)\.ts$/;
-
-let copies = 0;
-
-export const tinyCopied = {
-  name: 'tiny-copied',
-  setup(build) {
-    build.onResolve({ filter: TINY }, ({ path: file, resolveDir }) => ({ path: path.join(resolveDir, file), suffix: `?${(copies += 1)}` }));
-  },
-};
-
 /** In a classic script of another origin an import has no address to be relative to. */
 export const panelByAddress = {
   name: 'panel-by-address',

@@ -8,7 +8,7 @@ import { dist, hashOf, pkg, root } from './env.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { loadedBefore } from './loaded-before.mjs';
 import { Failure, step } from './run.mjs';
-import { nodeless, panelApart, panelByAddress, sheetsAsText, tinyCopied } from './web-plugins.mjs';
+import { nodeless, panelApart, panelByAddress, sheetsAsText } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
 
 /** What the browser build put where, for the size check and the dependency check. */
@@ -76,7 +76,7 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const workers = await built({ entryPoints: WORKERS });
     const panel = await built({ entryPoints: PANELS, plugins: [sheetsAsText] });
     const entryPoints = [...PAGE_ENTRIES, ...PUBLIC_ENTRIES];
-    const plugins = [panelApart(names), await loadedBefore(entryPoints, { plugins: [nodeless, panelApart(names), tinyCopied] }), tinyCopied];
+    const plugins = [panelApart(names), await loadedBefore(entryPoints, { plugins: [nodeless, panelApart(names)] })];
     const browser = await built({ entryPoints, chunkNames: 'chunk-[hash]', assetNames: '[name]', splitting: true, plugins });
     withPlainNames(staging, browser, PUBLIC_ENTRIES);
     // Read by people in stack traces.
@@ -111,7 +111,7 @@ function withHashedNames(page, names) {
 export async function bundle(options) {
   try {
     const plugins = [...(options.platform === 'browser' ? [nodeless] : []), ...(options.plugins ?? [])];
-    const define = options.platform === 'browser' ? { __RENDERER_BYTES__: JSON.stringify(rendererBytes()), ...options.define } : options.define;
+    const define = options.platform === 'browser' ? { ...rendererBytes(), ...options.define } : options.define;
     return await esbuild.build({ ...common, ...options, define, plugins });
   } catch (error) {
     throw new Failure(`the bundle has ${error.errors?.length ?? 1} error(s), printed above`);
@@ -120,8 +120,9 @@ export async function bundle(options) {
 
 /** How large each renderer is once it has arrived: what a server tells is the compressed size, if anything. */
 function rendererBytes() {
-  const size = (backend) => statSync(path.join(pkg, `renderer-${backend}_bg.wasm`)).size;
-  return { webgpu: size('webgpu'), webgl: size('webgl') };
+  // Each by itself: an object would be a chunk of its own.
+  const size = (backend) => String(statSync(path.join(pkg, `renderer-${backend}_bg.wasm`)).size);
+  return { __WEBGPU_BYTES__: size('webgpu'), __WEBGL_BYTES__: size('webgl') };
 }
 
 function requireFiles() {

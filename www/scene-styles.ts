@@ -1,6 +1,7 @@
 /**
  * The style of a scene's shadow tree, shared by all elements. The first rule is the contract of replaced elements: any author rule wins, but for
- * the containment, without which the picture would be laid out in whatever box is around the element.
+ * the containment, without which the picture would be laid out in whatever box is around the element. The ring of the focus comes after the
+ * canvas, which would be painted over an outline of the stage's own.
  */
 
 export const SCENE_STYLES = `
@@ -10,7 +11,6 @@ export const SCENE_STYLES = `
 .stage, canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block }
 .stage { outline: none; cursor: grab; user-select: none; -webkit-user-select: none }
 .stage:active { cursor: grabbing }
-/* After the canvas, which would be painted over an outline of the stage's own. */
 .stage:focus-visible::after {
   content: ""; position: absolute; inset: 0; pointer-events: none; outline: 2px solid var(--rock-field-accent, Highlight); outline-offset: -2px;
   box-shadow: inset 0 0 0 3px rgb(255 255 255 / .75);

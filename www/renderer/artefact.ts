@@ -89,7 +89,8 @@ const ARTEFACTS = {
 } as const satisfies Record<GpuBackend, { load: () => Promise<unknown>; wasm: () => URL }>;
 
 /** Filled in by the build: bytes of each wasm as they are before the server compresses them. */
-declare const __RENDERER_BYTES__: Readonly<Record<GpuBackend, number>>;
+declare const __WEBGPU_BYTES__: number;
+declare const __WEBGL_BYTES__: number;
 
 /** Of the wasm that is on its way, 0 … 1. */
 let arrived: number | null = null;
@@ -150,7 +151,7 @@ async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   response.catch(() => undefined);
   const [module, { startWasmFile }] = await Promise.race([Promise.all([load() as Promise<RendererModule>, lazily(() => import('../wasm-file.ts'), true)]), late()]);
   arrived = 0;
-  const heard = (bytes: number): void => void (arrived = Math.min(1, bytes / __RENDERER_BYTES__[backend]));
+  const heard = (bytes: number): void => void (arrived = Math.min(1, bytes / (backend === 'webgpu' ? __WEBGPU_BYTES__ : __WEBGL_BYTES__)));
   await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop, heard }).catch(missing).finally(() => (arrived = null));
   return module;
 }
