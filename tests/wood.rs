@@ -17,7 +17,7 @@ const MERIDIANS: u32 = 8;
 fn grown(params: Params) -> Generator {
     let mut generator = Generator::new();
     generator.start(params, u64::MAX).expect("valid parameters");
-    while !generator.step().unwrap() {}
+    while !generator.step().expect("no budget") {}
     generator
 }
 
