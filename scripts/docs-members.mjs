@@ -169,6 +169,6 @@ function shown(spec, value) {
 }
 
 function label(spec) {
-  const [words] = spec.label.en.split(/ (?=[a-zA-Z]_|r$)/);
+  const [words] = spec.label.split(/ (?=[a-zA-Z]_|r$)/);
   return spec.scope === 'layer' ? `${words} of the first layer` : words;
 }

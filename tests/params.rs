@@ -3,6 +3,7 @@
 #![cfg(not(target_arch = "wasm32"))]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
+use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use rock_field::params::{
@@ -56,12 +57,12 @@ macro_rules! rows {
                 None => writeln!($out, "    relative: null,").unwrap(),
             }
             writeln!($out, "    unit: {{ px: {}, relative: {} }},", json(text.unit[0]), json(text.unit[1])).unwrap();
-            writeln!($out, "    label: {},", pair(text.label)).unwrap();
+            writeln!($out, "    label: {},", json(text.label[0])).unwrap();
             let words: Vec<String> = choices
                 .unwrap_or_default()
                 .iter()
                 .zip(text.choices)
-                .map(|(word, label)| format!("{{ value: {}, label: {} }}", json(word), pair(*label)))
+                .map(|(word, label)| format!("{{ value: {}, label: {} }}", json(word), json(label[0])))
                 .collect();
             writeln!($out, "    choices: [{}],", words.join(", ")).unwrap();
             writeln!($out, "  }},").unwrap();
@@ -154,6 +155,28 @@ fn typescript_is_generated_from_the_table() {
     let mut ears = String::from(DOCS_HEAD);
     docs!(ears, wood_ear, "WOOD_EAR_DOCS");
     assert_generated("www/wood-ear-docs.gen.ts", &ears);
+    assert_generated("www/labels.ja.gen.ts", &japanese_labels());
+}
+
+/// The Japanese label of every parameter and choice, by the English one.
+fn japanese_labels() -> String {
+    let rocks = TEXTS.iter().flat_map(|text| std::iter::once(&text.label).chain(text.choices));
+    let ears = wood_ear::TEXTS.iter().flat_map(|text| std::iter::once(&text.label).chain(text.choices));
+    let mut labels = BTreeMap::new();
+    for [en, ja] in rocks.chain(ears) {
+        let former = labels.insert(en, ja);
+        assert!(former.is_none_or(|other| other == ja), "{en} has two Japanese labels");
+    }
+    let mut out = String::from(
+        "// Generated from src/params/ by `UPDATE=1 cargo test --test params`; never edited.\n\n\
+         /** The Japanese label of every parameter and choice, by the English one; apart from the tables, since few read Japanese. */\n\
+         export const LABELS_JA: Readonly<Record<string, string>> = {\n",
+    );
+    for (en, ja) in labels {
+        writeln!(out, "  {}: {},", json(en), json(ja)).unwrap();
+    }
+    out.push_str("};\n");
+    out
 }
 
 const DOCS_HEAD: &str = "// Generated from src/params/ by `UPDATE=1 cargo test --test params`; never edited.\n\n\

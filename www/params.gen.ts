@@ -11,7 +11,7 @@ export const PARAMS = [
     min: 0, max: 4294967295, step: 1, default: 0, slider: { min: 0, max: 4294967295, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Seed", ja: "シード" },
+    label: "Seed",
     choices: [],
   },
   {
@@ -19,7 +19,7 @@ export const PARAMS = [
     min: 1, max: 8192, step: 1, default: 1024, slider: { min: 16, max: 8192, logarithmic: true },
     relative: null,
     unit: { px: "px", relative: "px" },
-    label: { en: "Width", ja: "幅" },
+    label: "Width",
     choices: [],
   },
   {
@@ -27,7 +27,7 @@ export const PARAMS = [
     min: 1, max: 8192, step: 1, default: 1024, slider: { min: 16, max: 8192, logarithmic: true },
     relative: null,
     unit: { px: "px", relative: "px" },
-    label: { en: "Depth", ja: "奥行き" },
+    label: "Depth",
     choices: [],
   },
   {
@@ -35,7 +35,7 @@ export const PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0.7, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Packing c_d", ja: "充填率 c_d" },
+    label: "Packing c_d",
     choices: [],
   },
   {
@@ -43,39 +43,39 @@ export const PARAMS = [
     min: 0, max: 1, step: 1, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Notation", ja: "単位系" },
-    choices: [{ value: "px", label: { en: "Pixels", ja: "画素" } }, { value: "relative", label: { en: "Relative", ja: "相対" } }],
+    label: "Notation",
+    choices: [{ value: "px", label: "Pixels" }, { value: "relative", label: "Relative" }],
   },
   {
     key: "darts", component: null, url: "darts", scope: 'field', kind: 'choice', stage: 'sites',
     min: 0, max: 1, step: 1, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Darts", ja: "ダーツ" },
-    choices: [{ value: "saturate", label: { en: "Until saturated", ja: "飽和まで" } }, { value: "attempts", label: { en: "N_p attempts", ja: "N_p 回" } }],
+    label: "Darts",
+    choices: [{ value: "saturate", label: "Until saturated" }, { value: "attempts", label: "N_p attempts" }],
   },
   {
     key: "border", component: null, url: "border", scope: 'field', kind: 'choice', stage: 'selection',
     min: 0, max: 1, step: 1, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Border cells", ja: "境界セル" },
-    choices: [{ value: "clip", label: { en: "Clip", ja: "切り取る" } }, { value: "drop", label: { en: "Drop", ja: "除外する" } }],
+    label: "Border cells",
+    choices: [{ value: "clip", label: "Clip" }, { value: "drop", label: "Drop" }],
   },
   {
     key: "swing", component: null, url: "swing", scope: 'field', kind: 'choice', stage: 'mesh',
     min: 0, max: 1, step: 1, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Swing", ja: "乱数" },
-    choices: [{ value: "shared", label: { en: "Shared", ja: "共有" } }, { value: "separate", label: { en: "Separate", ja: "別々" } }],
+    label: "Swing",
+    choices: [{ value: "shared", label: "Shared" }, { value: "separate", label: "Separate" }],
   },
   {
     key: "variation", component: null, url: "var", scope: 'field', kind: 'real', stage: 'look',
     min: 0, max: 1, step: 0.01, default: 0.5, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Variation", ja: "ばらつき" },
+    label: "Variation",
     choices: [],
   },
   {
@@ -83,7 +83,7 @@ export const PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Wetness", ja: "濡れ" },
+    label: "Wetness",
     choices: [],
   },
   {
@@ -91,7 +91,7 @@ export const PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Moss", ja: "苔" },
+    label: "Moss",
     choices: [],
   },
   {
@@ -99,7 +99,7 @@ export const PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0.2, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Dust", ja: "砂ぼこり" },
+    label: "Dust",
     choices: [],
   },
   {
@@ -107,15 +107,15 @@ export const PARAMS = [
     min: 0, max: 2, step: 1, default: 0, slider: { min: 0, max: 2, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Ground", ja: "地面" },
-    choices: [{ value: "soil", label: { en: "Soil", ja: "土" } }, { value: "sand", label: { en: "Sand", ja: "砂" } }, { value: "gravel", label: { en: "Gravel", ja: "砂利" } }],
+    label: "Ground",
+    choices: [{ value: "soil", label: "Soil" }, { value: "sand", label: "Sand" }, { value: "gravel", label: "Gravel" }],
   },
   {
     key: "sunAzimuth", component: null, url: "sa", scope: 'field', kind: 'real', stage: 'look',
     min: 0, max: 360, step: 1, default: 259, slider: { min: 0, max: 360, logarithmic: false },
     relative: null,
     unit: { px: "°", relative: "°" },
-    label: { en: "Sun azimuth", ja: "太陽の方位" },
+    label: "Sun azimuth",
     choices: [],
   },
   {
@@ -123,7 +123,7 @@ export const PARAMS = [
     min: 5, max: 90, step: 1, default: 35, slider: { min: 5, max: 90, logarithmic: false },
     relative: null,
     unit: { px: "°", relative: "°" },
-    label: { en: "Sun elevation", ja: "太陽の高さ" },
+    label: "Sun elevation",
     choices: [],
   },
   {
@@ -131,7 +131,7 @@ export const PARAMS = [
     min: 1, max: 8192, step: 0.1, default: 30, slider: { min: 2, max: 512, logarithmic: true },
     relative: { min: 0.01, max: 8192, step: 0.01, default: 3, slider: { min: 0.2, max: 50, logarithmic: true } },
     unit: { px: "px", relative: "width/100" },
-    label: { en: "Radius r", ja: "半径 r" },
+    label: "Radius r",
     choices: [],
   },
   {
@@ -139,7 +139,7 @@ export const PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0.25, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Area A_s", ja: "面積率 A_s" },
+    label: "Area A_s",
     choices: [],
   },
   {
@@ -147,7 +147,7 @@ export const PARAMS = [
     min: 0, max: 4294967295, step: 1, default: null, slider: { min: 0, max: 1000, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Count", ja: "個数" },
+    label: "Count",
     choices: [],
   },
   {
@@ -155,7 +155,7 @@ export const PARAMS = [
     min: -500, max: 500, step: 0.1, default: 0, slider: { min: -40, max: 40, logarithmic: false },
     relative: { min: -500, max: 500, step: 0.01, default: 0, slider: { min: -4, max: 4, logarithmic: false } },
     unit: { px: "px", relative: "width/100" },
-    label: { en: "Taper base c_w1", ja: "幅・基本 c_w1" },
+    label: "Taper base c_w1",
     choices: [],
   },
   {
@@ -163,7 +163,7 @@ export const PARAMS = [
     min: -500, max: 500, step: 0.1, default: 6, slider: { min: -40, max: 40, logarithmic: false },
     relative: { min: -500, max: 500, step: 0.01, default: 0.3, slider: { min: -4, max: 4, logarithmic: false } },
     unit: { px: "px", relative: "width/100" },
-    label: { en: "Taper per rock c_w2", ja: "幅・岩ごと c_w2" },
+    label: "Taper per rock c_w2",
     choices: [],
   },
   {
@@ -171,7 +171,7 @@ export const PARAMS = [
     min: -500, max: 500, step: 0.1, default: 2, slider: { min: -40, max: 40, logarithmic: false },
     relative: { min: -500, max: 500, step: 0.01, default: 0.1, slider: { min: -4, max: 4, logarithmic: false } },
     unit: { px: "px", relative: "width/100" },
-    label: { en: "Taper per vertex c_w3", ja: "幅・頂点ごと c_w3" },
+    label: "Taper per vertex c_w3",
     choices: [],
   },
   {
@@ -179,7 +179,7 @@ export const PARAMS = [
     min: 0, max: 500, step: 0.1, default: 5, slider: { min: 0, max: 80, logarithmic: false },
     relative: { min: 0, max: 500, step: 0.01, default: 0.3, slider: { min: 0, max: 2, logarithmic: false } },
     unit: { px: "px", relative: "r" },
-    label: { en: "Height base c_h1", ja: "高さ・基本 c_h1" },
+    label: "Height base c_h1",
     choices: [],
   },
   {
@@ -187,7 +187,7 @@ export const PARAMS = [
     min: 0, max: 500, step: 0.1, default: 5, slider: { min: 0, max: 80, logarithmic: false },
     relative: { min: 0, max: 500, step: 0.01, default: 0.3, slider: { min: 0, max: 2, logarithmic: false } },
     unit: { px: "px", relative: "r" },
-    label: { en: "Height per rock c_h2", ja: "高さ・岩ごと c_h2" },
+    label: "Height per rock c_h2",
     choices: [],
   },
   {
@@ -195,7 +195,7 @@ export const PARAMS = [
     min: 0, max: 500, step: 0.1, default: 3, slider: { min: 0, max: 80, logarithmic: false },
     relative: { min: 0, max: 500, step: 0.01, default: 0.1, slider: { min: 0, max: 2, logarithmic: false } },
     unit: { px: "px", relative: "r" },
-    label: { en: "Height per vertex c_h3", ja: "高さ・頂点ごと c_h3" },
+    label: "Height per vertex c_h3",
     choices: [],
   },
   {
@@ -203,7 +203,7 @@ export const PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Weathering", ja: "風化" },
+    label: "Weathering",
     choices: [],
   },
   {
@@ -211,7 +211,7 @@ export const PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Roughness", ja: "粗さ" },
+    label: "Roughness",
     choices: [],
   },
   {
@@ -219,7 +219,7 @@ export const PARAMS = [
     min: 0, max: 3, step: 1, default: 0, slider: { min: 0, max: 3, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Detail", ja: "細かさ" },
+    label: "Detail",
     choices: [],
   },
   {
@@ -227,7 +227,7 @@ export const PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Embedding", ja: "埋まり" },
+    label: "Embedding",
     choices: [],
   },
   {
@@ -235,8 +235,8 @@ export const PARAMS = [
     min: 0, max: 5, step: 1, default: 0, slider: { min: 0, max: 5, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Material", ja: "石質" },
-    choices: [{ value: "mixed", label: { en: "Mixed", ja: "混合" } }, { value: "granite", label: { en: "Granite", ja: "花崗岩" } }, { value: "basalt", label: { en: "Basalt", ja: "玄武岩" } }, { value: "sandstone", label: { en: "Sandstone", ja: "砂岩" } }, { value: "limestone", label: { en: "Limestone", ja: "石灰岩" } }, { value: "slate", label: { en: "Slate", ja: "粘板岩" } }],
+    label: "Material",
+    choices: [{ value: "mixed", label: "Mixed" }, { value: "granite", label: "Granite" }, { value: "basalt", label: "Basalt" }, { value: "sandstone", label: "Sandstone" }, { value: "limestone", label: "Limestone" }, { value: "slate", label: "Slate" }],
   },
 ] as const satisfies readonly ParamSpec[];
 

@@ -2,6 +2,8 @@
 
 import type { NaturalName, StringKey } from './strings.ts';
 
+export { LABELS_JA } from './labels.ja.gen.ts';
+
 export const NATURAL_NAMES_JA: Record<NaturalName, string> = {
   riverbed: '河原',
   'beach-cobbles': '浜の丸石',

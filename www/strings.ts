@@ -131,6 +131,11 @@ export function translate(language: Language, key: StringKey, slots: Slots = {})
   return filled((language === 'ja' && japanese?.STRINGS_JA[key]) || STRINGS[key], slots);
 }
 
+/** The label of a parameter or of a choice, which the tables have in English. */
+export function labelOf(language: Language, label: string): string {
+  return (language === 'ja' && japanese?.LABELS_JA[label]) || label;
+}
+
 let japanese: typeof Japanese | undefined;
 
 /** Few read Japanese, so its sentences are fetched; until they are there, and where they cannot be had, they are English. */

@@ -17,8 +17,9 @@ export interface Row extends Bounds {
   /** Bounds in the conference's notation where they differ. */
   relative: Bounds | null;
   unit: Record<Notation, string>;
-  label: Words;
-  choices: readonly { value: string; label: Words }[];
+  /** In English, as those of the choices; `labelOf` has them in Japanese. */
+  label: string;
+  choices: readonly { value: string; label: string }[];
 }
 
 /** The types of a generator. */

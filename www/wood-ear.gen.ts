@@ -11,7 +11,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 4294967295, step: 1, default: 0, slider: { min: 0, max: 4294967295, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Seed", ja: "シード" },
+    label: "Seed",
     choices: [],
   },
   {
@@ -19,7 +19,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 100, step: 1, default: 50, slider: { min: 0, max: 100, logarithmic: false },
     relative: null,
     unit: { px: "%", relative: "%" },
-    label: { en: "Colony density", ja: "群生密度" },
+    label: "Colony density",
     choices: [],
   },
   {
@@ -27,7 +27,7 @@ export const WOOD_EAR_PARAMS = [
     min: 20, max: 200, step: 1, default: 50, slider: { min: 20, max: 200, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Colony range", ja: "群生範囲" },
+    label: "Colony range",
     choices: [],
   },
   {
@@ -35,7 +35,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 100, step: 1, default: 50, slider: { min: 0, max: 100, logarithmic: false },
     relative: null,
     unit: { px: "%", relative: "%" },
-    label: { en: "Moisture", ja: "含水率" },
+    label: "Moisture",
     choices: [],
   },
   {
@@ -43,7 +43,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 100, step: 1, default: 50, slider: { min: 0, max: 100, logarithmic: false },
     relative: null,
     unit: { px: "%", relative: "%" },
-    label: { en: "Wrinkles", ja: "シワの密度" },
+    label: "Wrinkles",
     choices: [],
   },
   {
@@ -51,7 +51,7 @@ export const WOOD_EAR_PARAMS = [
     min: 1, max: 3, step: 0.05, default: 2, slider: { min: 1, max: 3, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Size", ja: "サイズ" },
+    label: "Size",
     choices: [],
   },
   {
@@ -59,7 +59,7 @@ export const WOOD_EAR_PARAMS = [
     min: 1, max: 2, step: 0.05, default: 1.5, slider: { min: 1, max: 2, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Size spread", ja: "サイズのばらつき幅" },
+    label: "Size spread",
     choices: [],
   },
   {
@@ -67,7 +67,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Wrinkles per individual", ja: "個体ごとのシワ" },
+    label: "Wrinkles per individual",
     choices: [],
   },
   {
@@ -75,15 +75,15 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 2, step: 1, default: 1, slider: { min: 0, max: 2, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Collisions", ja: "衝突" },
-    choices: [{ value: "off", label: { en: "Off", ja: "なし" } }, { value: "thesis", label: { en: "Thesis", ja: "論文" } }, { value: "pressed", label: { en: "Pressed", ja: "押し合い" } }],
+    label: "Collisions",
+    choices: [{ value: "off", label: "Off" }, { value: "thesis", label: "Thesis" }, { value: "pressed", label: "Pressed" }],
   },
   {
     key: "droop", component: null, url: "dr", scope: 'field', kind: 'real', stage: 'deform',
     min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Droop", ja: "垂れ下がり" },
+    label: "Droop",
     choices: [],
   },
   {
@@ -91,7 +91,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 0.4, step: 0.01, default: 0, slider: { min: 0, max: 0.4, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Thickness", ja: "厚み" },
+    label: "Thickness",
     choices: [],
   },
   {
@@ -99,7 +99,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Foot", ja: "柄" },
+    label: "Foot",
     choices: [],
   },
   {
@@ -107,15 +107,15 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 1, step: 1, default: 0, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Clear of the log", ja: "丸太との衝突" },
-    choices: [{ value: "off", label: { en: "Off", ja: "なし" } }, { value: "on", label: { en: "On", ja: "あり" } }],
+    label: "Clear of the log",
+    choices: [{ value: "off", label: "Off" }, { value: "on", label: "On" }],
   },
   {
     key: "rings", component: null, url: "e", scope: 'field', kind: 'integer', stage: 'deform',
     min: 3, max: 24, step: 1, default: 10, slider: { min: 3, max: 24, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Rings d", ja: "輪の数 d" },
+    label: "Rings d",
     choices: [],
   },
   {
@@ -123,7 +123,7 @@ export const WOOD_EAR_PARAMS = [
     min: 8, max: 64, step: 1, default: 30, slider: { min: 8, max: 64, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Vertices per ring c", ja: "輪の頂点数 c" },
+    label: "Vertices per ring c",
     choices: [],
   },
   {
@@ -131,7 +131,7 @@ export const WOOD_EAR_PARAMS = [
     min: 40, max: 400, step: 1, default: 200, slider: { min: 40, max: 400, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Log length", ja: "丸太の長さ" },
+    label: "Log length",
     choices: [],
   },
   {
@@ -139,7 +139,7 @@ export const WOOD_EAR_PARAMS = [
     min: 5, max: 40, step: 0.5, default: 14, slider: { min: 5, max: 40, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Log radius", ja: "丸太の半径" },
+    label: "Log radius",
     choices: [],
   },
   {
@@ -147,7 +147,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0.5, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Log bend", ja: "丸太の曲がり" },
+    label: "Log bend",
     choices: [],
   },
   {
@@ -155,7 +155,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0.5, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Bark", ja: "樹皮" },
+    label: "Bark",
     choices: [],
   },
   {
@@ -163,7 +163,7 @@ export const WOOD_EAR_PARAMS = [
     min: 1.5, max: 6, step: 0.1, default: 3, slider: { min: 1.5, max: 6, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Vertex spacing", ja: "頂点の間隔" },
+    label: "Vertex spacing",
     choices: [],
   },
   {
@@ -171,7 +171,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 4294967295, step: 1, default: 0, slider: { min: 0, max: 4294967295, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Log seed", ja: "丸太のシード" },
+    label: "Log seed",
     choices: [],
   },
   {
@@ -179,7 +179,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0.4, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Variation", ja: "ばらつき" },
+    label: "Variation",
     choices: [],
   },
   {
@@ -187,7 +187,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0.5, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Translucency", ja: "透け" },
+    label: "Translucency",
     choices: [],
   },
   {
@@ -195,7 +195,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 1, step: 0.01, default: 0.5, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
     unit: { px: "", relative: "" },
-    label: { en: "Velvet", ja: "産毛" },
+    label: "Velvet",
     choices: [],
   },
   {
@@ -203,7 +203,7 @@ export const WOOD_EAR_PARAMS = [
     min: 0, max: 360, step: 1, default: 320, slider: { min: 0, max: 360, logarithmic: false },
     relative: null,
     unit: { px: "°", relative: "°" },
-    label: { en: "Sun azimuth", ja: "太陽の方位" },
+    label: "Sun azimuth",
     choices: [],
   },
   {
@@ -211,7 +211,7 @@ export const WOOD_EAR_PARAMS = [
     min: 5, max: 90, step: 1, default: 40, slider: { min: 5, max: 90, logarithmic: false },
     relative: null,
     unit: { px: "°", relative: "°" },
-    label: { en: "Sun elevation", ja: "太陽の高さ" },
+    label: "Sun elevation",
     choices: [],
   },
   {
@@ -219,7 +219,7 @@ export const WOOD_EAR_PARAMS = [
     min: -10000, max: 10000, step: 0.1, default: 0, slider: { min: -200, max: 200, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Base x", ja: "基点 x" },
+    label: "Base x",
     choices: [],
   },
   {
@@ -227,7 +227,7 @@ export const WOOD_EAR_PARAMS = [
     min: -10000, max: 10000, step: 0.1, default: -10, slider: { min: -60, max: 60, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Base y", ja: "基点 y" },
+    label: "Base y",
     choices: [],
   },
   {
@@ -235,7 +235,7 @@ export const WOOD_EAR_PARAMS = [
     min: -10000, max: 10000, step: 0.1, default: 23, slider: { min: 0, max: 80, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Base z", ja: "基点 z" },
+    label: "Base z",
     choices: [],
   },
   {
@@ -243,7 +243,7 @@ export const WOOD_EAR_PARAMS = [
     min: 20, max: 200, step: 1, default: null, slider: { min: 20, max: 200, logarithmic: false },
     relative: null,
     unit: { px: "cm", relative: "cm" },
-    label: { en: "Base range", ja: "基点の範囲" },
+    label: "Base range",
     choices: [],
   },
 ] as const satisfies readonly WoodEarSpec[];

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { LAYER_ROWS } from '../../www/params-flat.ts';
+import { LABELS_JA } from '../../www/labels.ja.gen.ts';
 import { PARAM_DOCS } from '../../www/param-docs.gen.ts';
 import { PARAMS, PRESETS } from '../../www/params.ts';
 import { WOOD_EAR_DOCS } from '../../www/wood-ear-docs.gen.ts';
@@ -10,7 +11,7 @@ import { japaneseNotice } from '../../www/notices.ja.ts';
 import { noticeText } from '../../www/notices.ts';
 import { LATER, errorText, presetLabel } from '../../www/strings-later.ts';
 import { STRINGS_JA } from '../../www/strings.ja.ts';
-import { LANGUAGES, STRINGS, loadJapanese, pickLanguage, presetName, translate } from '../../www/strings.ts';
+import { LANGUAGES, STRINGS, labelOf, loadJapanese, pickLanguage, presetName, translate } from '../../www/strings.ts';
 import type { StringKey } from '../../www/strings.ts';
 import { WOOD_EAR_STRINGS } from '../../www/strings-wood-ear.ts';
 import type { Words } from '../../www/params.ts';
@@ -28,14 +29,16 @@ test('every string exists in both languages, with the same slots', () => {
 
 test('every parameter has a label and a sentence in both languages', () => {
   for (const [rows, docs] of [[PARAMS, PARAM_DOCS], [WOOD_EAR_PARAMS, WOOD_EAR_DOCS]] as const) {
-    for (const spec of rows) for (const language of LANGUAGES) assert.ok(spec.label[language] && docs[spec.url]?.[language], spec.url);
+    for (const spec of rows) for (const language of LANGUAGES) assert.ok(docs[spec.url]?.[language], spec.url);
+    for (const label of [spec.label, ...spec.choices.map((choice) => choice.label)]) assert.ok(label && LABELS_JA[label], `${spec.url}: ${label}`);
   }
 });
 
 test('what is not there in Japanese yet is English', async () => {
-  assert.equal(translate('ja', 'layer', { n: 3 }), 'Layer 3');
+  const said = () => [translate('ja', 'layer', { n: 3 }), labelOf('ja', 'Seed')];
+  assert.deepEqual(said(), ['Layer 3', 'Seed']);
   await loadJapanese();
-  assert.equal(translate('ja', 'layer', { n: 3 }), '層 3');
+  assert.deepEqual(said(), ['層 3', 'シード']);
 });
 
 test('slots are filled, and no slot is left open', async () => {
@@ -70,7 +73,7 @@ test('each preset has a name of its own in both languages', () => {
 });
 
 test('each preset of a paper has a name of its own', () => {
-  const columns = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1) ?? '');
+  const columns = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.split(' ').at(-1) ?? '');
   for (const paper of ['journal', 'conference']) {
     const names = PRESETS.filter(({ name }) => name.startsWith(paper)).map((preset) => presetLabel('en', preset, columns));
     assert.equal(new Set(names).size, names.length);

@@ -2,7 +2,7 @@
 
 import { html } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { translate } from '../strings.ts';
+import { labelOf, translate } from '../strings.ts';
 import { problemOf, shownNumber } from './numbers.ts';
 import { describedBy, description, mathText, menu, segments } from './parts.ts';
 import { sliderScale } from './slider-scale.ts';
@@ -34,9 +34,9 @@ function choiceControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
   const choose = spec.choices.length > MOST_SEGMENTS ? menu : segments;
   return choose({
     name: idOf(spec, item),
-    label: spec.label[language],
+    label: labelOf(language, spec.label),
     help: store.help(spec),
-    options: spec.choices.map(({ value, label }) => ({ value, label: label[language] })),
+    options: spec.choices.map(({ value, label }) => ({ value, label: labelOf(language, label) })),
     value: String(store.refusedValue(spec, item) ?? store.valueOf(spec, item)),
     action: (value) => store.setParam(spec, item, value),
     problem: problemOf(store, spec, item),
@@ -60,7 +60,7 @@ function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
   return html`
     <div class="control" data-param=${id} data-help=${help}>
       <div class="control-head">
-        <label class="control-label" for=${id}>${mathText(spec.label[language])}</label>
+        <label class="control-label" for=${id}>${mathText(labelOf(language, spec.label))}</label>
         ${beside} ${numberField({ store, spec, item, id, shown, unit, problem })}
       </div>
       <input

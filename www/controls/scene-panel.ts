@@ -2,6 +2,7 @@
 
 import { LitElement, html, nothing } from 'lit';
 import { sceneAddress, SCENES } from '../scenes.ts';
+import { labelOf } from '../strings.ts';
 import { icon } from './icons.ts';
 import { loadLater } from './load-later.ts';
 import { colorChoice, viewChoice } from './look.ts';
@@ -182,7 +183,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
           ${description('preset', this.words('presetHelp'), null)}
         </div>
         <div class="control" data-param="seed" data-help=${store.help(seed)}>
-          <label class="control-label" for="seed-number">${seed.label[language]}</label>
+          <label class="control-label" for="seed-number">${labelOf(language, seed.label)}</label>
           <div class="field-row">
             ${this.later?.numberField({ store, spec: seed, item: null, id: 'seed', shown: String(params.seed), unit: '', problem }) ?? html`<span class="number"></span>`}
             ${iconButton({ icon: 'previous', label: store.text('previousSeed'), action: () => store.setSeed(params.seed - 1) })}

@@ -64,7 +64,7 @@ function propertiesOf(rows: readonly ParamSpec[], notation: Notation): Record<st
 }
 
 function valueSchema(spec: ParamSpec, notation: Notation): JsonSchema {
-  const words = { title: spec.label.en, description: PARAM_DOCS[spec.url]?.en, default: defaultOf(spec, notation) };
+  const words = { title: spec.label, description: PARAM_DOCS[spec.url]?.en, default: defaultOf(spec, notation) };
   if (spec.kind === 'choice') return { ...words, enum: spec.choices.map(({ value }) => value) };
   const { min, max } = boundsOf(spec, notation);
   const type = { real: 'number', integer: 'integer', 'optional-integer': ['integer', 'null'] }[spec.kind];

@@ -40,7 +40,7 @@ function requestSchema(): JsonSchema {
 }
 
 function valueSchema(spec: WoodEarSpec): JsonSchema {
-  const words = { title: spec.label.en, description: WOOD_EAR_DOCS[spec.url]?.en, default: woodEarDefault(spec) };
+  const words = { title: spec.label, description: WOOD_EAR_DOCS[spec.url]?.en, default: woodEarDefault(spec) };
   if (spec.kind === 'choice') return { ...words, enum: spec.choices.map(({ value }) => value) };
   const type = { real: 'number', integer: 'integer', 'optional-real': ['number', 'null'] }[spec.kind];
   return { ...words, type, minimum: spec.min, maximum: spec.max };
