@@ -110,7 +110,7 @@ async function choiceExample(spec) {
   const options = [first, ...rest].map(({ value }) => `  <option>${value}</option>`).join('\n');
   const words = isList ? presetParams(preset).layers.map(() => first.value).join(' ') : first.value;
   return `<rock-field ${attributesFor(preset)}${attributeOf(spec)}="${words}"></rock-field>
-<select aria-label="${spec.label.en}">
+<select aria-label="${spec.label}">
 ${options}
 </select>
 

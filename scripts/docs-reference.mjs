@@ -156,7 +156,7 @@ export async function elementTables(tag) {
 
 /** Every preset, live, with its link and its line. */
 export async function gallery() {
-  const columns = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1));
+  const columns = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.split(' ').at(-1));
   const groups = [
     { id: 'natural', name: 'Natural grounds', has: ({ natural }) => natural, label: (preset) => presetName('en', preset) },
     ...PAPERS.map((paper) => ({ id: paper, name: translate('en', paper), has: ({ name }) => name.startsWith(paper), label: (preset) => presetLabel('en', preset, columns).replace(/_(\w+)/g, '<sub>$1</sub>') })),

@@ -134,7 +134,7 @@ export function numberField<K extends Kind>({ store, spec, item, id, shown, unit
         max=${max}
         step=${step}
         data-shown=${shown}
-        aria-label=${unit ? `${spec.label[language]} (${unit})` : spec.label[language]}
+        aria-label=${unit ? `${labelOf(language, spec.label)} (${unit})` : labelOf(language, spec.label)}
         aria-describedby=${describedBy(id, store.help(spec), problem)}
         aria-invalid=${problem ? 'true' : 'false'}
         @input=${type}

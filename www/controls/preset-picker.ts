@@ -16,7 +16,7 @@ import type { Place } from './parts.ts';
 import type { SceneStore } from './scene-store.ts';
 
 /** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
-const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.en.split(' ').at(-1) ?? '');
+const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.split(' ').at(-1) ?? '');
 /** Letters that follow each other closely are the beginning of one name. */
 const TYPING_MS = 700;
 
