@@ -29,8 +29,10 @@ test('every string exists in both languages, with the same slots', () => {
 
 test('every parameter has a label and a sentence in both languages', () => {
   for (const [rows, docs] of [[PARAMS, PARAM_DOCS], [WOOD_EAR_PARAMS, WOOD_EAR_DOCS]] as const) {
-    for (const spec of rows) for (const language of LANGUAGES) assert.ok(docs[spec.url]?.[language], spec.url);
-    for (const label of [spec.label, ...spec.choices.map((choice) => choice.label)]) assert.ok(label && LABELS_JA[label], `${spec.url}: ${label}`);
+    for (const { url, label, choices } of rows) {
+      for (const language of LANGUAGES) assert.ok(docs[url]?.[language], url);
+      for (const words of [label, ...choices.map((choice) => choice.label)]) assert.ok(words && LABELS_JA[words], `${url}: ${words}`);
+    }
   }
 });
 
