@@ -522,7 +522,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
 
   /** Gives the running run up, with the parameters that it was to show. */
   cancel(): void {
-    this.#runs.cancel();
+    this.#runs.giveUp();
     if (this.#history?.giveUp()) this.#goBack();
   }
 

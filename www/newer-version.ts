@@ -1,7 +1,7 @@
 /** What a page does when a file of its build cannot be had: it says so, in words that are true, and offers to reload. */
 
 import { RockFieldError } from './errors.ts';
-import { translate } from './strings.ts';
+import { later } from './strings-later.ts';
 import type { SceneStore } from './controls/scene-store.ts';
 import type { onMissingFile } from './lazy.ts';
 import type { Words } from './params.ts';
@@ -67,6 +67,6 @@ export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, 
 export function sayUncaught<K extends Kind>(store: SceneStore<K>): void {
   window.addEventListener('unhandledrejection', ({ reason }) => {
     const message = reason instanceof RockFieldError ? reason.message : String(reason);
-    if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => translate(language, 'pageFailed', { message }), true);
+    if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => later(language, 'pageFailed', { message }), true);
   });
 }

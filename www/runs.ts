@@ -39,6 +39,7 @@ export class Runs<Request, Result, Stage extends string> {
   #client: RunClient<Request, Result, Stage> | undefined;
   /** The newest run; settles with its result. */
   #run: Promise<Result> | undefined;
+  #givenUp: Promise<Result> | undefined;
   /** Runs of parameters that are not taken yet: their failure is nobody's but the caller's. */
   readonly #attempts = new WeakSet<Promise<Result>>();
 
@@ -115,10 +116,16 @@ export class Runs<Request, Result, Stage extends string> {
     if (this.#run === run) this.#host.onProgress(null);
   }
 
-  /** Gives the running run up; what is shown stays. */
+  /** Ends the run that is under way, since something else is wanted; what is shown stays. */
   cancel(): void {
     this.stale = false;
     this.#client?.cancel();
+  }
+
+  /** Ends it because nobody wants it any more: who waits for its result is told so by an AbortError. */
+  giveUp(): void {
+    this.#givenUp = this.#run;
+    this.cancel();
   }
 
   /** What is wanted is `result` again, which is shown. */
@@ -144,7 +151,7 @@ export class Runs<Request, Result, Stage extends string> {
         return await run;
       } catch (thrown) {
         const isSuperseded = (isAbort(thrown) || this.#attempts.has(run)) && (this.stale || this.#run !== run);
-        if (!isSuperseded) throw thrown;
+        if (!isSuperseded || run === this.#givenUp) throw thrown;
       }
     }
   }

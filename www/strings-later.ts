@@ -9,6 +9,13 @@ import { figureOf } from './strings.ts';
 import type { Language, Preset, Words } from './params.ts';
 
 export const LATER = {
+  keepShape: { en: 'Keep height and taper when the radius changes', ja: '半径を変えても幅と高さを保つ' },
+  stopBy: { en: 'Fill by', ja: '配置の基準' },
+  stopByHelp: { en: 'Grant cells until an area is filled, or until there is a number of rocks.', ja: '面積率に達するまで、または岩の個数に達するまでセルを割り当てます。' },
+  byArea: { en: 'Area', ja: '面積' },
+  byCount: { en: 'Count', ja: '個数' },
+  docsHelp: { en: 'How to put these rocks on a page of yours, with live examples.', ja: 'この岩を自分のページに埋め込む方法（英語）。' },
+  pageFailed: { en: 'Something on this page failed: {message}', ja: 'ページでエラーが発生しました：{message}' },
   layerCount: { en: '{n} layers', ja: '{n} 層' },
   natural: { en: 'Natural grounds', ja: '自然の地面' },
   copied: { en: 'Link copied', ja: 'リンクをコピーしました' },

@@ -53,7 +53,6 @@ export const STRINGS = {
   embed: 'Copy embed code',
   embedHelp: 'Two lines of HTML that show these rocks on any page.',
   docs: 'Docs',
-  docsHelp: 'How to put these rocks on a page of yours, with live examples.',
   help: 'Keys and gestures',
   close: 'Close',
   dismiss: 'Dismiss',
@@ -78,13 +77,8 @@ export const STRINGS = {
   removeLayer: 'Remove layer {n}',
   duplicateLayer: 'Duplicate layer {n}',
   noLayers: 'No layers: bare ground. Add one to grow rocks.',
-  stopBy: 'Fill by',
-  stopByHelp: 'Grant cells until an area is filled, or until there is a number of rocks.',
-  byArea: 'Area',
-  byCount: 'Count',
   shape: 'Taper and height',
   wear: 'Wear',
-  keepShape: 'Keep height and taper when the radius changes',
   oneRock: '1 rock',
   someRocks: '{n} rocks',
 
@@ -122,7 +116,6 @@ export const STRINGS = {
   clampedInField: 'Allowed: {min} to {max}.',
   notANumber: 'A number from {min} to {max}, please.',
   lostPicture: 'The graphics device was lost; the picture is back.',
-  pageFailed: 'Something on this page failed: {message}',
 } as const satisfies Record<string, string>;
 
 export type StringKey = keyof typeof STRINGS;

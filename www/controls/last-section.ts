@@ -46,7 +46,7 @@ export function lastSection<K extends Kind>({ store, actions, isEmbedded, embedH
       <div class="button-row">
         ${embedButton}
         <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
-        <a class="button" href="docs/" hreflang="en" data-help=${store.text('docsHelp')}>${store.text('docs')}</a>
+        <a class="button" href="docs/" hreflang="en" data-help=${later(store.language, 'docsHelp')}>${store.text('docs')}</a>
       </div>
     </section>
   `;

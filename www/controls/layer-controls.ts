@@ -2,6 +2,7 @@
 
 import { html, nothing } from 'lit';
 import { LAYER_ROWS, readValue } from '../params-flat.ts';
+import { later } from '../strings-later.ts';
 import { icon } from './icons.ts';
 import { paramControl } from './param-control.ts';
 import { segments } from './parts.ts';
@@ -49,7 +50,7 @@ function sizeControl(store: Store, spec: ParamSpec, layer: Layer, index: number)
 /** Whether height and taper follow the radius. */
 function shapeLock(store: Store): TemplateResult {
   const { keepsShape } = store;
-  const label = store.text('keepShape');
+  const label = later(store.language, 'keepShape');
   return html`
     <button class="button icon-button lock" type="button" title=${label} aria-label=${label} aria-pressed=${keepsShape} @click=${() => store.setKeepsShape(!keepsShape)}>
       ${icon(keepsShape ? 'lock' : 'unlock')}
@@ -62,11 +63,11 @@ function fillBy(store: Store, layer: Layer, index: number): TemplateResult {
   const setCount = (count: number | null) => COUNT && store.setParam(COUNT, index, count);
   return segments({
     name: `fill-${index}`,
-    label: store.text('stopBy'),
-    help: store.text('stopByHelp'),
+    label: later(store.language, 'stopBy'),
+    help: later(store.language, 'stopByHelp'),
     options: [
-      { value: 'area', label: store.text('byArea') },
-      { value: 'count', label: store.text('byCount') },
+      { value: 'area', label: later(store.language, 'byArea') },
+      { value: 'count', label: later(store.language, 'byCount') },
     ],
     value: layer.cellCount === null ? 'area' : 'count',
     // As many as there are, so that the switch itself changes nothing.
