@@ -563,7 +563,7 @@ test('the wheel over a number that has the focus scrolls the panel and leaves th
 });
 
 test('the keyboard’s focus on the picture is seen', async () => {
-  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20');
+  const opened = await open('#preset=journal-fig1&w=64&h=64&r=20', { deviceScaleFactor: 1 });
   const { page } = opened;
   await page.locator('rock-field').evaluate((element) => element.shadowRoot.querySelector('.stage').focus());
   await page.keyboard.press('Shift');

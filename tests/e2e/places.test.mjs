@@ -21,7 +21,9 @@ async function open(body, { lang = 'en', ready = true, ...options } = {}) {
   html = `<!doctype html><html lang="${lang}"><meta charset="utf-8"><title>places</title><link rel="icon" href="data:,">
 <style>body { margin: 0 } rock-field, wood-ear-log { display: block; width: 400px; height: 300px }</style>${body}
 <script>
-  globalThis.until = async (test) => { while (!test()) await new Promise((resolve) => setTimeout(resolve, 20)); };
+  globalThis.until = async (test) => {
+    for (const end = performance.now() + 60_000; !test(); await new Promise((resolve) => setTimeout(resolve, 20))) if (performance.now() > end) throw new Error('waited in vain: ' + test);
+  };
   globalThis.colours = async (picture) => {
     const bitmap = await createImageBitmap(picture);
     const sheet = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
@@ -30,7 +32,8 @@ async function open(body, { lang = 'en', ready = true, ...options } = {}) {
   };
 </script>
 <script type="module" src="/rock-field.js"></script><script type="module" src="/wood-ear-log.js"></script>`;
-  const opened = await session.open('places.html', options);
+  // Of as many pixels as it says, since that is what is looked at; the elements are small.
+  const opened = await session.open('places.html', { deviceScaleFactor: 1, ...options });
   await opened.page.evaluate(async (ready) => {
     await Promise.all([customElements.whenDefined('rock-field'), customElements.whenDefined('wood-ear-log')]);
     globalThis.a = document.querySelector('rock-field, wood-ear-log');
