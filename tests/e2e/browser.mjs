@@ -72,7 +72,8 @@ async function open(browser, base, address = '', { serviceWorkers = 'block', pre
   });
   owner.on('weberror', (event) => errors.push(String(event.error()?.stack ?? event.error())));
   await prepare?.(page);
-  await page.goto(new URL(address, base).href);
+  // A development server compiles a page when it is first asked for.
+  await page.goto(new URL(address, base).href, { timeout: 120_000 });
   return { page, context: owner, errors, warnings, close: () => owner.close() };
 }
 
