@@ -68,7 +68,7 @@ async function measureInBrowser(rounds) {
   };
   const session = await launch({ folder, gpu: false, intercept: isolate });
   try {
-    const { page } = await session.open('index.html');
+    const { page } = await session.open('index.html', { deviceScaleFactor: 1 });
     await page.exposeFunction('say', say);
     return await page.evaluate(runWorker, rounds);
   } finally {

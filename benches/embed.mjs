@@ -45,7 +45,7 @@ export async function measureEmbed(rounds) {
     const times = { element: [], bare: [] };
     for (let round = 0; round <= rounds; round += 1) {
       for (const name of Object.keys(times)) {
-        const { page, close } = await session.open(`${name}.html`);
+        const { page, close } = await session.open(`${name}.html`, { deviceScaleFactor: 1 });
         const ms = await page.waitForFunction(() => globalThis.done).then((handle) => handle.jsonValue());
         // The first round warms the browser up.
         if (round > 0) times[name].push(ms);
@@ -60,7 +60,7 @@ export async function measureEmbed(rounds) {
 
 /** A slider dragged for three seconds, an edit with every frame: the longest tasks of the page's thread, ms. */
 async function drag(session) {
-  const { page, close } = await session.open('element.html');
+  const { page, close } = await session.open('element.html', { deviceScaleFactor: 1 });
   await page.waitForFunction(() => globalThis.done);
   const seen = await page.evaluate(async () => {
     const element = document.querySelector('rock-field');

@@ -23,7 +23,7 @@ export async function measureFrames(rounds, say) {
     const measured = {};
     for (const backend of ['webgpu', 'webgl']) {
       say(`Frames of ${SCENE.preset}, ${backend}`);
-      const { page, close } = await session.open('index.html');
+      const { page, close } = await session.open('index.html', { deviceScaleFactor: 1 });
       await page.addScriptTag({ url: 'frames-page.mjs', type: 'module' });
       measured[backend] = await page.evaluate((scene) => globalThis.measureFrames(scene), { ...SCENE, backend, rounds: Math.min(rounds, MOST_ROUNDS) });
       await close();

@@ -9,7 +9,7 @@ export async function openChromium() {
     version: session.browser.version(),
     async go(url) {
       await page?.close();
-      page = await session.open(url);
+      page = await session.open(url, { deviceScaleFactor: 1 });
     },
     evaluate: (expression) => page.page.evaluate(expression),
     screenshot: () => page.page.screenshot(),
