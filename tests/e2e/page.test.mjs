@@ -695,7 +695,7 @@ test('language and theme are switched in the panel and kept', async () => {
   await closeClean(opened);
 });
 
-test('every control has a name, and what describes it exists', async () => {
+test('every control has a name, what describes it exists, and what is chosen can be read in forced colours', async () => {
   const opened = await open('#w=256&h=256');
   const { page } = opened;
   const nameless = await page.evaluate(() =>
@@ -713,5 +713,14 @@ test('every control has a name, and what describes it exists', async () => {
   assert.deepEqual(dangling, []);
   const twice = await page.evaluate(() => [...document.querySelectorAll('[id]')].map(({ id }) => id).filter((id, index, all) => all.indexOf(id) !== index));
   assert.deepEqual(twice, []);
+  await page.emulateMedia({ forcedColors: 'active' });
+  const pale = await page.evaluate(async () => {
+    await Promise.allSettled(document.getAnimations().map(({ finished }) => finished));
+    const probe = document.body.appendChild(document.createElement('p'));
+    Object.assign(probe.style, { forcedColorAdjust: 'none', background: 'Highlight', color: 'HighlightText' });
+    const colours = (element) => [getComputedStyle(element).backgroundColor, getComputedStyle(element).color].join(' on ');
+    return [...document.querySelectorAll('.segment input:checked + span')].filter((chosen) => colours(chosen) !== colours(probe)).map((chosen) => `${chosen.textContent.trim()}: ${colours(chosen)}, not ${colours(probe)}`);
+  });
+  assert.deepEqual(pale, [], 'what is chosen can be read in forced colours');
   await closeClean(opened);
 });
