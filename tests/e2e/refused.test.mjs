@@ -17,7 +17,7 @@ const PAGES = {
 };
 
 /** A slow machine starts workers slowly. */
-const PATIENCE_MS = 15_000;
+const PATIENCE_MS = 60_000;
 
 let session;
 
