@@ -4,7 +4,8 @@
 
 mod common;
 
-use common::{Random, link, memory::Meter};
+use common::memory::{Meter, TINY};
+use common::{Random, link};
 use peak_alloc::PeakAlloc;
 use rock_field::Error;
 use rock_field::params::{Notation, Params};
@@ -12,9 +13,6 @@ use rock_field::rocks::Generator;
 
 #[global_allocator]
 static ALLOCATED: PeakAlloc = PeakAlloc;
-
-/// What is measured below this, and estimated, is tiny.
-const TINY: usize = 4 << 20;
 
 /// Parameters of every kind, on images whose sites and pixels take a test no more than about a second.
 fn random_params(random: &mut Random) -> Params {

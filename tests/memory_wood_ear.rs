@@ -5,7 +5,7 @@
 mod common;
 
 use common::Random;
-use common::memory::INSTANCE;
+use common::memory::{INSTANCE, TINY};
 use common::wood_ear::{Mesh, cylinder};
 use peak_alloc::PeakAlloc;
 use rock_field::Error;
@@ -14,9 +14,6 @@ use rock_field::wood_ear::Generator;
 
 #[global_allocator]
 static ALLOCATED: PeakAlloc = PeakAlloc;
-
-/// What is measured below this, and estimated, is tiny.
-const TINY: usize = 4 << 20;
 
 /// A colony of every kind, of no more individuals and vertices than take a test about a second.
 fn random_params(random: &mut Random) -> Params {

@@ -83,7 +83,7 @@ export const ERRORS = /* @__PURE__ */ listed({
   OverBudget: {
     group: 'request',
     message: 'this field (or colony) would need about {value} MiB and the budget is {max} MiB; change {key}',
-    cause: 'The run would need more memory than `maxBytes`: 1.5 GiB by default, 512 MiB on small devices. Nothing was allocated.',
+    cause: 'The run would need more memory than `maxBytes`: 1.5 GiB by default, 512 MiB on small devices. The run ends before it takes that memory; stages that were finished before are kept.',
     remedy: 'Change the parameter that the message names: larger radii and a smaller image need less. Where there is more memory, pass a larger `maxBytes` to `rock-field/core`.',
   },
 

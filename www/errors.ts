@@ -71,7 +71,7 @@ export function scriptUnavailable(cause: unknown): RockFieldError {
 
 /** Whether the same may succeed at another time: what failed was no parameter, but a file or a worker. */
 export function isPassing({ name }: ErrorInfo): boolean {
-  return /^(Wasm|Worker|Script)Unavailable$|^WorkerLost$|^Internal$/.test(name);
+  return UNAVAILABLE.test(name) || name === 'WorkerLost' || name === 'Internal';
 }
 
 export function abortError(message: string): DOMException {

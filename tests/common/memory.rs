@@ -8,6 +8,9 @@ use rock_field::rocks::Generator;
 /// A wasm instance before its first run: a stack of 1 MiB and static data. It is part of what a tab needs.
 pub const INSTANCE: usize = 1_150_000;
 
+/// An estimate and a peak that are both below this are tiny: there the estimate may be more than twice the peak.
+pub const TINY: usize = 4 << 20;
+
 /// Measures a generator that it sees from the beginning on. Nothing may run beside it.
 pub struct Meter<'a> {
     allocated: &'a PeakAlloc,
