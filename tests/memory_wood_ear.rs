@@ -5,7 +5,7 @@
 mod common;
 
 use common::Random;
-use common::memory::{INSTANCE, TINY};
+use common::memory::{INSTANCE, TINY, ten_thousand_seeds};
 use common::wood_ear::{Mesh, cylinder};
 use peak_alloc::PeakAlloc;
 use rock_field::Error;
@@ -187,5 +187,5 @@ fn the_estimate_lies_between_the_peak_and_twice_it_for_any_colony() {
 #[test]
 #[ignore = "takes about half an hour; run it after changing what a stage allocates"]
 fn the_estimate_lies_between_the_peak_and_twice_it_for_ten_thousand_colonies() {
-    check(1_000_000..1_010_000, 1 << 30);
+    check(ten_thousand_seeds(1_000_000), 1 << 30);
 }

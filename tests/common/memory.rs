@@ -11,6 +11,12 @@ pub const INSTANCE: usize = 1_150_000;
 /// An estimate and a peak that are both below this are tiny: there the estimate may be more than twice the peak.
 pub const TINY: usize = 4 << 20;
 
+/// The seeds of the ten thousand cases of an ignored test: `SEED=20000 cargo test …` looks at others than the usual ones.
+pub fn ten_thousand_seeds(usual: u64) -> std::ops::Range<u64> {
+    let first = std::env::var("SEED").map_or(usual, |seed| seed.parse().expect("SEED must be an integer"));
+    first..first + 10_000
+}
+
 /// Measures a generator that it sees from the beginning on. Nothing may run beside it.
 pub struct Meter<'a> {
     allocated: &'a PeakAlloc,
