@@ -18,6 +18,9 @@ const node = (args, env = {}) => run(process.execPath, args, { env, cwd: root, s
 const clippy = (...flags) => cargo(['clippy', '--all-targets', ...flags, '--', '-D', 'warnings']);
 const docs = (...flags) => cargo(['doc', '--no-deps', ...flags], { RUSTDOCFLAGS: '-D warnings' });
 
+/** A test file that hangs fails in the end. */
+const HANGS = '--test-timeout=1200000';
+
 /** In order; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards. */
 const STEPS = [
   { name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
@@ -109,8 +112,7 @@ async function rustDocs() {
 
 async function webTests() {
   const { bundleWebTests } = await import('./web-tests.mjs');
-  // One file at a time: some tests look at the clock.
-  await node(['--enable-source-maps', '--test', '--test-concurrency=1', ...(await bundleWebTests())]);
+  await node(['--enable-source-maps', '--test', HANGS, ...(await bundleWebTests())]);
 }
 
 async function browserTests() {
@@ -121,7 +123,7 @@ async function browserTests() {
   const tests = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.test.mjs')) : [];
   if (tests.length === 0) throw new Failure('there are no tests in tests/e2e');
   // Two files at a time: while one waits the other computes. More would only be slower, since the software GPU takes every core.
-  await node(['--test', '--test-concurrency=2', ...tests.map((name) => path.join(folder, name))], { CHROME_PATH: browser });
+  await node(['--test', HANGS, '--test-concurrency=2', ...tests.map((name) => path.join(folder, name))], { CHROME_PATH: browser });
 }
 
 /** The package in the pages of others. */

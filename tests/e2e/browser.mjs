@@ -5,6 +5,7 @@
 //   …
 //   assert.deepEqual(errors, []);
 //   await session.close();
+import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import path from 'node:path';
 import { chromium } from 'playwright-core';
@@ -19,6 +20,12 @@ const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 const WEBGPU = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan,WebGPU', '--use-vulkan=swiftshader'];
 // Said by the browser because of how it is started here, whatever the page does: no adapter, no service worker.
 const EXPECTED_WARNINGS = /^(No available adapters\.|Service Worker registration blocked by Playwright)/;
+/**
+ * How long a test waits for what has to come, ms: the default of every wait of Playwright in a page that `open` has opened, too. A busy machine
+ * with a software GPU may be twenty times slower than a desk, and nothing here is about time.
+ */
+export const PATIENCE = 120_000;
+
 const NO_GPU = ['--disable-gpu', '--disable-3d-apis', '--disable-software-rasterizer'];
 
 /**
@@ -62,6 +69,7 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
  */
 async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, deviceScaleFactor = 0.25, ...context } = {}) {
   const owner = await browser.newContext({ serviceWorkers, deviceScaleFactor, ...context });
+  owner.setDefaultTimeout(PATIENCE);
   const page = await owner.newPage();
   const errors = [];
   const warnings = [];
@@ -72,10 +80,21 @@ async function open(browser, base, address = '', { serviceWorkers = 'block', pre
   });
   owner.on('weberror', (event) => errors.push(String(event.error()?.stack ?? event.error())));
   await prepare?.(page);
-  // A development server compiles a page when it is first asked for.
-  await page.goto(new URL(address, base).href, { timeout: 120_000 });
+  await page.goto(new URL(address, base).href);
   return { page, context: owner, errors, warnings, close: () => owner.close() };
 }
+
+/** Waits until `condition` comes true or resolves with something true; unlike Playwright's waitForFunction it waits for what a promise becomes. */
+export async function until(condition, what = condition) {
+  const end = performance.now() + PATIENCE;
+  while (!(await condition())) {
+    assert.ok(performance.now() < end, `still not so after ${PATIENCE / 1000} s: ${what}`);
+    await new Promise((resolve) => setTimeout(resolve, 100));
+  }
+}
+
+/** The same of a condition in the page. */
+export const untilIn = (page, condition) => until(() => page.evaluate(condition), condition);
 
 /** Where a test's screenshot goes (not under version control): `.cache/screenshots/<name>.png`. */
 export function screenshotPath(name) {

@@ -359,11 +359,11 @@ test('an element that is removed leaves no panel and no listener behind', async 
     gone[0] = new WeakRef(gone[0].deref().shadowRoot.querySelector('.panel'));
     a.remove();
   });
-  await page.waitForFunction(() => a.shadowRoot.querySelector('.controls-panel') === null, undefined, { timeout: 10_000 });
+  await page.waitForFunction(() => a.shadowRoot.querySelector('.controls-panel') === null);
   assert.deepEqual(await page.evaluate(() => [...listeners.values()]), []);
   // What the mouse was pressed on last is the browser's for as long.
   await page.locator('h1').click();
-  await page.waitForFunction(() => (globalThis.gc(), gone[0].deref() === undefined), undefined, { timeout: 20_000, polling: 500 });
+  await page.waitForFunction(() => (globalThis.gc(), gone[0].deref() === undefined), undefined, { polling: 500 });
   // And it comes back.
   await page.evaluate(() => document.querySelector('main').append(a));
   await openPanel(page);

@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
-import { launch } from './browser.mjs';
+import { PATIENCE, launch } from './browser.mjs';
 
 /** `heard` tells what the element said. `null` draws nothing: these tests are about the generators. */
 const html = (element, script) => `<!doctype html><meta charset="utf-8"><title>deaths</title><link rel="icon" href="data:,">
@@ -21,9 +21,6 @@ const PAGES = {
   '/wood-ears3d.html': html('<wood-ear-log range="20" density="2" ground=""></wood-ear-log>', 'wood-ear-log.js'),
   '/wood-ears.html': html('<wood-ear-log backend="null" ground="riverbed" range="20" density="2"></wood-ear-log>', 'wood-ear-log.js'),
 };
-
-/** Nobody waits longer than this for a picture or a word. */
-const PATIENCE_MS = 20_000;
 
 let session;
 /** Answers requests in the server's stead: file → what to do with the response. */
@@ -65,7 +62,7 @@ for (const [what, [page, worker, wasm], files, wanted] of [
   test(`${page.replace('.html', '')}: ${what} is a named error, and the next run starts another worker`, async () => {
     broken = Object.fromEntries(Object.entries(files).map(([kind, act]) => [kind === 'worker' ? `/${worker}` : wasm, act]));
     const opened = await session.open(page);
-    await opened.page.waitForFunction(() => heard.length > 0, undefined, { timeout: PATIENCE_MS });
+    await opened.page.waitForFunction(() => heard.length > 0);
     const told = await opened.page.evaluate(() => heard);
     assert.deepEqual(told.map(({ name }) => name), [wanted], JSON.stringify(told));
     broken = {};
@@ -85,7 +82,7 @@ test('messages that get lost on their way to the worker are asked again', async 
       };
     }),
   });
-  await opened.page.waitForFunction(() => heard.length > 0, undefined, { timeout: PATIENCE_MS });
+  await opened.page.waitForFunction(() => heard.length > 0);
   assert.deepEqual(await opened.page.evaluate(() => heard.map(({ type }) => type)), ['generate']);
   await opened.close();
 });
@@ -222,7 +219,7 @@ test('colony and ground die each by itself, at random moments: every run ends wi
     const workers = page.workers();
     // One that computes hears of its end only afterwards: the run need not wait for that.
     workers[Math.floor(workers.length * random())]?.evaluate(() => self.close()).catch(() => undefined);
-    const outcome = await Promise.race([run, page.waitForTimeout(PATIENCE_MS)]);
+    const outcome = await Promise.race([run, page.waitForTimeout(PATIENCE)]);
     assert.match(String(outcome), /^(made|WorkerLost|WorkerUnavailable|Internal|AbortError)$/, `round ${round}`);
   }
   assert.equal(await page.evaluate(() => document.querySelector('wood-ear-log').generate().then(() => 'made', (error) => error.name)), 'made');

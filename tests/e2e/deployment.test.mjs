@@ -7,7 +7,7 @@ import { root } from '../../scripts/env.mjs';
 import { HASHED, plainName } from '../../scripts/hashed-names.mjs';
 import { answer } from '../../scripts/serve.mjs';
 import { buildWeb } from '../../scripts/web.mjs';
-import { launch } from './browser.mjs';
+import { launch, until, untilIn } from './browser.mjs';
 
 const LINK = '#preset=journal-fig1&w=256&h=256&seed=11';
 const folderOf = (build) => path.join(root, '.cache', 'deployment', build);
@@ -71,7 +71,7 @@ async function openPage(address, options) {
 /** Waits until the service worker has all that this visit needs, its renderer included. */
 async function kept(page) {
   await page.evaluate(() => navigator.serviceWorker.ready);
-  await until(page, async () => {
+  await untilIn(page, async () => {
     for (const name of await caches.keys()) {
       const files = await (await caches.open(name)).keys();
       if (files.some(({ url }) => /renderer-web\w+_bg-/.test(url))) return true;
@@ -194,27 +194,17 @@ test('the cache of an old build stays while a page of it is open, and goes after
   deployed = 'second';
   const newer = await context.newPage();
   await newer.goto(session.url + LINK);
-  await until(newer, async () => Boolean((await navigator.serviceWorker.getRegistration())?.waiting));
+  await untilIn(newer, async () => Boolean((await navigator.serviceWorker.getRegistration())?.waiting));
   assert.equal(await builds(newer), 2);
   await newer.close();
   await killAndEdit(page);
   assert.equal(await page.evaluate(() => globalThis.grown), 12);
   // Nobody holds the old worker any more; the new one takes over some time after.
-  const end = performance.now() + 60_000;
-  do {
-    assert.ok(performance.now() < end, 'the old build is still kept');
+  await until(async () => {
     await page.goto('about:blank');
     await page.goto(session.url + LINK);
     await kept(page);
-  } while ((await builds(page)) > 1);
+    return (await builds(page)) === 1;
+  }, 'the old build has gone');
   await close();
 });
-
-/** Polls a condition in the page; unlike Playwright's waitForFunction it waits for what a promise becomes. */
-async function until(page, condition, seconds = 60) {
-  const end = performance.now() + 1000 * seconds;
-  while (!(await page.evaluate(condition))) {
-    assert.ok(performance.now() < end, `still not so after ${seconds} s: ${condition}`);
-    await new Promise((resolve) => setTimeout(resolve, 100));
-  }
-}

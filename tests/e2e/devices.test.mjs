@@ -1,10 +1,7 @@
 // Graphics devices that die: whenever and however often, the picture comes back without a reload, or true words with a button that works.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { launch, pageOf } from './browser.mjs';
-
-/** Nobody waits longer for a picture or for words. */
-const PATIENCE_MS = 20_000;
+import { PATIENCE, launch, pageOf } from './browser.mjs';
 
 /** `faults` is what the device does wrong; `told` what the elements say, with the time. All elements of a page share one device. */
 const SCRIPT = `
@@ -66,7 +63,7 @@ const SCRIPT = `
   globalThis.allBack = async (act, backend) => {
     const back = all().map((element) => new Promise((resolve) => element.addEventListener('restored', () => element.backend === backend && resolve())));
     await act();
-    await Promise.race([Promise.all(back), new Promise((_, reject) => setTimeout(() => reject(new Error(all().map((element) => element.backend).join())), ${PATIENCE_MS}))]);
+    await Promise.race([Promise.all(back), new Promise((_, reject) => setTimeout(() => reject(new Error(all().map((element) => element.backend).join())), ${PATIENCE}))]);
   };
 `;
 
@@ -88,7 +85,7 @@ async function calm(page) {
 }
 
 for (const backend of ['webgl', 'webgpu']) {
-  describe(backend, { timeout: 240_000 }, () => {
+  describe(backend, { timeout: 10 * PATIENCE }, () => {
     let session;
     let opened;
     let page;
@@ -96,7 +93,6 @@ for (const backend of ['webgl', 'webgpu']) {
       session = await launch({ webgpu: backend === 'webgpu', intercept: pageOf('devices.html', () => HTML) });
       opened = await session.open('devices.html');
       page = opened.page;
-      page.setDefaultTimeout(PATIENCE_MS);
       await page.evaluate(async () => Promise.all(all().map(async (element) => (await customElements.whenDefined(element.localName), element.ready))));
       assert.deepEqual(await page.evaluate(() => all().map((element) => element.backend)), [backend, backend, backend]);
     });
@@ -179,7 +175,7 @@ for (const backend of ['webgl', 'webgpu']) {
           while (!(await isPicture(await all()[0].toBlob())));
           return true;
         });
-        assert.ok(await Promise.race([isBack, page.waitForTimeout(PATIENCE_MS)]), `crash ${crash}`);
+        assert.ok(await Promise.race([isBack, page.waitForTimeout(PATIENCE)]), `crash ${crash}`);
       }
     });
 

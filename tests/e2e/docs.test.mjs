@@ -5,16 +5,13 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
 import { violations } from './axe.mjs';
-import { launch } from './browser.mjs';
+import { PATIENCE, launch, until } from './browser.mjs';
 
 /** What the recipes say the documentation needs: scripts of examples are modules from blobs, their styles are inline. */
 const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src 'self'; connect-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; manifest-src 'self'";
 const PAGES = readdirSync(path.join(dist, 'docs')).filter((name) => name.endsWith('.html'));
 /** As many as the documentation lets live; see keeper.ts. */
 const MAX_ALIVE = 10;
-/** A software GPU on a busy machine. */
-const SECONDS = 120;
-
 /** The page with few rocks. */
 const SMALL = '#preset=journal-fig1&w=256&h=256';
 
@@ -68,7 +65,7 @@ test('every page opens without an error or a foreign request, fits a phone, and 
 });
 
 for (const name of PAGES) {
-  test(`${name}: every example runs, and everything in it can be used, without an error`, { timeout: 10 * SECONDS * 1000 }, async () => {
+  test(`${name}: every example runs, and everything in it can be used, without an error`, { timeout: 10 * PATIENCE }, async () => {
     const { page, errors, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
     await page.evaluate(() => customElements.whenDefined('rock-field'));
     const examples = await page.locator('live-example').all();
@@ -119,7 +116,7 @@ test('the result follows the editor, a mistake is named, Reset brings the exampl
   await close();
 });
 
-test('only what is near the screen is alive, however far one scrolls', { timeout: 5 * SECONDS * 1000 }, async () => {
+test('only what is near the screen is alive, however far one scrolls', { timeout: 5 * PATIENCE }, async () => {
   for (const name of ['gallery.html', 'attributes.html']) {
     const { page, errors, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
     const alive = () => page.evaluate(() => [document, ...[...document.querySelectorAll('.result')].map(({ shadowRoot }) => shadowRoot)].reduce((sum, root) => sum + (root?.querySelectorAll('rock-field').length ?? 0), 0));
@@ -138,7 +135,7 @@ test('only what is near the screen is alive, however far one scrolls', { timeout
   }
 });
 
-test('a screen reader finds nothing wrong on any page, in light and in dark', { timeout: 10 * SECONDS * 1000 }, async () => {
+test('a screen reader finds nothing wrong on any page, in light and in dark', { timeout: 10 * PATIENCE }, async () => {
   for (const name of PAGES) {
     const { page, close } = await session.open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
     await page.evaluate(() => customElements.whenDefined('live-example'));
@@ -197,14 +194,5 @@ async function useEverything(example) {
     else control.click();
     if (control.localName === 'select') control.dispatchEvent(new Event('change', { bubbles: true }));
     await pause();
-  }
-}
-
-/** Polls; unlike Playwright's waitForFunction it waits for what a promise becomes. */
-async function until(condition, what) {
-  const end = performance.now() + 1000 * SECONDS;
-  while (!(await condition())) {
-    assert.ok(performance.now() < end, `still not so after ${SECONDS} s: ${what}`);
-    await new Promise((resolve) => setTimeout(resolve, 100));
   }
 }

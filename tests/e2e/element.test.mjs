@@ -58,7 +58,7 @@ async function open(body = '<rock-field id="a"></rock-field><script>listenTo(a)<
 const pause = (page, ms) => page.waitForTimeout(ms);
 
 /** Software rendering takes its time, more of it on a busy machine: wait for what is to come, not for a while. */
-const until = (page, test) => page.waitForFunction(test, undefined, { timeout: 30_000 });
+const until = (page, test) => page.waitForFunction(test);
 
 /** Waits until no frame has been asked for in 800 ms; gives the number of frames so far. */
 async function quiet(page) {
@@ -296,7 +296,7 @@ test('out of sight nothing is drawn, and the newest field is there when it comes
   });
   assert.equal(await quiet(page), before);
   await page.evaluate(() => scrollTo(0, 0));
-  await page.waitForFunction((frames) => counts.frames > frames, before, { timeout: 30_000 });
+  await page.waitForFunction((frames) => counts.frames > frames, before);
   await close();
 });
 
@@ -325,7 +325,7 @@ test('taken out for good it ends its worker and canvas; put back it shows the sa
     const ready = a.ready;
     a.remove();
     // After two seconds, and on a busy machine later.
-    for (let tenths = 0; tenths < 100 && counts.ended === 0; tenths += 1) await new Promise((resolve) => setTimeout(resolve, 100));
+    while (counts.ended === 0) await new Promise((resolve) => setTimeout(resolve, 100));
     const gone = [a.shadowRoot.querySelectorAll('canvas').length, counts.workers, counts.ended, a.backend];
     const refused = await a.generate().catch((error) => error.name);
     heard.length = 0;
@@ -355,7 +355,8 @@ test('taken out before it has loaded anything, it leaves nothing behind', async 
       if (round % 2 === 0) await frame();
       element.remove();
     }
-    await new Promise((resolve) => setTimeout(resolve, 3800));
+    do await new Promise((resolve) => setTimeout(resolve, 3800));
+    while (counts.workers !== counts.ended);
     return [counts.workers, counts.ended];
   });
   assert.equal(seen[0], seen[1], `${seen[0]} workers made, ${seen[1]} ended`);

@@ -7,7 +7,7 @@ import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
 import { buildInline } from '../../scripts/inline.mjs';
 import { serve } from '../../scripts/serve.mjs';
-import { launch } from './browser.mjs';
+import { PATIENCE, launch } from './browser.mjs';
 
 const SMALL = 'image-width="200" image-height="150" style="display: block; width: 200px; height: 150px"';
 const ROCKS = `<rock-field ${SMALL} radius="30 10"></rock-field>`;
@@ -22,7 +22,7 @@ const SEEN = `
   globalThis.seen = (name) => {
     const element = document.querySelector(name);
     const shown = customElements.whenDefined(name).then(() => element.ready).then(() => (element.field?.stats.rocks ?? 0) > 0 || element.colony ? 'shown by ' + element.backend : 'empty');
-    return Promise.race([failed(name).promise, shown, new Promise((resolve) => setTimeout(resolve, 30_000, 'nothing'))]);
+    return Promise.race([failed(name).promise, shown, new Promise((resolve) => setTimeout(resolve, ${PATIENCE}, 'nothing'))]);
   };
 `;
 

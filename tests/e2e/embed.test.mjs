@@ -1,7 +1,7 @@
 // What people who embed <rock-field> rely on: attributes and properties of parameters, orbit, poster, laziness, files, links, undo.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch, pageOf } from './browser.mjs';
+import { PATIENCE, launch, pageOf } from './browser.mjs';
 
 const SMALL = 'image-width="256" image-height="192"';
 
@@ -149,7 +149,7 @@ test('auto-rotate turns, and not where the system asks for less motion', async (
       const end = performance.now() + patience;
       while (a.camera.azimuth === before && performance.now() < end) await new Promise((resolve) => setTimeout(resolve, 50));
       return [a.camera.azimuth - before, a.framed];
-    }, turns ? 30_000 : 700);
+    }, turns ? PATIENCE : 700);
     assert.deepEqual([turned[0] > 0, turned[1]], [turns, true], reducedMotion);
     await close();
   }

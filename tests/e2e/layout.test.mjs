@@ -24,7 +24,7 @@ async function open(address, { fingers = false, ...options } = {}) {
   const opened = await session.open(address, {
     viewport: { width: 960, height: 640 }, locale: 'en-US', colorScheme: 'light', isMobile: fingers, hasTouch: fingers, ...options,
   });
-  await opened.page.waitForFunction(() => document.querySelector('.summary') !== null, undefined, { timeout: 60_000, polling: 100 });
+  await opened.page.waitForFunction(() => document.querySelector('.summary') !== null, undefined, { polling: 100 });
   return opened;
 }
 

@@ -1,7 +1,7 @@
 // Many elements on one page, and one after the other: what they share, and what they leave behind.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { launch, pageOf, screenshotPath } from './browser.mjs';
+import { PATIENCE, launch, pageOf, screenshotPath } from './browser.mjs';
 
 /** Counts what a page can run out of. */
 const COUNTERS = `
@@ -58,13 +58,13 @@ const pageWith = (body) => `<!doctype html><html lang="en"><meta charset="utf-8"
 /** Small fields, so that a software GPU gets through them. */
 const SMALL = 'image-width="400" image-height="300"';
 
-/** Twenty times what it takes on a quiet machine. */
-const PATIENCE_MS = 400_000;
+/** A whole test has ten times as long. */
+const WHOLE_TEST_MS = 10 * PATIENCE;
 
 async function withPage(webgpu, body, use) {
   const session = await launch({ webgpu, intercept: pageOf('many.html', () => pageWith(body)), args: ['--js-flags=--expose-gc', '--enable-precise-memory-info'] });
   // A page that hangs never answers: without its browser the test fails instead of waiting for ever.
-  const watchdog = setTimeout(() => session.browser.close(), PATIENCE_MS);
+  const watchdog = setTimeout(() => session.browser.close(), WHOLE_TEST_MS);
   try {
     const opened = await session.open('many.html', { viewport: { width: 1280, height: 720 }, deviceScaleFactor: 1 });
     await use(opened.page);
@@ -84,15 +84,13 @@ for (const webgpu of [false, true]) {
       await page.evaluate(() => customElements.whenDefined('rock-field').then(() => Promise.all([...document.querySelectorAll('rock-field')].map(({ ready }) => ready))));
       const seen = await page.evaluate(async () => {
         const before = { ...held(), backends: [...new Set([...document.querySelectorAll('rock-field')].map(({ backend }) => backend))] };
-        await sleep(500);
-        const { frames } = counts;
-        await sleep(1500);
-        return { ...before, frames: counts.frames - frames };
+        for (let frames = -1; frames !== counts.frames; await sleep(1500)) frames = counts.frames;
+        return before;
       });
-      assert.deepEqual([seen.backends, seen.frames], [[backend], 0]);
+      assert.deepEqual(seen.backends, [backend]);
       assert.deepEqual([seen.contexts, seen.devices], webgpu ? [0, 1] : [1, 0]);
       assert(seen.workers <= 4, `${seen.workers} workers`);
-      await page.screenshot({ path: screenshotPath(`many-${backend}`), timeout: PATIENCE_MS });
+      await page.screenshot({ path: screenshotPath(`many-${backend}`) });
       // What is on the screen, not what a canvas says of itself.
       const pictures = [];
       for (const element of await page.locator('rock-field').all()) pictures.push((await element.screenshot()).toString('base64'));
@@ -144,12 +142,12 @@ for (const webgpu of [false, true]) {
         measured.push(await measure());
       }
       // The idle times of the last element and, after that, of its worker; what is let go of is told of in tasks of the browser's own.
-      const after = await page.evaluate(async (before) => {
+      const after = await page.evaluate(async ([before, patience]) => {
         anchor.remove();
-        const end = performance.now() + 20_000;
+        const end = performance.now() + patience;
         while (JSON.stringify(held()) !== JSON.stringify(before) && performance.now() < end) await sleep(100);
         return held();
-      }, before);
+      }, [before, PATIENCE]);
       assert.deepEqual(after, before);
       const bytes = measured.slice(-6);
       const growth = Math.max(...bytes) / Math.min(...bytes) - 1;

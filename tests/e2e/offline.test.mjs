@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { root } from '../../scripts/env.mjs';
 import { buildWeb } from '../../scripts/web.mjs';
-import { launch } from './browser.mjs';
+import { launch, untilIn } from './browser.mjs';
 
 const folder = path.join(root, '.cache', 'offline-test');
 /** The page with few rocks. */
@@ -37,7 +37,7 @@ test('the second scene works offline too, after one visit', async () => {
   const { page, close } = await session.open('wood-ear.html#preset=thesis-default&d=20&r=25', { serviceWorkers: 'allow' });
   await page.evaluate(() => navigator.serviceWorker.ready);
   await keptRenderer(page);
-  await until(page, async () => (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))).flat().some(({ url }) => /wood-ear_bg-/.test(url)));
+  await untilIn(page, async () => (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))).flat().some(({ url }) => /wood-ear_bg-/.test(url)));
   down = true;
   await page.reload({ waitUntil: 'load' });
   await page.waitForFunction(() => document.querySelector('wood-ear-log')?.scene, undefined, { polling: 100 });
@@ -56,7 +56,7 @@ test('after one visit the page works without a network, and a new deploy is seen
   down = true;
   await page.reload({ waitUntil: 'load' });
   await workers;
-  await until(page, () => performance.getEntriesByType('resource').some(({ name }) => /renderer-web\w+_bg-\w+\.wasm/.test(name)));
+  await untilIn(page, () => performance.getEntriesByType('resource').some(({ name }) => /renderer-web\w+_bg-\w+\.wasm/.test(name)));
   assert.deepEqual(failed, [], 'everything the page asked for offline was there');
   down = false;
 
@@ -69,7 +69,7 @@ test('after one visit the page works without a network, and a new deploy is seen
   await page.reload({ waitUntil: 'load' });
   assert.deepEqual(await page.evaluate(() => [...globalThis.rockFieldMarks]), ['second'], 'the first load after a deploy runs the new code');
 
-  await until(page, async () => Boolean((await navigator.serviceWorker.getRegistration())?.waiting));
+  await untilIn(page, async () => Boolean((await navigator.serviceWorker.getRegistration())?.waiting));
   const caches = await page.evaluate(async () => (await globalThis.caches.keys()).filter((name) => /:\w{16}$/.test(name)));
   assert.equal(caches.length, 2, 'the old build stays whole until its last page is closed');
   await close();
@@ -79,26 +79,17 @@ test('old caches go when the new worker takes over', async () => {
   const { page, close } = await session.open(SMALL, { serviceWorkers: 'allow' });
   await page.evaluate(async () => (await caches.open('rock-field-0123456789abcdef')).put(new URL('./', location.href), new Response('of yore')));
   await page.evaluate(() => navigator.serviceWorker.ready);
-  await until(page, async () => !(await caches.has('rock-field-0123456789abcdef')));
+  await untilIn(page, async () => !(await caches.has('rock-field-0123456789abcdef')));
   await close();
 });
 
 /** Waits until the page has had its renderer kept, which it does once its first picture stands. */
 function keptRenderer(page) {
-  return until(page, async () => {
+  return untilIn(page, async () => {
     for (const name of await caches.keys()) {
       const kept = await (await caches.open(name)).keys();
       if (kept.some(({ url }) => /renderer-web\w+_bg-\w+\.wasm/.test(url))) return true;
     }
     return false;
   });
-}
-
-/** Polls a condition in the page; unlike Playwright's waitForFunction it waits for what a promise becomes. */
-async function until(page, condition, seconds = 60) {
-  const end = performance.now() + 1000 * seconds;
-  while (!(await page.evaluate(condition))) {
-    assert.ok(performance.now() < end, `still not so after ${seconds} s: ${condition}`);
-    await new Promise((resolve) => setTimeout(resolve, 100));
-  }
 }

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { launch, screenshotPath } from './browser.mjs';
+import { launch, screenshotPath, until } from './browser.mjs';
 
 /** Not the element's own, which is inside it. */
 const MESSAGE = 'stage-overlay > .message';
@@ -20,7 +20,7 @@ after(() => session?.close());
 async function open(address = '', options = {}, browser = session) {
   const opened = await browser.open(address, { viewport: { width: 960, height: 640 }, locale: 'en-US', colorScheme: 'light', ...options });
   // By the clock, not by frames: those may be slow to come.
-  await opened.page.waitForFunction(() => document.querySelector('.summary') !== null, undefined, { timeout: 60_000, polling: 100 });
+  await opened.page.waitForFunction(() => document.querySelector('.summary') !== null, undefined, { polling: 100 });
   await opened.page.evaluate(() => document.querySelector('rock-field').ready);
   return opened;
 }
@@ -43,7 +43,7 @@ const params = (page) => page.evaluate(() => document.querySelector('rock-field'
 const message = (page) => page.locator(`${MESSAGE} p`).first().textContent();
 /** The address follows within half a second of the result, or when a slow picture has been painted. */
 const address = async (page, pattern) => {
-  await page.waitForURL(pattern, { timeout: 15_000 });
+  await page.waitForURL(pattern);
   return page.url();
 };
 
@@ -146,7 +146,7 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
     const { data } = document.querySelector(`[data-preset="${preset}"] canvas`).getContext('2d').getImageData(0, 0, 192, 128);
     return data.some((value) => value !== 0);
   }, name);
-  while (!(await isDrawn('riverbed'))) await page.waitForTimeout(100);
+  await until(() => isDrawn('riverbed'), 'the picture of the riverbed');
   await page.keyboard.press('Escape');
   assert.equal(await page.getByRole('listbox').count(), 0);
   assert.equal(await focused(), 'preset');
@@ -183,14 +183,17 @@ test('a drag is one step of undo, and the picture follows it', async () => {
   const at = (share) => [box.x + share * box.width, box.y + box.height / 2];
   await page.mouse.move(...at(0.2));
   await page.mouse.down();
-  for (let share = 0.2; share < 0.9; share += 0.05) {
-    await page.mouse.move(...at(share));
-    await page.waitForTimeout(60);
-  }
+  // To and fro, until some of it has been seen.
+  let step = 0;
+  await until(async () => {
+    step += 1;
+    await page.mouse.move(...at(0.55 - 0.35 * Math.cos(step / 5)));
+    return step > 14 && (await page.evaluate(() => globalThis.shown)) > 2;
+  }, 'three pictures while dragging');
+  await page.mouse.move(...at(0.9));
   await page.mouse.up();
   const dragged = await hash(page);
   assert.notEqual(dragged, before);
-  assert.ok((await page.evaluate(() => globalThis.shown)) > 2, 'no picture while dragging');
   await page.keyboard.press('Control+z');
   assert.equal(await hash(page), before);
   await page.keyboard.press('Control+Shift+z');
@@ -466,10 +469,9 @@ test('the radius takes height and taper with it, and back; a lock keeps them', a
 });
 
 test('each scene is found as it was left, and the log can be laid on the rocks that were edited', async () => {
-  // Small, since natural colours are what a software GPU paints slowly.
   const opened = await open('#preset=journal-fig1&w=64&h=64&r=20', { viewport: { width: 720, height: 280 } });
   const { page } = opened;
-  const ready = (name) => page.waitForFunction((element) => document.querySelector(element) && document.querySelector('.summary'), name, { timeout: 60_000 });
+  const ready = (name) => page.waitForFunction((element) => document.querySelector(element) && document.querySelector('.summary'), name, { polling: 100 });
   const tab = (name) => page.getByRole('navigation').getByRole('link', { name });
   // The address tells of a seed when it is shown.
   const nextSeed = async (shown) => {
@@ -477,27 +479,31 @@ test('each scene is found as it was left, and the log can be laid on the rocks t
     await address(page, shown);
   };
   await nextSeed(/seed=1/);
-  await tab('Wood ears').click();
-  await ready('wood-ear-log');
-  await page.goto(new URL('wood-ear.html#preset=thesis-default&d=8&ground=preset%3Dshingle', session.url).href);
+  await page.goto(new URL('wood-ear.html#preset=thesis-default&d=8&ground=preset%3Djournal-fig12a%26w%3D64%26h%3D64%26r%3D20', session.url).href);
   await ready('wood-ear-log');
   await nextSeed(/seed=1/);
   await tab('Rocks').click();
   await ready('rock-field');
   assert.match(page.url(), /#v=1&preset=journal-fig1&seed=1&w=64&h=64/);
+  await tab('Wood ears').click();
+  await ready('wood-ear-log');
+  assert.match(page.url(), /preset=thesis-default&seed=1&d=8/);
   await page.goBack();
+  await ready('rock-field');
+  assert.match(page.url(), /#v=1&preset=journal-fig1&seed=1&w=64&h=64/);
+  await page.goForward();
   await ready('wood-ear-log');
   assert.match(page.url(), /preset=thesis-default&seed=1&d=8/);
   assert.equal(await page.getByRole('link', { name: 'Lay the log on these rocks' }).count(), 0);
   await page.getByRole('link', { name: 'Edit these rocks' }).click();
   await ready('rock-field');
-  assert.match(page.url(), /preset=shingle/);
+  assert.match(page.url(), /preset=journal-fig12a&w=64&h=64&r=20/);
   await nextSeed(/seed=1/);
   await page.getByRole('link', { name: 'Lay the log on these rocks' }).click();
   await ready('wood-ear-log');
   const { seed, density, ground } = await page.evaluate(() => document.querySelector('wood-ear-log').params);
   assert.deepEqual([seed, density], [1, 8]);
-  assert.match(ground, /preset=shingle&seed=1/);
+  assert.match(ground, /preset=journal-fig12a&seed=1&w=64&h=64&r=20/);
   await closeClean(opened);
 });
 
@@ -603,9 +609,13 @@ test('views and colours change the picture, not the rocks; the link tells them',
   let last = await page.locator('rock-field').screenshot();
   for (const [name, value] of [['view', 'wireframe'], ['view', 'diagrams'], ['view', 'selection'], ['view', '3d'], ['color', 'rock'], ['color', 'plain']]) {
     await page.locator(`[data-param="${name}"] input[value="${value}"]`).check();
-    await page.waitForTimeout(700);
-    const next = await page.locator('rock-field').screenshot({ path: screenshotPath(`page-${name}-${value}`) });
-    assert.notDeepEqual(next, last, value);
+    // Another picture, which stays.
+    let next = last;
+    await until(async () => {
+      const before = next;
+      next = await page.locator('rock-field').screenshot({ path: screenshotPath(`page-${name}-${value}`) });
+      return !next.equals(last) && next.equals(before);
+    }, `another picture for ${value}`);
     last = next;
   }
   assert.equal(await hash(page), before);

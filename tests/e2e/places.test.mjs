@@ -1,7 +1,7 @@
 // Where an element may stand and what may happen to it there: shadow roots, other documents, out of sight, zoomed, printed, under any style.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch, pageOf } from './browser.mjs';
+import { PATIENCE, launch, pageOf } from './browser.mjs';
 
 const ELEMENTS = {
   'rock-field': '<rock-field image-width="200" image-height="150" radius="30 10"></rock-field>',
@@ -22,7 +22,7 @@ async function open(body, { lang = 'en', ready = true, ...options } = {}) {
 <style>body { margin: 0 } rock-field, wood-ear-log { display: block; width: 400px; height: 300px }</style>${body}
 <script>
   globalThis.until = async (test) => {
-    for (const end = performance.now() + 60_000; !test(); await new Promise((resolve) => setTimeout(resolve, 20))) if (performance.now() > end) throw new Error('waited in vain: ' + test);
+    for (const end = performance.now() + ${PATIENCE}; !test(); await new Promise((resolve) => setTimeout(resolve, 20))) if (performance.now() > end) throw new Error('waited in vain: ' + test);
   };
   globalThis.colours = async (picture) => {
     const bitmap = await createImageBitmap(picture);

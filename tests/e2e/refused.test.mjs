@@ -16,9 +16,6 @@ const PAGES = {
   '/logs.html': element('wood-ear-log', 'density="4" log-length="400" ground="v=1&preset=journal-fig1&r=200&a=0.3"'),
 };
 
-/** A slow machine starts workers slowly. */
-const PATIENCE_MS = 60_000;
-
 let session;
 
 before(async () => {
@@ -36,7 +33,7 @@ after(() => session?.close());
 /** On a device of 4 GB, whose budget is 512 MiB. */
 async function open(address, options = {}) {
   const opened = await session.open(address, { viewport: { width: 720, height: 320 }, locale: 'en-US', colorScheme: 'light', ...options, prepare: (page) => page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'deviceMemory', { get: () => 4 })) });
-  await opened.page.waitForFunction(() => document.querySelector('rock-field, wood-ear-log')?.field, undefined, { timeout: 60_000, polling: 100 });
+  await opened.page.waitForFunction(() => document.querySelector('rock-field, wood-ear-log')?.field, undefined, { polling: 100 });
   await opened.page.evaluate(() => {
     const a = document.querySelector('rock-field, wood-ear-log');
     const seen = () => JSON.stringify([a.params, a.shareURL(), a.view, a.color, a.camera, a.framed]);
@@ -192,7 +189,7 @@ const params = (page) => page.evaluate(() => document.querySelector('rock-field,
 const LINK = '#v=1&preset=journal-fig1&w=2048&h=2048&r=200&a=0.3';
 const isUndoDisabled = (page) => page.getByRole('button', { name: 'Undo' }).isDisabled();
 /** Waits for words on the line of messages, by the clock: frames may be slow to come. */
-const says = (page, words) => page.waitForFunction((text) => document.querySelector('stage-overlay > .message')?.innerText.includes(text), words, { timeout: PATIENCE_MS, polling: 100 });
+const says = (page, words) => page.waitForFunction((text) => document.querySelector('stage-overlay > .message')?.innerText.includes(text), words, { polling: 100 });
 /** What Share copies. */
 async function shared(page) {
   await page.getByRole('button', { name: 'Share' }).click();
@@ -205,7 +202,7 @@ test('a control keeps the value that was refused, with its message; address, Sha
   const problem = page.locator('[data-param="r-0"] .control-problem');
   for (const undone of [false, true]) {
     await page.locator('[id="r-0-number"]').fill('1');
-    await problem.waitFor({ timeout: PATIENCE_MS });
+    await problem.waitFor();
     assert.match(await problem.textContent(), /MiB.*MiB/);
     await page.locator('[id="r-0-number"]').blur();
     assert.deepEqual([await page.locator('[id="r-0-number"]').inputValue(), await page.locator('[id="r-0"]').getAttribute('aria-valuetext')], ['1', '1 px']);
@@ -214,11 +211,11 @@ test('a control keeps the value that was refused, with its message; address, Sha
     // The next edit is of its own parameter alone.
     if (undone) break;
     await page.getByRole('button', { name: 'Next seed' }).click();
-    await page.waitForURL(/seed=1/, { timeout: PATIENCE_MS });
+    await page.waitForURL(/seed=1/);
     assert.deepEqual([(await params(page)).seed, (await params(page)).layers[0].radius, await problem.count()], [1, 200, 0]);
     assert.equal(await page.locator('[id="r-0-number"]').inputValue(), '200');
     await page.keyboard.press('Control+z');
-    await page.waitForURL((url) => url.hash === LINK, { timeout: PATIENCE_MS });
+    await page.waitForURL((url) => url.hash === LINK);
   }
   assert.deepEqual(errors, []);
   await close();
@@ -234,7 +231,7 @@ test('a link that is refused leaves the picture, its view, colour and camera, an
   await page.evaluate(() => (location.hash = '#preset=riverbed&w=2048&h=2048&r=1&view=wireframe&color=plain&camera=0,1,300,9,9,0'));
   await says(page, 'MiB');
   assert.deepEqual(await seen(), before);
-  await page.waitForFunction((wanted) => location.hash === wanted, address, { timeout: PATIENCE_MS, polling: 100 });
+  await page.waitForFunction((wanted) => location.hash === wanted, address, { polling: 100 });
   assert.ok(await isUndoDisabled(page));
   // Layers that code adds are no control's.
   await page.evaluate(() => (document.querySelector('rock-field').layers = [{ radius: 1 }, { radius: 1 }]));
@@ -251,9 +248,9 @@ test('a ground that is refused leaves the log on the old one, on the page and in
   await page.evaluate((text) => (location.hash = text), link.replace('r.200_a.0.3', 'r.1,1,1,1,1,1,1,1').replace('d=4', 'd=9'));
   await says(page, 'MiB');
   assert.deepEqual(await params(page), before);
-  await page.waitForFunction((wanted) => location.hash === wanted, link, { timeout: PATIENCE_MS, polling: 100 });
+  await page.waitForFunction((wanted) => location.hash === wanted, link, { polling: 100 });
   await page.locator('[id="d"]').press('PageUp');
-  await page.waitForFunction(() => /d=(?!4)\d+.*r\.200/.test(location.hash), undefined, { timeout: PATIENCE_MS, polling: 100 });
+  await page.waitForFunction(() => /d=(?!4)\d+.*r\.200/.test(location.hash), undefined, { polling: 100 });
   assert.deepEqual(errors, []);
   await close();
 });
@@ -262,11 +259,11 @@ test('an undo while the run of an edit is under way takes it back before it is s
   const { page, errors, close } = await open(LINK);
   const [before, address] = [await params(page), await hash(page)];
   await page.locator('[id="r-0-number"]').fill('6');
-  await page.locator('stage-overlay .progress').waitFor({ timeout: PATIENCE_MS });
+  await page.locator('stage-overlay .progress').waitFor();
   assert.equal(await hash(page), address, 'not shown yet');
   await page.keyboard.press('Control+z');
   assert.deepEqual(await params(page), before);
-  await page.locator('stage-overlay .progress').waitFor({ state: 'detached', timeout: PATIENCE_MS });
+  await page.locator('stage-overlay .progress').waitFor({ state: 'detached' });
   assert.equal(await page.evaluate(async () => (await document.querySelector('rock-field').getField()).layers[0].radius), 200);
   assert.deepEqual([await hash(page), await isUndoDisabled(page)], [address, true]);
   assert.deepEqual(errors, []);
