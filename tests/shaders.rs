@@ -14,10 +14,11 @@ mod uniforms;
 const NATURAL: &[&str] = &["common", "noise", "stone", "cover", "daylight"];
 
 /// Passes with what `src/render/pipelines.rs` prepends to them.
-const PASSES: [(&str, &[&str]); 13] = [
+const PASSES: [(&str, &[&str]); 14] = [
     ("shadow", &["common"]),
     ("height", &["common"]),
     ("ground", &["common", "lighting"]),
+    ("floor", &["common"]),
     ("rock", &["common", "lighting"]),
     ("natural_rock", NATURAL),
     ("natural_ground", NATURAL),

@@ -74,14 +74,14 @@ export function groundPoint(
 
 /**
  * The camera that frames a whole field: azimuth 30°, elevation 35°, steeper in tall pictures.
- * `view` decides between the oblique picture, whose outermost corners may leave it, and the plan,
+ * `plan` decides between the oblique picture, whose outermost corners may leave it, and the plan,
  * which is shown whole. With `closeUp` the oblique picture is as much ground as fills it.
  */
 export function defaultCamera(
   imageWidth: number,
   imageHeight: number,
   aspect: number,
-  view: View = '3d',
+  plan = false,
   closeUp = false,
 ): CameraState {
   const middle: Vector = [imageWidth / 2, imageHeight / 2, 0];
@@ -90,7 +90,7 @@ export function defaultCamera(
   const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
   const elevation = ELEVATION_TALL + (ELEVATION_WIDE - ELEVATION_TALL) * wide;
   const camera: CameraState = { azimuth: AZIMUTH_DEFAULT, elevation, distance: 1, target: middle };
-  if (isPlan(view)) {
+  if (plan) {
     const half = Math.max(imageHeight, imageWidth / ratio) / 2;
     return { ...camera, distance: (half * 1.04) / TAN };
   }
@@ -139,7 +139,8 @@ export interface Subject {
 const SUBJECT = { elevation: [(34 * Math.PI) / 180, (25 * Math.PI) / 180], azimuth: [(64 * Math.PI) / 180, (22 * Math.PI) / 180], room: 0.86 } as const;
 
 /** The nearest camera that shows all of a subject. */
-export function subjectCamera({ low, high }: Subject, aspect: number): CameraState {
+export function subjectCamera({ low, high }: Subject, aspect: number, plan = false): CameraState {
+  if (plan) return boxCamera({ low, high }, aspect, 0, Math.PI / 2, SUBJECT.room);
   const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
   const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
   const between = ([tall, flat]: readonly [number, number]): number => tall + (flat - tall) * wide;

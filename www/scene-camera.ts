@@ -4,16 +4,17 @@ import { AutoRotation } from './auto-rotation.ts';
 import { CameraFlight } from './camera-flight.ts';
 import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './camera-orbit.ts';
 import type { Orbit } from './camera-orbit.ts';
-import { boxCamera, defaultCamera, isPlan, subjectCamera } from './camera.ts';
+import { boxCamera, defaultCamera, subjectCamera } from './camera.ts';
 import type { Subject } from './camera.ts';
-import type { CameraState, View } from './renderer/renderer.ts';
+import type { CameraState } from './renderer/renderer.ts';
 
 /** What is framed, and through what. */
 export interface Frame {
   /** Width and height of the ground, px. */
   extent: [number, number];
   aspect: number;
-  view: View;
+  /** Seen from straight above, whatever the camera's angles. */
+  plan: boolean;
   /** Fill the picture with ground. */
   closeUp: boolean;
   /** What is framed instead of all of the ground. */
@@ -56,9 +57,9 @@ export class SceneCamera {
   }
 
   /** The default camera, for the present aspect or another. */
-  framing(aspect = this.#frame().aspect, closeUp = this.#frame().closeUp): CameraState {
-    const { extent, view, subject } = this.#frame();
-    const camera = subject ? subjectCamera(subject, aspect) : defaultCamera(...extent, aspect, view, closeUp);
+  framing(aspect = this.#frame().aspect, closeUp = this.#frame().closeUp, plan = this.#frame().plan): CameraState {
+    const { extent, subject } = this.#frame();
+    const camera = subject ? subjectCamera(subject, aspect, plan) : defaultCamera(...extent, aspect, plan, closeUp);
     if (!this.#orbit) return camera;
     const orbited = orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel);
     return subject ? { ...orbited, target: camera.target } : orbited;
@@ -71,9 +72,9 @@ export class SceneCamera {
 
   /** What is shown while nobody has moved the camera. */
   #framed(aspect = this.#frame().aspect): CameraState {
-    const { extent: [width, height], view, subject, height: rocks } = this.#frame();
+    const { extent: [width, height], plan, subject, height: rocks } = this.#frame();
     // Plans are framed whole as they are.
-    if (!this.#whole || isPlan(view)) return this.framing(aspect, this.#heldCloseUp);
+    if (!this.#whole || plan) return this.framing(aspect, this.#heldCloseUp);
     const { azimuth, elevation } = this.#whole;
     const high = Math.max(rocks(), subject?.high[2] ?? 0);
     return boxCamera({ low: [0, 0, 0], high: [width, height, high] }, aspect, azimuth, elevation, WHOLE_ROOM);
@@ -112,7 +113,7 @@ export class SceneCamera {
     const from = this.current;
     const whole = this.framed && this.#whole ? null : { azimuth: from.azimuth, elevation: from.elevation };
     this.current = null;
-    if (!isPlan(this.#frame().view)) this.#whole = whole;
+    if (!this.#frame().plan) this.#whole = whole;
     const to = this.#framed();
     if (now !== null) this.#flight = new CameraFlight(from, to, now);
     return to;
@@ -133,7 +134,7 @@ export class SceneCamera {
       this.#camera = this.#flight.at(now);
       if (!this.#camera) this.#flight = undefined;
     }
-    const turns = rotates && !this.#flight && !isPlan(this.#frame().view);
+    const turns = rotates && !this.#flight && !this.#frame().plan;
     if (turns) this.#rotation.advance(now);
     else this.#rotation.rest();
     return this.#flight !== undefined || turns;

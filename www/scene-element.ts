@@ -9,7 +9,7 @@
 import { prefersStillness } from './auto-rotation.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Orbit } from './camera-orbit.ts';
-import { defaultCamera, isPlan } from './camera.ts';
+import { isPlan } from './camera.ts';
 import type { Subject } from './camera.ts';
 import { isPassing, RockFieldError } from './errors.ts';
 import { ErrorPace } from './error-pace.ts';
@@ -99,10 +99,14 @@ export abstract class SceneElement extends Base {
   #style: SceneStyle = { view: '3d', color: 'layer', dark: false };
   #look: Look | null = null;
   #theme: Theme = 'auto';
-  #camera = new SceneCamera(() => {
-    const { view, color } = this.#style;
-    return { extent: this.#extent(), aspect: this.aspect, view, closeUp: color === 'natural', subject: this.subject, height: () => this.#rocksHeight() };
-  });
+  #camera = new SceneCamera(() => ({
+    extent: this.#extent(),
+    aspect: this.aspect,
+    plan: this.#isPlan(),
+    closeUp: this.#style.color === 'natural',
+    subject: this.subject,
+    height: () => this.#rocksHeight(),
+  }));
 
   #size: StageSize | undefined;
   #visibility: Visibility | undefined;
@@ -544,7 +548,7 @@ export abstract class SceneElement extends Base {
         },
         onFrameAll: () => this.frameAll(),
         onRefused: (gesture) => this.#explain(gesture),
-        isPlan: () => isPlan(this.#style.view) || this.backend === 'canvas2d',
+        isPlan: () => this.#isPlan(),
         interaction: () => (this.hasAttribute('disabled') ? 'none' : this.interactionMode),
       },
     );
@@ -578,7 +582,7 @@ export abstract class SceneElement extends Base {
         isOver: () => signal?.aborted !== false || this.#painted || this.#kept.renderer !== undefined,
         tree: this.#tree,
         language: () => this.language,
-        scene: () => ({ field: this.#field, wood: this.#wood, style: this.#style, camera: this.#planCamera(), size: this.#size?.pixels }),
+        scene: () => ({ field: this.#field, wood: this.#wood, style: this.#style, camera: this.framed ? this.#camera.framing(undefined, false, true) : this.camera, size: this.#size?.pixels }),
       });
     } catch (thrown) {
       console.warn(thrown);
@@ -586,9 +590,9 @@ export abstract class SceneElement extends Base {
     this.#isStandingIn = false;
   }
 
-  /** Shows the whole plan until somebody moves the camera. */
-  #planCamera(): CameraState {
-    return this.framed && !this.subject ? defaultCamera(...this.#extent(), this.aspect, 'selection', false) : this.camera;
+  /** Whether it is seen from straight above, as everything is without a GPU. */
+  #isPlan(): boolean {
+    return isPlan(this.#style.view) || this.backend === 'canvas2d';
   }
 
   #fill(renderer: SceneRenderer): void {

@@ -9,8 +9,8 @@
 //! ```
 //!
 //! One frame: if the field is new, its shadow and height maps; then one multisampled pass:
-//! backdrop and ground, then all rocks at once (outsides, insides; edges in the wireframe view), and the props,
-//! or the fills and strokes of a plan. Nothing is drawn unless asked for.
+//! backdrop and ground (its depth too where rocks or props go on below it), then all rocks at once (outsides, insides;
+//! edges in the wireframe view), and the props, or the fills and strokes of a plan. Nothing is drawn unless asked for.
 //! In natural colours the rocks come first and the ground last, as a surface that hides what is below it.
 //!
 //! With WebGPU a device serves any number of canvases. WebGL2 binds a device to one canvas and allows
@@ -25,6 +25,7 @@ mod gpu;
 mod look;
 mod maps;
 mod palette;
+mod pass;
 mod pipelines;
 mod plan;
 mod props;

@@ -8,11 +8,9 @@
 
 use std::cell::OnceCell;
 
-use super::surface::{DEPTH_FORMAT, Kind};
+use super::pass::{Depth, Pass, Sides, Target, pipeline};
+use super::surface::Kind;
 use super::uniforms::{FieldUniforms, Globals};
-
-/// Prepended to every pass.
-const COMMON: &str = include_str!("shaders/common.wgsl");
 
 /// Prepended, after the common part, to the passes of the papers' style.
 const LIGHTING: &[&str] = &[include_str!("shaders/lighting.wgsl")];
@@ -81,6 +79,7 @@ pub(crate) struct Pipelines {
     pub(crate) shadow: wgpu::RenderPipeline,
     pub(crate) height: wgpu::RenderPipeline,
     pub(crate) ground: wgpu::RenderPipeline,
+    floor: OnceCell<wgpu::RenderPipeline>,
     /// Outsides, then insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
     natural: OnceCell<[wgpu::RenderPipeline; 4]>,
@@ -91,40 +90,6 @@ pub(crate) struct Pipelines {
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     wood_wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     plan: OnceCell<[wgpu::RenderPipeline; 2]>,
-}
-
-/// What differs between the passes.
-struct Pass<'a> {
-    label: &'static str,
-    source: &'static str,
-    /// Between the common part and the pass' own; lit ones read the maps.
-    before: &'static [&'static str],
-    buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
-    topology: wgpu::PrimitiveTopology,
-    sides: Sides,
-    depth: Depth,
-    target: Target,
-}
-
-/// Which sides of a face are drawn. Of rocks never only one: they overhang, and c_w may turn one inside out.
-enum Sides {
-    Both,
-    Out,
-    In,
-}
-
-enum Depth {
-    /// Neither read nor written.
-    Ignore,
-    Test,
-    /// Pushed back, so that lines on the same faces stand in front.
-    TestBehind,
-}
-
-enum Target {
-    View { blend: bool },
-    Shadow,
-    Height,
 }
 
 impl Pipelines {
@@ -176,6 +141,7 @@ impl Pipelines {
             shadow,
             height,
             ground,
+            floor: OnceCell::new(),
             rock,
             natural: OnceCell::new(),
             log: OnceCell::new(),
@@ -190,6 +156,23 @@ impl Pipelines {
     fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
         let layouts = [&self.frame_layout, &self.field_layout, &self.maps_layout];
         pipeline(device, layouts, self.kind, pass)
+    }
+
+    /// The ground's depth in the papers' style, for scenes that go on below it.
+    pub(crate) fn floor(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
+        self.floor.get_or_init(|| {
+            let floor = Pass {
+                label: "rock-field/floor/pipeline",
+                source: include_str!("shaders/floor.wgsl"),
+                before: &[],
+                buffers: &[],
+                topology: wgpu::PrimitiveTopology::TriangleList,
+                sides: Sides::Both,
+                depth: Depth::TestJustBehind,
+                target: Target::ViewDepth,
+            };
+            self.make(device, floor)
+        })
     }
 
     /// In natural colours: outsides and insides of the rocks, both at once for half the vertices, and the ground, pushed
@@ -343,76 +326,6 @@ fn wood_pass<'a>(
         depth: Depth::Test,
         target: Target::View { blend: false },
     }
-}
-
-fn pipeline(
-    device: &wgpu::Device,
-    [frame, field, maps]: [&wgpu::BindGroupLayout; 3],
-    Kind { format, samples }: Kind,
-    pass: Pass<'_>,
-) -> wgpu::RenderPipeline {
-    let lit = !pass.before.is_empty();
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(pass.label),
-        source: wgpu::ShaderSource::Wgsl(format!("{COMMON}{}{}", pass.before.concat(), pass.source).into()),
-    });
-    let groups = [Some(frame), Some(field), Some(maps)];
-    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some(pass.label),
-        bind_group_layouts: if lit { &groups } else { &groups[..2] },
-        immediate_size: 0,
-    });
-    let srgb = [("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 })];
-    let color = |format, blend| Some(wgpu::ColorTargetState { format, blend, write_mask: wgpu::ColorWrites::ALL });
-    let (targets, depth_format, count, constants) = match pass.target {
-        Target::View { blend } => {
-            let blend = blend.then_some(wgpu::BlendState::ALPHA_BLENDING);
-            (Some(color(format, blend)), DEPTH_FORMAT, samples, &srgb[..])
-        }
-        Target::Shadow => (None, SHADOW_FORMAT, 1, &[][..]),
-        Target::Height => (Some(color(HEIGHT_FORMAT, None)), SHADOW_FORMAT, 1, &[][..]),
-    };
-    let (depth_compare, depth_write, bias) = match pass.depth {
-        Depth::Ignore => (wgpu::CompareFunction::Always, false, 0),
-        Depth::Test => (wgpu::CompareFunction::LessEqual, true, 0),
-        Depth::TestBehind => (wgpu::CompareFunction::LessEqual, true, 2),
-    };
-    let compilation = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
-    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(pass.label),
-        layout: Some(&layout),
-        vertex: wgpu::VertexState {
-            module: &module,
-            entry_point: Some("vs_main"),
-            compilation_options: Default::default(),
-            buffers: pass.buffers,
-        },
-        primitive: wgpu::PrimitiveState {
-            topology: pass.topology,
-            cull_mode: match pass.sides {
-                Sides::Both => None,
-                Sides::Out => Some(wgpu::Face::Back),
-                Sides::In => Some(wgpu::Face::Front),
-            },
-            ..Default::default()
-        },
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: depth_format,
-            depth_write_enabled: Some(depth_write),
-            depth_compare: Some(depth_compare),
-            stencil: Default::default(),
-            bias: wgpu::DepthBiasState { constant: bias, slope_scale: bias as f32 * 0.75, clamp: 0.0 },
-        }),
-        multisample: wgpu::MultisampleState { count, ..Default::default() },
-        fragment: targets.as_ref().map(|target| wgpu::FragmentState {
-            module: &module,
-            entry_point: Some("fs_main"),
-            compilation_options: compilation,
-            targets: std::slice::from_ref(target),
-        }),
-        multiview_mask: None,
-        cache: None,
-    })
 }
 
 fn uniform_layout<T>(device: &wgpu::Device, label: &'static str) -> wgpu::BindGroupLayout {

@@ -55,6 +55,8 @@ pub(crate) struct Scene {
     /// Middle and radius of a sphere round everything.
     pub(crate) center: Vec3,
     pub(crate) radius: f32,
+    /// Whether rocks or props go on below the ground.
+    pub(crate) is_buried: bool,
     pub(crate) image: [f32; 2],
     uniforms: wgpu::Buffer,
     pub(crate) field_group: wgpu::BindGroup,
@@ -159,6 +161,7 @@ impl Scene {
             high,
             center: (low + high) * 0.5,
             radius: (high - low).length() * 0.5,
+            is_buried: low.z < 0.0,
             image,
             uniforms,
             field_group,
@@ -175,6 +178,7 @@ impl Scene {
         let (low, high) = props.around(self.low, self.high);
         self.center = (low + high) * 0.5;
         self.radius = (high - low).length() * 0.5;
+        self.is_buried = low.z < 0.0;
         let mut uniforms = field_uniforms(sun, self.image, low, high, MapSets::side(gpu) as f32);
         uniforms.size[2] = self.high.z.max(1.0);
         if let Some(axis) = props.axis() {

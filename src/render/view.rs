@@ -176,8 +176,7 @@ impl View {
                     pass.draw(0..6, 0..1);
                 }
                 (Mode::Rocks, _) => {
-                    pass.set_pipeline(&gpu.pipelines.ground);
-                    pass.draw(0..3, 0..1);
+                    draw_ground(&mut pass, gpu, scene);
                     for sides in &gpu.pipelines.rock {
                         scene.draw_rocks(&mut pass, sides);
                     }
@@ -187,8 +186,7 @@ impl View {
                 }
                 (Mode::Wireframe, _) => {
                     let [fill, edges] = gpu.pipelines.wire(&gpu.device);
-                    pass.set_pipeline(&gpu.pipelines.ground);
-                    pass.draw(0..3, 0..1);
+                    draw_ground(&mut pass, gpu, scene);
                     scene.draw_rocks(&mut pass, fill);
                     scene.draw_edges(&mut pass, edges);
                     if !props.is_empty() {
@@ -262,5 +260,15 @@ impl View {
             ],
             flesh: self.look.flesh,
         }
+    }
+}
+
+/// Backdrop and ground of the papers' style; its depth too, where something goes on below it.
+fn draw_ground(pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, scene: &Scene) {
+    pass.set_pipeline(&gpu.pipelines.ground);
+    pass.draw(0..3, 0..1);
+    if scene.is_buried {
+        pass.set_pipeline(gpu.pipelines.floor(&gpu.device));
+        pass.draw(0..3, 0..1);
     }
 }

@@ -459,18 +459,23 @@ test('without any GPU it draws the plan and says so, in the language of the page
     },
   });
   try {
-    const { page } = await blind.open('element.html');
+    const { page } = await blind.open('element.html', { deviceScaleFactor: 1 });
     await page.evaluate(() => customElements.whenDefined('rock-field').then(() => a.ready));
     const seen = await page.evaluate(() => {
       const canvas = a.shadowRoot.querySelector('canvas');
       const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
-      const colors = new Set();
-      for (let at = 0; at < data.length; at += 4) colors.add(data[at] * 65536 + data[at + 1] * 256 + data[at + 2]);
-      return [a.backend, a.shadowRoot.querySelector('[part=message]').innerText, colors.size];
+      const color = (at) => data[at] * 65536 + data[at + 1] * 256 + data[at + 2];
+      const [colors, border] = [new Set(), new Set()];
+      for (let at = 0; at < data.length; at += 4) {
+        const [x, y] = [(at / 4) % canvas.width, Math.floor(at / 4 / canvas.width)];
+        (x % (canvas.width - 1) === 0 || y % (canvas.height - 1) === 0 ? border : colors).add(color(at));
+      }
+      return [a.backend, a.shadowRoot.querySelector('[part=message]').innerText, colors.size, border.size];
     });
     assert.equal(seen[0], 'canvas2d');
     assert.match(seen[1], /平面図/);
     assert(seen[2] > 10, `a picture of ${seen[2]} colours`);
+    assert.equal(seen[3], 1, 'the plan has a margin on all sides');
   } finally {
     await blind.close();
   }

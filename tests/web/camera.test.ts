@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { cameraAxes, defaultCamera, groundPoint, TAN } from '../../www/camera.ts';
 import { SceneCamera } from '../../www/scene-camera.ts';
+import type { Subject } from '../../www/camera.ts';
 import type { CameraState } from '../../www/renderer/renderer.ts';
 
 const SIZES = [[640, 640], [900, 300], [300, 900]] as const;
@@ -11,7 +12,7 @@ const ASPECTS = [0.3, 0.5, 1, 1.6, 3];
 test('close up, a picture of any shape shows the field to its edges and nothing beside it', () => {
   for (const [width, height] of SIZES) {
     for (const aspect of ASPECTS) {
-      const camera = defaultCamera(width, height, aspect, '3d', true);
+      const camera = defaultCamera(width, height, aspect, false, true);
       const sides = [[-1, -1], [1, -1], [-1, 1], [1, 1]].map(([x, y]) => groundPoint(camera, x!, y!, aspect));
       assert(sides.every((point) => point && point[0] > 0 && point[0] < width && point[1] > 0 && point[1] < height), `${width} × ${height} at ${aspect}`);
       const spans = [0, 1].map((axis) => Math.max(...sides.map((point) => point![axis]!)) - Math.min(...sides.map((point) => point![axis]!)));
@@ -21,7 +22,7 @@ test('close up, a picture of any shape shows the field to its edges and nothing 
 });
 
 test('plans are framed as they are, close up or not', () => {
-  for (const view of ['diagrams', 'selection'] as const) assert.deepEqual(defaultCamera(640, 480, 1.5, view, true), defaultCamera(640, 480, 1.5, view));
+  assert.deepEqual(defaultCamera(640, 480, 1.5, true, true), defaultCamera(640, 480, 1.5, true));
 });
 
 /** Where the corners of the field's box are in the picture, and how much of it they take. */
@@ -43,7 +44,7 @@ test('all of the field is framed with a margin in every window, from every side,
     for (const aspect of [...ASPECTS, 0.1, 8]) {
       for (const closeUp of [false, true]) {
         for (const [azimuth, elevation] of [[0, 0.09], [0.5, 0.6], [2.5, 1.2], [-1, Math.PI / 2]] as const) {
-          const scene = new SceneCamera(() => ({ extent: [...size], aspect, view: '3d', closeUp, subject: null, height: () => 40 }));
+          const scene = new SceneCamera(() => ({ extent: [...size], aspect, plan: false, closeUp, subject: null, height: () => 40 }));
           scene.current = { azimuth, elevation, distance: 50, target: [0, 0, 0] };
           const to = scene.frameAll(null);
           assert.deepEqual(scene.current, to);
@@ -58,15 +59,35 @@ test('all of the field is framed with a margin in every window, from every side,
   }
 });
 
+test('a plan shows all of a field, and of what stands on it, with a margin in every window', () => {
+  for (const size of SIZES) {
+    for (const aspect of [...ASPECTS, 0.1, 8]) {
+      const subject = { low: [0.2 * size[0], 0.4 * size[1], 0], high: [0.7 * size[0], 0.6 * size[1], 60] } as Subject;
+      for (const what of [null, subject]) {
+        const scene = new SceneCamera(() => ({ extent: [...size], aspect, plan: true, closeUp: true, subject: what, height: () => 40 }));
+        const { low, high } = what ?? { low: [0, 0], high: size };
+        const { target, distance } = scene.current;
+        // As plans are drawn: half the picture's height is distance · TAN.
+        const reaches = [0, 1].map((axis) => {
+          const half = distance * TAN * (axis === 0 ? aspect : 1);
+          return Math.max(target[axis]! - low[axis]!, high[axis]! - target[axis]!) / half;
+        });
+        const reach = Math.max(...reaches);
+        assert(reach < 0.97 && reach > 0.3, `${size.join(' × ')} at ${aspect}, ${what ? 'a subject' : 'all'}: ${reach}`);
+      }
+    }
+  }
+});
+
 test('plans are whole already: framing them is the default at once', () => {
-  const scene = new SceneCamera(() => ({ extent: [640, 480], aspect: 1.5, view: 'diagrams', closeUp: true, subject: null, height: () => 40 }));
+  const scene = new SceneCamera(() => ({ extent: [640, 480], aspect: 1.5, plan: true, closeUp: true, subject: null, height: () => 40 }));
   assert.deepEqual(scene.frameAll(null), scene.framing());
   assert.ok(scene.isDefault);
 });
 
 test('another colour does not move a camera that nobody moved, until another preset lets it go', () => {
   let closeUp = true;
-  const scene = new SceneCamera(() => ({ extent: [640, 480], aspect: 1.5, view: '3d', closeUp, subject: null, height: () => 40 }));
+  const scene = new SceneCamera(() => ({ extent: [640, 480], aspect: 1.5, plan: false, closeUp, subject: null, height: () => 40 }));
   const before = scene.current;
   scene.hold();
   closeUp = false;

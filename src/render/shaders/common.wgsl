@@ -77,6 +77,16 @@ fn finish(linear: vec3f, pixel: vec2f) -> vec4f {
   return vec4f(select(encoded, c, target_is_srgb), 1.0);
 }
 
+// Of the plane z = 0, at (x, y) of the picture in -1…1: the ray's point on it, divided by how far along the ray it is. Stays
+// finite at the horizon and flips beyond it, where the far plane cuts it off. A plane's depth is linear over the picture, so
+// three corners do.
+fn ground_clip(at: vec2f) -> vec4f {
+  let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
+  // Its w is 1.
+  let ground = globals.clip_from_eye * vec4f(ray, -ray.z / max(globals.eye.z, 0.01));
+  return vec4f(at, ground.z, 1.0);
+}
+
 // Natural colours only: what is painted of a rock is three random bytes, then its kind in the lower three bits and in the
 // upper five how far it sinks into the ground (settle.rs). In every pass that draws rocks alike.
 fn settled(position: vec3f, painted: vec4f) -> vec3f {

@@ -1,5 +1,6 @@
 // Backdrop and ground in one full-screen triangle: each pixel's ray meets z = 0 or the backdrop.
-// It writes no depth, so the rims of the rocks, which lie exactly in the ground, cannot flicker.
+// It writes no depth, so the rims of the rocks, which lie exactly in the ground, cannot flicker; where rocks go on below it,
+// floor.wgsl follows.
 
 @vertex
 fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {

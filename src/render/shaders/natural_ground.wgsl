@@ -1,5 +1,5 @@
 // Backdrop and ground in natural colours. Two triangles over the whole picture: the backdrop at the far plane, then
-// z = 0 with its depth, which hides what is below it. A plane's depth is linear over the picture, so three corners do.
+// z = 0 with its depth, which hides what is below it.
 
 struct Varyings {
   @builtin(position) clip: vec4f,
@@ -11,13 +11,9 @@ struct Varyings {
 fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
   let i = index % 3u;
   let at = vec2f(f32((i << 1u) & 2u), f32(i & 2u)) * 2.0 - 1.0;
-  let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
-  // The ray's point on z = 0, divided by how far along it is: stays finite at the horizon and flips beyond it, where
-  // the far plane cuts it off. Its w is 1.
-  let ground = globals.clip_from_eye * vec4f(ray, -ray.z / max(globals.eye.z, 0.01));
   var out: Varyings;
   out.is_ground = select(0.0, 1.0, index >= 3u);
-  out.clip = vec4f(at, select(1.0, ground.z, index >= 3u), 1.0);
+  out.clip = select(vec4f(at, 1.0, 1.0), ground_clip(at), index >= 3u);
   return out;
 }
 

@@ -1,0 +1,121 @@
+//! One pass as a description, and the pipeline made of it.
+
+use super::pipelines::{HEIGHT_FORMAT, SHADOW_FORMAT};
+use super::surface::{DEPTH_FORMAT, Kind};
+
+/// Prepended to every pass.
+const COMMON: &str = include_str!("shaders/common.wgsl");
+
+/// What differs between the passes.
+pub(crate) struct Pass<'a> {
+    pub(crate) label: &'static str,
+    pub(crate) source: &'static str,
+    /// Between the common part and the pass' own; lit ones read the maps.
+    pub(crate) before: &'static [&'static str],
+    pub(crate) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
+    pub(crate) topology: wgpu::PrimitiveTopology,
+    pub(crate) sides: Sides,
+    pub(crate) depth: Depth,
+    pub(crate) target: Target,
+}
+
+/// Which sides of a face are drawn. Of rocks never only one: they overhang, and c_w may turn one inside out.
+pub(crate) enum Sides {
+    Both,
+    Out,
+    In,
+}
+
+pub(crate) enum Depth {
+    /// Neither read nor written.
+    Ignore,
+    Test,
+    /// Pushed back, so that lines on the same faces stand in front.
+    TestBehind,
+    /// Pushed back by half a pixel, so that what ends in the same plane stands in front.
+    TestJustBehind,
+}
+
+pub(crate) enum Target {
+    View {
+        blend: bool,
+    },
+    /// Of the view, its depth alone.
+    ViewDepth,
+    Shadow,
+    Height,
+}
+
+/// Group 2, the maps, is bound where the pass is lit.
+pub(crate) fn pipeline(
+    device: &wgpu::Device,
+    [frame, field, maps]: [&wgpu::BindGroupLayout; 3],
+    Kind { format, samples }: Kind,
+    pass: Pass<'_>,
+) -> wgpu::RenderPipeline {
+    let lit = !pass.before.is_empty();
+    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+        label: Some(pass.label),
+        source: wgpu::ShaderSource::Wgsl(format!("{COMMON}{}{}", pass.before.concat(), pass.source).into()),
+    });
+    let groups = [Some(frame), Some(field), Some(maps)];
+    let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
+        label: Some(pass.label),
+        bind_group_layouts: if lit { &groups } else { &groups[..2] },
+        immediate_size: 0,
+    });
+    let srgb = [("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 })];
+    let color = |format, blend, write_mask| Some(wgpu::ColorTargetState { format, blend, write_mask });
+    let all = wgpu::ColorWrites::ALL;
+    let (targets, depth_format, count, constants) = match pass.target {
+        Target::View { blend } => {
+            let blend = blend.then_some(wgpu::BlendState::ALPHA_BLENDING);
+            (Some(color(format, blend, all)), DEPTH_FORMAT, samples, &srgb[..])
+        }
+        Target::ViewDepth => (Some(color(format, None, wgpu::ColorWrites::empty())), DEPTH_FORMAT, samples, &[][..]),
+        Target::Shadow => (None, SHADOW_FORMAT, 1, &[][..]),
+        Target::Height => (Some(color(HEIGHT_FORMAT, None, all)), SHADOW_FORMAT, 1, &[][..]),
+    };
+    let (depth_compare, depth_write, bias, slope_scale) = match pass.depth {
+        Depth::Ignore => (wgpu::CompareFunction::Always, false, 0, 0.0),
+        Depth::Test => (wgpu::CompareFunction::LessEqual, true, 0, 0.0),
+        Depth::TestBehind => (wgpu::CompareFunction::LessEqual, true, 2, 1.5),
+        Depth::TestJustBehind => (wgpu::CompareFunction::LessEqual, true, 2, 0.5),
+    };
+    let compilation = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
+    device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
+        label: Some(pass.label),
+        layout: Some(&layout),
+        vertex: wgpu::VertexState {
+            module: &module,
+            entry_point: Some("vs_main"),
+            compilation_options: Default::default(),
+            buffers: pass.buffers,
+        },
+        primitive: wgpu::PrimitiveState {
+            topology: pass.topology,
+            cull_mode: match pass.sides {
+                Sides::Both => None,
+                Sides::Out => Some(wgpu::Face::Back),
+                Sides::In => Some(wgpu::Face::Front),
+            },
+            ..Default::default()
+        },
+        depth_stencil: Some(wgpu::DepthStencilState {
+            format: depth_format,
+            depth_write_enabled: Some(depth_write),
+            depth_compare: Some(depth_compare),
+            stencil: Default::default(),
+            bias: wgpu::DepthBiasState { constant: bias, slope_scale, clamp: 0.0 },
+        }),
+        multisample: wgpu::MultisampleState { count, ..Default::default() },
+        fragment: targets.as_ref().map(|target| wgpu::FragmentState {
+            module: &module,
+            entry_point: Some("fs_main"),
+            compilation_options: compilation,
+            targets: std::slice::from_ref(target),
+        }),
+        multiview_mask: None,
+        cache: None,
+    })
+}
