@@ -122,9 +122,9 @@ impl Error {
         let [value, min, max] = self.numbers();
         let mebibytes = |bytes: f64| (bytes / 1_048_576.0).floor();
         let (text, words, numbers) = match self {
-            Error::OutOfRange { .. } => ("@@ is #; it has to lie in # to #", [key, &place], [value, min, max]),
-            Error::NotAnInteger { .. } => ("@@ is #; it has to be a whole number", [key, &place], [value; 3]),
-            Error::TooManyLayers { .. } => ("# layers; at most #", [""; 2], [value, max, max]),
+            Error::OutOfRange { .. } => ("@@ is #; it must be between # and #", [key, &place], [value, min, max]),
+            Error::NotAnInteger { .. } => ("@@ is #; it must be a whole number", [key, &place], [value; 3]),
+            Error::TooManyLayers { .. } => ("there are # layers; there may be at most #", [""; 2], [value, max, max]),
             Error::DuplicateLayerId { .. } => ("two layers have the id #", [""; 2], [value; 3]),
             Error::UnknownPreset { value } => ("there is no preset called \"@\"", [value.as_str(), ""], [0.0; 3]),
             Error::MalformedRequest { .. } => ("the request holds # numbers instead of #", [""; 2], [value, max, max]),

@@ -5,17 +5,17 @@ import type { Slots } from './filled.ts';
 
 /** `{given}` is quoted. The attribute's name stands before each of them. */
 export const ATTRIBUTE_NOTICES = {
-  'no-choice': '{given} is none of {choices}; {used} is used',
-  'no-number': '{given} is no {kind} in {min} to {max}; {used} is used',
-  'no-preset': 'there is no preset called {given}; {used} is shown',
-  'not-json': 'this is not JSON; {used} is shown',
-  'bad-request': '{reason}; {used} is shown',
-  'no-orbit': '{given} is no orbit like 45deg 55deg 120%; the whole field is framed',
-  'no-scale': '{given} is no number above 0 and up to 1000; {used} is used',
-  'more-layers': '{given} layers; the first {used} are used',
-  'other-length': '{given} values for {used} layers; they are left out',
-  'no-bases': '{given} is no list of bases like 0 -20 30, 40 -20 30 25; the preset’s are used',
-  'more-bases': '{given} bases; the first {used} are used',
+  'no-choice': '{given} must be one of {choices}; using {used}',
+  'no-number': '{given} must be a {kind} between {min} and {max}; using {used}',
+  'no-preset': 'there is no preset called {given}; showing {used}',
+  'not-json': 'this is not JSON; showing {used}',
+  'bad-request': '{reason}; showing {used}',
+  'no-orbit': '{given} must be an orbit such as 45deg 55deg 120%; showing the whole field',
+  'no-scale': '{given} must be a number above 0 and at most 1000; using {used}',
+  'more-layers': 'there are {given} layers; using the first {used}',
+  'other-length': 'there are {given} values for {used} layers; ignoring them',
+  'no-bases': '{given} must be a list of bases such as 0 -20 30, 40 -20 30 25; using the preset’s',
+  'more-bases': 'there are {given} bases; using the first {used}',
 } as const satisfies Record<string, string>;
 
 export type AttributeNoticeCode = keyof typeof ATTRIBUTE_NOTICES;

@@ -31,7 +31,7 @@ export type Loading = (typeof LOADINGS)[number];
 /** @throws {RockFieldError} naming the value and the choices. */
 export function checkChoice<T extends string>(key: string, value: T, choices: readonly T[]): T {
   if (choices.includes(value)) return value;
-  const message = `${key} is ${shown(value)}; it has to be one of ${choices.join(', ')}`;
+  const message = `${key} is ${shown(value)}; it must be one of ${choices.join(', ')}`;
   throw new RockFieldError({ name: 'OutOfRange', key, value, message });
 }
 

@@ -34,19 +34,19 @@ function listed<Name extends string>(entries: Record<Name, ErrorEntry>): Record<
 export const ERRORS = /* @__PURE__ */ listed({
   OutOfRange: {
     group: 'request',
-    message: '{key} is {value}; it has to lie in {min} to {max}',
+    message: '{key} is {value}; it must be between {min} and {max}',
     cause: 'A number outside its bounds, NaN, or a word that is not among the choices.',
     remedy: 'Pass a value between `min` and `max` of the error, or one of the words in its message. [Attributes](attributes.html) lists all bounds.',
   },
   NotAnInteger: {
     group: 'request',
-    message: '{key} is {value}; it has to be a whole number',
+    message: '{key} is {value}; it must be a whole number',
     cause: 'A fraction where only whole numbers mean something: `seed`, `imageWidth`, `cellCount`.',
     remedy: 'Round it before you pass it.',
   },
   WrongType: {
     group: 'request',
-    message: '{key} is {value}; it has to be a number',
+    message: '{key} is {value}; it must be a number',
     cause: 'Text where a number is expected, a number where a list is expected, a hole in a list, and the like.',
     remedy: 'Pass the type that the message names. Numbers from form fields are text: use `valueAsNumber` or `Number(…)`.',
   },
@@ -64,7 +64,7 @@ export const ERRORS = /* @__PURE__ */ listed({
   },
   TooManyLayers: {
     group: 'request',
-    message: '{value} layers; at most {max}',
+    message: 'there are {value} layers; there may be at most {max}',
     cause: 'More entries in `layers` than are allowed.',
     remedy: 'Leave the surplus layers out, or merge layers of similar radius.',
   },
@@ -76,7 +76,7 @@ export const ERRORS = /* @__PURE__ */ listed({
   },
   MalformedRequest: {
     group: 'request',
-    message: 'the request is {value}; it has to be an object',
+    message: 'the request is {value}; it must be an object',
     cause: 'Parameters that are not an object, `base` together with `bases`, or a page and a worker that belong to different releases.',
     remedy: 'Pass one object as in the [types](types.html). On a server of your own, deploy all files of one release together.',
   },

@@ -10,7 +10,7 @@ import type { ControlsButton, PanelModule } from './controls-button.ts';
 import { errorInfo, isAbort, RockFieldError, UNAVAILABLE } from './errors.ts';
 import type { ErrorInfo } from './errors.ts';
 import type { Progress } from './generator/protocol.ts';
-import { History } from './history.ts';
+import { CODE, History } from './history.ts';
 import type { SceneLink } from './link.ts';
 import type { Language } from './params.ts';
 import type { RowProperties } from './parameter-properties.ts';
@@ -238,7 +238,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   /** What says the same as the present is no step: the panel's edits come here when they are in the history already. */
-  #record(preset: K['preset'] = this.presetInUse, label = 'edit'): void {
+  #record(preset: K['preset'] = this.presetInUse, label = CODE): void {
     if (!this.#params) return;
     const edition: Edition<K> = { params: this.#params, preset };
     const present = this.#history?.present;
@@ -469,6 +469,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     this.forgetFailure();
     const { params } = this;
     this.#presets.set(params, this.presetInUse);
+    this.#history?.begin();
     return this.#runs.start(params);
   }
 

@@ -7,11 +7,16 @@ const MAX_STEPS = 300;
 /** Unconfirmed states kept: a drag makes some 60 a second, and a run of it ends within a few seconds. */
 const MAX_OPEN = 200;
 
+/** The label of edits by code. */
+export const CODE = 'edit';
+
 /** The whole of a history at one moment. */
 interface Moment<T> {
   readonly past: readonly T[];
   readonly present: T;
   readonly future: readonly T[];
+  /** Equal for the moments of one edit, which is refused as a whole. A step may have several edits. */
+  readonly edit: object;
 }
 
 export class History<T> {
@@ -23,11 +28,13 @@ export class History<T> {
   /** The newest moment whose present was confirmed. */
   #settled: Moment<T> | undefined;
   #isBack = false;
+  /** A run of the present has begun. */
+  #hasBegun = false;
   /** The moments since, oldest first: each of these may still be refused. */
   #open: Moment<T>[];
 
   constructor(initial: T) {
-    this.#now = { past: [], present: initial, future: [] };
+    this.#now = { past: [], present: initial, future: [], edit: {} };
     this.#open = [this.#now];
   }
 
@@ -58,10 +65,17 @@ export class History<T> {
    * without a label every edit is a step of its own. `now` in ms.
    */
   record(next: T, label = '', now = 0): void {
-    const { past, present } = this.#now;
+    const { past, present, edit } = this.#now;
     const continues = label !== '' && label === this.#label && (this.#atHold !== undefined || now - this.#at <= MERGE_MS);
-    this.#go({ past: continues ? past : [...past, present].slice(-MAX_STEPS), present: next, future: [] }, label);
+    // All of a drag is one edit, however many runs it takes.
+    const isSameEdit = continues && !(label === CODE && this.#hasBegun);
+    this.#go({ past: continues ? past : [...past, present].slice(-MAX_STEPS), present: next, future: [], edit: isSameEdit ? edit : {} }, label);
     this.#at = now;
+  }
+
+  /** A run of the present begins: what code sets from now on is another edit. */
+  begin(): void {
+    this.#hasBegun = true;
   }
 
   /** A pointer went down: until `release`, edits with one label are one step, however slow. */
@@ -87,14 +101,14 @@ export class History<T> {
   undo(): boolean {
     const { past, present, future } = this.#now;
     if (past.length === 0) return false;
-    this.#go({ past: past.slice(0, -1), present: past.at(-1) as T, future: [...future, present] });
+    this.#go({ past: past.slice(0, -1), present: past.at(-1) as T, future: [...future, present], edit: {} });
     return true;
   }
 
   redo(): boolean {
     const { past, present, future } = this.#now;
     if (future.length === 0) return false;
-    this.#go({ past: [...past, present], present: future.at(-1) as T, future: future.slice(0, -1) });
+    this.#go({ past: [...past, present], present: future.at(-1) as T, future: future.slice(0, -1), edit: {} });
     return true;
   }
 
@@ -106,10 +120,10 @@ export class History<T> {
     this.#open = this.#open.slice(index + 1);
   }
 
-  /** The present was refused: goes back to the step before it that may still be possible. False where there is none. */
+  /** The present was refused: goes back to the edit before it that may still be possible. False where there is none. */
   refuse(): boolean {
     const refused = this.#now;
-    const open = this.#open.filter(({ past }) => past !== refused.past);
+    const open = this.#open.filter(({ edit }) => edit !== refused.edit);
     return this.#back(open.at(-1) ?? this.#settled, open);
   }
 
@@ -133,7 +147,7 @@ export class History<T> {
   #go(to: Moment<T>, label = ''): void {
     this.#now = to;
     this.#label = label;
-    this.#isBack = false;
+    this.#isBack = this.#hasBegun = false;
     this.#open = [...this.#open, to].slice(-MAX_OPEN);
   }
 }

@@ -41,6 +41,7 @@ export type NoticeCode =
   | 'unknown-choice'
   | 'not-a-number'
   | 'clamped'
+  | 'not-whole'
   | 'repeated'
   | 'unequal-lists'
   | 'too-many-layers'
@@ -259,7 +260,7 @@ export class LinkReader {
     const value = Number(item);
     const inside = Math.min(max, Math.max(min, value));
     const legal = spec.kind.endsWith('real') ? inside : Math.round(inside);
-    if (legal !== value) this.note('clamped', spec.url, item, String(legal), { min, max });
+    if (legal !== value) this.note(inside === value ? 'not-whole' : 'clamped', spec.url, item, String(legal), { min, max });
     // Never −0: it would be another number in the next link.
     return legal + 0;
   }

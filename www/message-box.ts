@@ -18,6 +18,7 @@ export class MessageBox {
   #standing = '';
   #loading = '';
   #canRetry = false;
+  #canRetryStanding = false;
   #timer: ReturnType<typeof setTimeout> | undefined;
 
   /** `retry` is what the button does. */
@@ -50,9 +51,10 @@ export class MessageBox {
     this.#tried();
   }
 
-  /** What holds for as long as the picture is as it is, and may change with another try. */
-  setStanding(text: string): void {
+  /** What holds for as long as the picture is as it is; with `canRetry`, another try may change it. */
+  setStanding(text: string, canRetry: boolean): void {
     this.#standing = text;
+    this.#canRetryStanding = text !== '' && canRetry;
     this.#tried();
   }
 
@@ -87,7 +89,7 @@ export class MessageBox {
     if (this.#errorText.textContent !== this.#error) this.#errorText.textContent = this.#error;
     this.#errorSlot.hidden = this.#error === '';
     if (this.#text.textContent !== text) this.#text.textContent = text;
-    this.#button.hidden = this.#standing === '' && !this.#canRetry;
+    this.#button.hidden = !this.#canRetry && !this.#canRetryStanding;
     this.element.hidden = text === '' && this.#error === '';
   }
 }

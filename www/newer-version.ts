@@ -10,7 +10,7 @@ import type { Kind } from './table.ts';
 const WORDS = {
   newer: { en: 'There is a newer version of this page. Reload to go on from here.', ja: 'このページには新しいバージョンがあります。再読み込みすると、今の状態から続けられます。' },
   missing: { en: 'A part of this page could not be fetched. Check the connection, then reload.', ja: 'ページの一部を読み込めませんでした。接続を確認して、再読み込みしてください。' },
-  log: { en: 'The log from a file has to be chosen again.', ja: 'ファイルから読み込んだ丸太は、もう一度選び直す必要があります。' },
+  log: { en: 'The log from a file must be chosen again.', ja: 'ファイルから読み込んだ丸太は、もう一度選び直す必要があります。' },
   undo: { en: 'What you could undo is not kept.', ja: '取り消しの履歴は残りません。' },
   reload: { en: 'Reload', ja: '再読み込み' },
 } as const satisfies Record<string, Words>;

@@ -5,19 +5,20 @@ import type { Notice } from './link.ts';
 
 /** `{key}` names what is wrong. */
 export const NOTICES: Record<Notice['code'], string> = {
-  'too-long': 'The link has {given} characters; only the first {used} were read.',
+  'too-long': 'The link has {given} characters; reading only the first {used}.',
   'unknown-key': 'The link has something unknown in it, which was ignored: {key}.',
-  'unknown-version': 'The link is of version {given}, which this page does not know; it was read as version {used}.',
-  'unknown-preset': 'There is no preset “{given}”; {used} is shown.',
-  'unknown-choice': '{key}: “{given}” is not a choice; {used} is used.',
-  'not-a-number': '{key}: “{given}” is not a number; the preset’s value {used} is used.',
-  clamped: '{key}: {given} is not allowed ({min} to {max}); {used} is used.',
-  repeated: '{key} stands more than once in the link; the first one counts.',
-  'unequal-lists': 'The lists in the link do not fit together ({given}); the preset’s are used.',
-  'too-many-layers': 'The link has {given} layers ({key}); the first {used} are shown.',
-  'too-many-bases': 'The link has {given} bases ({key}); the first {used} are used.',
-  'bad-ids': 'The layers’ ids ({given}) have to be different whole numbers; {used} is used.',
-  'bad-camera': 'camera: “{given}” is not a camera position; the whole field is shown.',
+  'unknown-version': 'The link is of version {given}, which this page does not know; reading it as version {used}.',
+  'unknown-preset': 'There is no preset “{given}”; showing {used}.',
+  'unknown-choice': '{key}: “{given}” is not a choice; using {used}.',
+  'not-a-number': '{key}: “{given}” is not a number; using the preset’s {used}.',
+  clamped: '{key}: {given} must be between {min} and {max}; using {used}.',
+  'not-whole': '{key}: {given} must be a whole number; using {used}.',
+  repeated: '{key} is in the link more than once; using the first.',
+  'unequal-lists': 'The lists in the link do not fit together ({given}); using the preset’s.',
+  'too-many-layers': 'The link has {given} layers ({key}); showing the first {used}.',
+  'too-many-bases': 'The link has {given} bases ({key}); using the first {used}.',
+  'bad-ids': 'The layers’ ids ({given}) must be different whole numbers; using {used}.',
+  'bad-camera': 'camera: “{given}” is not a camera position; showing the whole field.',
 };
 
 export function noticeText({ code, key, given, used, min, max }: Omit<Notice, 'text'>): string {

@@ -34,7 +34,7 @@ export function checkValue(spec: Spec, bounds: Range, value: unknown, at?: Place
     if (typeof value !== 'string') throw wrongType(spec.key, value, words, at, name);
     throw new RockFieldError({
       name: 'OutOfRange', key: spec.key, layer: at?.index, value, min: spec.min, max: spec.max,
-      message: `${name}${of(at)} is ${shown(value)}; it has to be ${words}`,
+      message: `${name}${of(at)} is ${shown(value)}; it must be ${words}`,
     });
   }
   if (spec.kind.startsWith('optional') && value === null) return null;
@@ -47,11 +47,11 @@ export function checkNumber(key: string, value: unknown, { min, max }: Range, wh
   const layer = at?.index;
   // Written so that NaN fails too.
   if (!(value >= min && value <= max)) {
-    const message = `${name} is ${value}; it has to lie in ${min} to ${max}`;
+    const message = `${name} is ${value}; it must be between ${min} and ${max}`;
     throw new RockFieldError({ name: 'OutOfRange', key, layer, value, min, max, message });
   }
   if (whole && !Number.isInteger(value)) {
-    const message = `${name} is ${value}; it has to be a whole number`;
+    const message = `${name} is ${value}; it must be a whole number`;
     throw new RockFieldError({ name: 'NotAnInteger', key, layer, value, min, max, message });
   }
   // −0 would be another number in the link and in the flat list.
@@ -63,7 +63,7 @@ export function objectOf(value: unknown, key: string, at?: Place): Loose {
   // Own keys alone: nothing that a prototype adds is a request.
   if (typeof value === 'object' && value !== null && !isList(value)) return { ...value };
   if (key === 'params') {
-    throw new RockFieldError({ name: 'MalformedRequest', key, value, message: `the request is ${shown(value)}; it has to be an object` });
+    throw new RockFieldError({ name: 'MalformedRequest', key, value, message: `the request is ${shown(value)}; it must be an object` });
   }
   throw at ? wrongType(key, value, 'an object', { ...at, name: '' }, at.name) : wrongType(key, value, 'an object');
 }
@@ -76,7 +76,7 @@ export function rejectUnknown(given: Loose, known: (key: string) => boolean, at?
 }
 
 export function wrongType(key: string, value: unknown, wanted: string, at?: Place, name: string = key): RockFieldError {
-  return new RockFieldError({ name: 'WrongType', key, layer: at?.index, value, message: `${name}${of(at)} is ${shown(value)}; it has to be ${wanted}` });
+  return new RockFieldError({ name: 'WrongType', key, layer: at?.index, value, message: `${name}${of(at)} is ${value === undefined ? 'missing' : shown(value)}; it must be ${wanted}` });
 }
 
 export function unknownPreset(name: string): RockFieldError {

@@ -104,7 +104,7 @@ export class RowProperties<K extends Kind> {
     const table = this.#table;
     if (!isList(values)) {
       const name = propertyOf(row);
-      throw new RockFieldError({ name: 'WrongType', key: name, value: values, message: `${name} has to be a list with a value for each ${row.scope}` });
+      throw new RockFieldError({ name: 'WrongType', key: name, value: values, message: `${name} must be a list with a value for each ${row.scope}` });
     }
     const old = table.items(params);
     // One too many is refused like a million.

@@ -137,7 +137,7 @@ function resolveLayers(given: unknown, notation: Notation): Layer[] {
   if (given.length > MAX_LAYERS) {
     throw new RockFieldError({
       name: 'TooManyLayers', key: 'layers', value: given.length, min: 0, max: MAX_LAYERS,
-      message: `${given.length} layers; at most ${MAX_LAYERS}`,
+      message: `there are ${given.length} layers; there may be at most ${MAX_LAYERS}`,
     });
   }
   const ids = new Set<number>();

@@ -55,6 +55,11 @@ export class RendererKeeper {
     return this.#standing?.words(language) ?? '';
   }
 
+  /** Whether trying again at once makes sense. */
+  get canRetry(): boolean {
+    return !this.#standing?.isFetching;
+  }
+
   open(): void {
     const cycle = (this.#cycle += 1);
     void this.#open(cycle, this.#backends());

@@ -1,12 +1,18 @@
 /** When a scene is not drawn as it was asked for: why, in words, and when it is tried again. */
 
 import type { Language, Words } from './params.ts';
+import { loadingText } from './renderer-loading.ts';
+import { rendererArrived } from './renderer/artefact.ts';
+// The plan stands in for the renderer, so it must be here before the network may be gone.
+import './renderer/canvas2d.ts';
 import type { Refusal } from './renderer/load.ts';
 
 /** Before the first new try, and where the device was lost again and again; doubled after each, up to the longest. */
 export const FIRST_WAIT_MS = 1000;
 export const CAUTIOUS_WAIT_MS = 8000;
 const LONGEST_WAIT_MS = 60_000;
+/** How often the words follow what has arrived of a renderer that is being fetched again. */
+const LOOK_EVERY_MS = 200;
 
 /** A renderer that has lived for so long was no accident: after its loss the waits begin anew. */
 const STEADY_MS = 30_000;
@@ -46,18 +52,32 @@ interface Host {
 
 export class Recovery {
   readonly #host: Host;
+  readonly #look: () => void;
   #reason: Words | null = null;
   #waitMs = FIRST_WAIT_MS;
   #timer: ReturnType<typeof setTimeout> | undefined;
   #endedAt = -Infinity;
   #isTrying = false;
+  /** Share of the renderer that the present try has fetched so far; null while it fetches nothing. */
+  #arrived: number | null = null;
   #listening: AbortController | undefined;
 
-  constructor(host: Host) {
+  constructor(host: Host, arrived = rendererArrived) {
     this.#host = host;
+    this.#look = () => {
+      if (arrived() === this.#arrived) return;
+      this.#arrived = arrived();
+      host.said();
+    };
+  }
+
+  /** True while a try fetches the renderer: then there is no use in a button that begins another. */
+  get isFetching(): boolean {
+    return this.#arrived !== null;
   }
 
   words(language: Language): string {
+    if (this.#reason && this.#arrived !== null) return loadingText(language, this.#arrived);
     return this.#reason?.[language] ?? '';
   }
 
@@ -90,7 +110,10 @@ export class Recovery {
     if (this.#isTrying || !this.#reason) return;
     this.#isTrying = true;
     clearTimeout(this.#timer);
+    const looking = setInterval(this.#look, LOOK_EVERY_MS);
     const isBack = await this.#host.again();
+    clearInterval(looking);
+    this.#arrived = null;
     this.#isTrying = false;
     if (isBack || !this.#reason) return;
     this.#waitMs = longer(this.#waitMs);

@@ -74,7 +74,7 @@ export abstract class SceneElement extends Base {
     makeCanvas: () => this.#tree.makeCanvas(this.#size?.pixels),
     fill: (renderer) => this.#fill(renderer),
     opened: (renderer) => this.#onRenderer(renderer),
-    said: () => this.#tree.messages.setStanding(this.#kept.words(this.language)),
+    said: () => this.#sayStanding(),
     report: (error) => this.report(error),
   });
   #painted = false;
@@ -471,9 +471,14 @@ export abstract class SceneElement extends Base {
   /** Says in the present language what is said all the time. */
   protected relabel(): void {
     this.#tree.setLanguage(this.language, WORDS.role[this.language], this.label);
-    this.#tree.messages.setStanding(this.#kept.words(this.language));
+    this.#sayStanding();
     if (this.#failure) this.#sayFailure(this.#failure);
     this.invalidate();
+  }
+
+  /** Says why the picture is not drawn as it was asked for. */
+  #sayStanding(): void {
+    this.#tree.messages.setStanding(this.#kept.words(this.language), this.#kept.canRetry);
   }
 
   /** Begins what costs something; where loading is lazy, as soon as the element comes near. */

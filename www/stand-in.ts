@@ -1,9 +1,9 @@
 /** Shows the plan, and how much of the renderer has arrived, for as long as a slow network brings it. */
 
 import type { Field } from './field.ts';
-import { filled } from './filled.ts';
 import { lazily } from './lazy.ts';
 import type { Language } from './params.ts';
+import { loadingText } from './renderer-loading.ts';
 import { rendererArrived } from './renderer/artefact.ts';
 import type { CameraState, SceneRenderer, SceneStyle, Wood } from './renderer/renderer.ts';
 import type { SceneTree } from './scene-tree.ts';
@@ -11,8 +11,6 @@ import type { SceneTree } from './scene-tree.ts';
 /** A renderer that comes within this needs no plan before it. */
 const PATIENCE_MS = 400;
 const LOOK_EVERY_MS = 200;
-
-const LOADING = { en: 'Loading the renderer {percent} %', ja: '3D 描画プログラムを読み込み中：{percent} %' } as const;
 
 /** What there is to show. */
 interface Shown {
@@ -40,8 +38,7 @@ export async function standIn({ isOver, tree, language, scene }: Host): Promise<
   try {
     for (; !isOver(); await pause(LOOK_EVERY_MS)) {
       const arrived = rendererArrived();
-      // In tens: screen readers say every change.
-      if (arrived !== null) tree.messages.setLoading(filled(LOADING[language()], { percent: 10 * Math.floor(10 * arrived) }));
+      tree.messages.setLoading(arrived === null ? '' : loadingText(language(), arrived));
       if (arrived === null || tree.hasPoster) continue;
       if (!plan) {
         const { Canvas2dRenderer } = await lazily(() => import('./renderer/canvas2d.ts'), true);

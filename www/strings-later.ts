@@ -66,8 +66,8 @@ export function later(language: Language, key: LaterKey, slots: Slots = {}): str
 
 /** Errors of the element that a person at the page can read and act on; any other shows its own message. */
 const ERRORS: Partial<Record<ErrorName, Words>> = {
-  OutOfRange: { en: '{value} is not allowed; it has to lie in {min} to {max}.', ja: '{value} は使えません。{min} 〜 {max} の範囲で指定してください。' },
-  NotAnInteger: { en: '{value} has to be a whole number.', ja: '{value} は整数でなければなりません。' },
+  OutOfRange: { en: '{value} must be between {min} and {max}.', ja: '{value} は使えません。{min} 〜 {max} の範囲で指定してください。' },
+  NotAnInteger: { en: '{value} must be a whole number.', ja: '{value} は整数でなければなりません。' },
   TooManyLayers: { en: 'At most {max} layers.', ja: '層は {max} 個までです。' },
   OverBudget: {
     en: 'This would need about {valueMiB} MiB of memory, and this device’s budget is {maxMiB} MiB, so it is not shown.',

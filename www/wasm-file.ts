@@ -85,7 +85,7 @@ export async function started<S, T>(name: string, source: S, start: (source: S) 
     return await start(source);
   } catch (cause) {
     const isForbidden = cause instanceof Error && /content security policy|unsafe-eval/i.test(cause.message);
-    throw unavailable(isForbidden ? `${name} may not be compiled: a Content-Security-Policy has to allow 'wasm-unsafe-eval'` : `${name} could not be started: the file is damaged, or this browser is too old for it`, cause);
+    throw unavailable(isForbidden ? `${name} may not be compiled: a Content-Security-Policy must allow 'wasm-unsafe-eval'` : `${name} could not be started: the file is damaged, or this browser is too old for it`, cause);
   }
 }
 

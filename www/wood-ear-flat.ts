@@ -164,13 +164,13 @@ export function flatColony(request: WoodEarRequest | undefined, maxBytes: number
 
 function basesOf({ base, bases }: Loose): readonly unknown[] | undefined {
   if (base !== undefined && bases !== undefined) {
-    throw new RockFieldError({ name: 'MalformedRequest', key: 'base', value: base, message: 'the request has both base and bases; it has to have one of them' });
+    throw new RockFieldError({ name: 'MalformedRequest', key: 'base', value: base, message: 'the request has both base and bases; it must have one of them' });
   }
   if (base !== undefined) return [base];
   if (bases === undefined) return undefined;
   if (!Array.isArray(bases)) throw wrongType('bases', bases, 'a list of bases');
   if (bases.length < 1 || bases.length > MAX_BASES) {
-    const message = `there are ${bases.length} bases; it has to be 1 to ${MAX_BASES}`;
+    const message = `there are ${bases.length} bases; their number must be between 1 and ${MAX_BASES}`;
     throw new RockFieldError({ name: 'OutOfRange', key: 'bases', value: bases.length, min: 1, max: MAX_BASES, message });
   }
   return bases;

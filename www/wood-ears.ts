@@ -61,7 +61,7 @@ function scenePreset(name: string): WoodEarSceneParams {
 
 function resolve({ ground, mesh, ...request }: WoodEarSceneRequest): WoodEarSceneParams {
   if (ground !== undefined && (typeof ground !== 'string' || ground.length > MAX_GROUND_LENGTH)) {
-    throw new RockFieldError({ name: 'WrongType', key: 'ground', value: ground, message: 'ground has to be a link to a field of rocks, or empty' });
+    throw new RockFieldError({ name: 'WrongType', key: 'ground', value: ground, message: 'ground must be a link to a field of rocks, or empty' });
   }
   const resolved = resolveColony(request);
   return { ...resolved.params, ground: ground ?? scenePreset(request.preset ?? WOOD_EAR_PRESETS[0].name).ground, mesh: mesh ? flatMesh(mesh) : resolved.mesh };

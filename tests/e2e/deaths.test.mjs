@@ -135,6 +135,11 @@ test('the plan is drawn again when the browser restores its canvas', async () =>
 });
 
 const missing = (response) => response.writeHead(404, { 'content-type': 'text/plain' }).end('gone');
+/** The first new try comes by itself after a second, later ones not at all: after one in vain it is the button that helps. */
+const holdLongTimers = () => {
+  const { setTimeout: later } = globalThis;
+  globalThis.setTimeout = (act, ms, ...rest) => (ms > 1000 ? 0 : later(act, ms, ...rest));
+};
 /** Everything that is said over the picture, by the element and by the page. */
 const boxes = (page) => page.locator('[part=message], stage-overlay .message').filter({ visible: true });
 
@@ -148,7 +153,7 @@ for (const [address, lang, file, words, label] of [
 ]) {
   test(`${address.replace(/#.*/, '')} in ${lang} without ${file}…: one box that is true, whose button works once the file is there`, async () => {
     broken = { [file]: missing };
-    const { page, close } = await session.open(address, { locale: lang });
+    const { page, close } = await session.open(address, { locale: lang, prepare: (page) => page.addInitScript(holdLongTimers) });
     await boxes(page).filter({ hasText: words }).waitFor();
     assert.equal(await boxes(page).count(), 1, (await boxes(page).allInnerTexts()).join(' | '));
     const button = boxes(page).getByRole('button', { name: label });
@@ -202,6 +207,32 @@ for (const [address, lang, words] of [
     await close();
   });
 }
+
+test('a network that falls silent while it brings the renderer: the plan, true words and a button', async () => {
+  const named = (pattern, words = '') => readdirSync(dist).find((name) => pattern.test(name) && readFileSync(path.join(dist, name), 'utf8').includes(words));
+  const renderer = named(/^renderer-webgl_bg-.*\.wasm$/);
+  const generator = named(/^generator_bg-.*\.wasm$/);
+  const plan = named(/^chunk-.*\.js$/, 'no 2D canvas');
+  let ask;
+  const asked = new Promise((resolve) => (ask = resolve));
+  broken = {
+    [renderer]: (response) => void response.writeHead(200, { 'content-type': 'application/wasm' }).write(readFileSync(path.join(dist, renderer)).subarray(0, 9000)),
+    [generator]: ask,
+  };
+  const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200');
+  // The plan is there before the rocks are: afterwards nothing more may arrive.
+  await page.waitForFunction((name) => performance.getEntriesByType('resource').some((entry) => entry.name.includes(name)), plan);
+  const rocks = await asked;
+  broken = { '/': () => undefined };
+  rocks.writeHead(200, { 'content-type': 'application/wasm' }).end(readFileSync(path.join(dist, generator)));
+  const words = boxes(page).filter({ hasText: /^The 3D renderer could not be loaded; the plan is shown instead/ });
+  await words.getByRole('button', { name: 'Retry' }).waitFor();
+  await page.waitForFunction(() => document.querySelector('rock-field').backend === 'canvas2d' && document.querySelector('rock-field').field);
+  broken = {};
+  await words.getByRole('button', { name: 'Retry' }).click();
+  await page.waitForFunction(() => document.querySelector('rock-field').backend === 'webgl');
+  await close();
+});
 
 test('colony and ground die each by itself, at random moments: every run ends with a result or a named error, and the next one works', async () => {
   broken = {};

@@ -143,7 +143,7 @@ for (const [what, serviceWorkers, status, trigger] of [
   ['whose caches were cleared', 'allow', 404, 'a script'],
   ['whose caches were cleared, where a missing file is a page', 'allow', 200, 'a worker'],
 ]) {
-  test(`a page ${what} says that there is a newer version when ${trigger} cannot be had; one button brings it, and nothing is lost`, async () => {
+  test(`a page ${what} says that there is a newer version when ${trigger} cannot be had; one button brings it with what was edited, and without undo where it says so`, async () => {
     const { page, close } = await openPage(LINK, { serviceWorkers });
     await page.evaluate(() => document.querySelector('rock-field').ready);
     if (serviceWorkers === 'allow') await kept(page);
@@ -152,10 +152,13 @@ for (const [what, serviceWorkers, status, trigger] of [
     if (trigger === 'a script') assert.equal(await refusedPicture(page), 'ScriptUnavailable');
     else await killAndEdit(page);
     await offer(page).waitFor();
+    const isUndoDisabled = () => page.getByRole('button', { name: 'Undo' }).isDisabled();
+    assert.deepEqual([/What you could undo is not kept\./.test(await offer(page).innerText()), await isUndoDisabled()], trigger === 'a worker' ? [true, false] : [false, true]);
     await page.locator('stage-overlay .message button', { hasText: 'Reload' }).click();
     await page.waitForFunction(() => globalThis.rockFieldMarks?.has('second') && document.querySelector('rock-field')?.field, undefined, { polling: 100 });
     const seen = await page.evaluate(() => [[...globalThis.rockFieldMarks], document.querySelector('rock-field').params.seed, document.querySelector('rock-field').params.imageWidth]);
     assert.deepEqual(seen, [['second'], trigger === 'a worker' ? 12 : 11, 256]);
+    assert.ok(await isUndoDisabled());
     await close();
   });
 }

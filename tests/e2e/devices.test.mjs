@@ -43,6 +43,16 @@ const SCRIPT = `
     contexts.clear();
     devices.clear();
   };
+  /** Timers of a second and more do not fire until they are released. */
+  globalThis.holdTimers = () => {
+    const { setTimeout: later } = globalThis;
+    const held = [];
+    globalThis.setTimeout = (act, ms, ...rest) => (ms >= 1000 ? -held.push(act) : later(act, ms, ...rest));
+    globalThis.releaseTimers = () => {
+      globalThis.setTimeout = later;
+      for (const act of held) act();
+    };
+  };
   globalThis.hide = (isHidden) => {
     Object.defineProperty(document, 'visibilityState', { value: isHidden ? 'hidden' : 'visible', configurable: true });
     document.dispatchEvent(new Event('visibilitychange'));
@@ -89,6 +99,8 @@ for (const backend of ['webgl', 'webgpu']) {
     let session;
     let opened;
     let page;
+    /** The two pages, once they are open. */
+    const scenes = [];
     before(async () => {
       session = await launch({ webgpu: backend === 'webgpu', intercept: pageOf('devices.html', () => HTML) });
       opened = await session.open('devices.html');
@@ -138,7 +150,9 @@ for (const backend of ['webgl', 'webgpu']) {
     });
 
     test('no device for a while: the plan, true words and one button for each element; it works', async () => {
+      // Nothing comes back by itself: it is the buttons that bring it.
       await page.evaluate(() => {
+        holdTimers();
         faults.gone = true;
         lose();
       });
@@ -149,6 +163,7 @@ for (const backend of ['webgl', 'webgpu']) {
       for (const of of [0, 1, 2]) await page.evaluate((k) => all()[k].shadowRoot.querySelector('[part=message] button').click(), of);
       await page.waitForFunction((wanted) => all().every((element) => element.backend === wanted), backend);
       assert.equal(await boxes(page).count(), 0);
+      await page.evaluate(() => releaseTimers());
     });
 
     test('a device that dies as soon as it is given leaves the plan with words, and then the picture', async () => {
@@ -156,32 +171,59 @@ for (const backend of ['webgl', 'webgpu']) {
         for (const element of all()) element.remove();
         await new Promise((resolve) => setTimeout(resolve, 1200));
         faults.dropped = true;
-        document.body.insertAdjacentHTML('beforeend', `<rock-field ${options}></rock-field>`);
+        document.body.insertAdjacentHTML('beforeend', `<rock-field ${options}></rock-field><wood-ear-log density="2" range="20" ground=""></wood-ear-log>`);
       }, SMALL);
-      await page.waitForFunction((wanted) => all()[0].backend === wanted, backend);
+      await page.waitForFunction((wanted) => all().every((element) => element.backend === wanted), backend);
       assert.ok(await page.evaluate(async () => isPicture(await all()[0].toBlob())));
     });
 
-    test('every crash of the GPU process, four in a row, ends in a picture: in 3D, or, where the browser gives none any more, in the plan with true words and a button', async () => {
+    test('on both pages, too, a device that is lost twice costs no more than a moment', async () => {
+      for (const [address, element] of [['index.html#preset=journal-fig1&w=200&h=200', 'rock-field'], ['wood-ear.html#preset=thesis-default&d=2&r=20', 'wood-ear-log']]) {
+        const scene = await session.open(address, { locale: 'en-US', prepare: (fresh) => fresh.addInitScript(SCRIPT) });
+        scenes.push(scene);
+        await scene.page.evaluate(async (name) => (await customElements.whenDefined(name), all()[0].ready), element);
+        for (let loss = 1; loss <= 2; loss += 1) await scene.page.evaluate((wanted) => allBack(lose, wanted), backend);
+        assert.deepEqual(await scene.page.evaluate(() => told.filter(({ type }) => type === 'error')), [], address);
+      }
+    });
+
+    test('every crash of the GPU process, four in a row, ends in a picture of every element and page: in 3D, or, where the browser gives none any more, in the plan with true words and a button', async () => {
       const devtools = await session.browser.newBrowserCDPSession();
+      const pages = [page, ...scenes.map((scene) => scene.page)];
       for (let crash = 1; crash <= 4; crash += 1) {
+        for (const each of pages) await each.evaluate(() => (told.length = 0));
         await devtools.send('Browser.crashGpuProcess');
-        await page.waitForFunction((wanted) => told.some(({ type }) => type === 'restored') && [wanted, 'canvas2d'].includes(all()[0].backend), backend);
-        if ((await page.evaluate(() => all()[0].backend)) !== backend) {
-          await boxes(page).filter({ hasText: 'The graphics device was lost' }).getByRole('button', { name: 'Retry' }).waitFor();
+        for (const each of pages) {
+          await each.waitForFunction((wanted) => all().every((element, of) => element.backend === 'canvas2d' || (element.backend === wanted && told.some((event) => event.type === 'restored' && event.of === of))), backend);
+          const lacking = await each.evaluate((wanted) => all().filter((element) => element.backend !== wanted).length, backend);
+          if (lacking > 0) await boxes(each).filter({ hasText: 'The graphics device was lost' }).getByRole('button', { name: 'Retry' }).nth(lacking - 1).waitFor();
+          // The plan too may be blank until the browser has got over the crash.
+          const isBack = each.evaluate(async () => {
+            for (const element of all()) while (!(await isPicture(await element.toBlob())));
+            return true;
+          });
+          assert.ok(await Promise.race([isBack, each.waitForTimeout(PATIENCE)]), `crash ${crash}, ${each.url()}`);
         }
-        // The plan too may be blank until the browser has got over the crash.
-        const isBack = page.evaluate(async () => {
-          while (!(await isPicture(await all()[0].toBlob())));
-          return true;
+        for (const each of pages) await calm(each);
+      }
+    });
+
+    test('afterwards every scene of the pages is made and shown as before', async () => {
+      for (const { page: each } of scenes) {
+        const isNew = await each.evaluate(async () => {
+          const [element] = all();
+          element.seed = 5;
+          await element.generate();
+          return isPicture(await element.toBlob());
         });
-        assert.ok(await Promise.race([isBack, page.waitForTimeout(PATIENCE)]), `crash ${crash}`);
+        assert.ok(isNew, each.url());
+        await each.waitForURL(/seed=5/);
       }
     });
 
     test('through all of it there was never more than one error a second, and nothing uncaught', async () => {
       await calm(page);
-      assert.deepEqual(opened.errors.filter((error) => !/GPU|WebGL|context/i.test(error)), []);
+      for (const { errors } of [opened, ...scenes]) assert.deepEqual(errors.filter((error) => !/GPU|WebGL|context/i.test(error)), []);
     });
   });
 }

@@ -84,19 +84,27 @@ test('rock-field: what code, a property, an attribute or a link sets and the gen
   await close();
 });
 
-test('an edit that has not been run yet survives the refusal of the next one', async () => {
+test('an edit whose run has not ended survives the refusal of the next one, also within one step; what is set in one task is refused together', async () => {
   const { page, close } = await open('rocks.html');
   const seen = await page.evaluate(async () => {
-    a.seed = 5;
-    // Another step: what follows closely is the same one.
     const { now } = performance;
-    performance.now = () => now.call(performance) + 5000;
-    a.radius = [1];
-    await a.generate().catch(() => undefined);
-    const { layers } = await a.getField();
-    return [a.seed, a.radius, layers[0].radius, a.undo(), a.seed, a.undo()];
+    const outcomes = [];
+    for (const [later, isSameTask] of [[5000, true], [0, false], [0, true]]) {
+      a.seed = 5;
+      // The run begins at the end of the task; its result cannot be here yet.
+      if (!isSameTask) for (let k = 0; k < 3; k += 1) await undefined;
+      // What follows closely is the same step.
+      performance.now = () => now.call(performance) + later;
+      a.radius = [1];
+      await a.generate().catch(() => undefined);
+      performance.now = now;
+      const { layers } = await a.getField();
+      outcomes.push([a.seed, a.radius, layers[0].radius, a.undo(), a.seed, a.undo()]);
+      await a.getField();
+    }
+    return outcomes;
   });
-  assert.deepEqual(seen, [5, [200], 200, true, 0, false]);
+  assert.deepEqual(seen, [[5, [200], 200, true, 0, false], [5, [200], 200, true, 0, false], [0, [200], 200, false, 0, false]]);
   await close();
 });
 
@@ -217,6 +225,33 @@ test('a control keeps the value that was refused, with its message; address, Sha
     await page.keyboard.press('Control+z');
     await page.waitForURL((url) => url.hash === LINK);
   }
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test('a control of an element\'s own panel keeps the value that was refused, with its message, and the picture stays', async () => {
+  const { page, errors, close } = await open('rocks.html');
+  await page.evaluate(() => {
+    a.style.cssText = 'display: block; width: 700px; height: 300px';
+    a.controls = 'open';
+  });
+  const number = page.locator('[id="r-0-number"]');
+  const problem = page.locator('[data-param="r-0"] .control-problem');
+  const before = await page.evaluate(() => {
+    globalThis.before = a.field;
+    return [JSON.stringify(a.params), a.shareURL()];
+  });
+  await number.fill('1');
+  await problem.waitFor();
+  assert.match(await problem.textContent(), /MiB.*MiB/);
+  await number.blur();
+  assert.equal(await number.inputValue(), '1');
+  assert.deepEqual(await page.evaluate(() => [JSON.stringify(a.params), a.shareURL(), a.field === before]), [...before, true].flat());
+  assert.ok(await page.locator('[part=panel]').getByRole('button', { name: 'Undo' }).isDisabled());
+  // The next edit is of its own parameter alone, and the message goes.
+  await page.locator('[part=panel]').getByRole('button', { name: 'Next seed' }).click();
+  await page.waitForFunction(() => a.field !== before, undefined, { polling: 100 });
+  assert.deepEqual([await number.inputValue(), await problem.count(), await page.evaluate(() => [a.seed, a.radius])], ['200', 0, [1, [200]]]);
   assert.deepEqual(errors, []);
   await close();
 });

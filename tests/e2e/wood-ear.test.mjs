@@ -183,7 +183,7 @@ test('a shared link shows the same log on the same rocks elsewhere', async () =>
 test('what is wrong with a link or a value is said, and something legal is shown', async () => {
   const opened = await open('#preset=thesis-default&r=25&d=900&moss=1&bx=1,2&by=3');
   const { page } = opened;
-  assert.match(await message(page), /^d: 900 is not allowed \(0 to 100\); 100 is used\.$/);
+  assert.match(await message(page), /^d: 900 must be between 0 and 100; using 100\.$/);
   assert.equal((await params(page)).density, 100);
   const number = page.locator('[id="m-number"]');
   await number.fill('400');

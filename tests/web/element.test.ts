@@ -33,7 +33,7 @@ test('every preset, view and colour can be named', () => {
 
 test('an explicit colour is kept, the preset\'s own too; without one, or with a malformed one, it is the preset\'s', () => {
   assert.deepEqual([read({ preset: 'riverbed' }).color, read({ preset: 'riverbed', color: 'natural' }).color, read({ color: 'layer' }).color], [null, 'natural', 'layer']);
-  assert.match(read({ preset: 'riverbed', color: 'Natural' }).notices[0]!.message, /natural is used/);
+  assert.match(read({ preset: 'riverbed', color: 'Natural' }).notices[0]!.message, /using natural/);
   assert.deepEqual(PRESETS.map(({ name }) => presetColor(ROCKS, name)), PRESETS.map((preset) => ('natural' in preset ? 'natural' : 'layer')));
 });
 

@@ -6,7 +6,10 @@ import { fileURLToPath } from 'node:url';
 import { ATTRIBUTE_NOTICES } from '../../www/attribute-notices.ts';
 import { ATTRIBUTE_NOTICE_HELP, NOTICE_HELP } from '../../www/docs/notice-help.ts';
 import { ERROR_GROUPS, ERRORS } from '../../www/error-list.ts';
-import { NOTICES } from '../../www/notices.ts';
+import { japaneseNotice } from '../../www/notices.ja.ts';
+import { NOTICES, noticeText } from '../../www/notices.ts';
+import type { Notice } from '../../www/link.ts';
+import { errorText } from '../../www/strings-later.ts';
 
 const NAMES = Object.keys(ERRORS);
 
@@ -53,4 +56,43 @@ test('every error and notice says its message, its cause and what helps', () => 
   assert.deepEqual(Object.keys(ATTRIBUTE_NOTICE_HELP), Object.keys(ATTRIBUTE_NOTICES));
   const codes = [...Object.keys(NOTICES), ...Object.keys(ATTRIBUTE_NOTICES)];
   assert.equal(new Set(codes).size, codes.length, 'each has a place of its own on the page of messages');
+});
+
+/** Sentences about values that are not allowed, by their names, with `{…}` for what differs. */
+function valueSentences(): { en: [string, string][]; ja: [string, string][] } {
+  const codes = Object.keys(NOTICES) as Notice['code'][];
+  const blank = (code: Notice['code']) => ({ code, text: '', key: '{key}', given: '{given}', used: '{used}', min: '{min}', max: '{max}' }) as unknown as Notice;
+  const range = { name: 'OutOfRange', message: '', value: 0, min: '{min}', max: '{max}' } as unknown as Parameters<typeof errorText>[1];
+  return {
+    en: [
+      ...Object.entries(ERRORS).map(([name, { message }]): [string, string] => [name, message]),
+      ...Object.entries(ATTRIBUTE_NOTICES),
+      ...codes.map((code): [string, string] => [code, noticeText(blank(code))]),
+      ['the panel', errorText('en', range)],
+    ],
+    ja: [...codes.map((code): [string, string] => [code, japaneseNotice(blank(code))]), ['the panel', errorText('ja', range)]],
+  };
+}
+
+test('bounds are told in one form: "must be between … and …", "may … at most …", and the same in Japanese', () => {
+  const { en, ja } = valueSentences();
+  const bounded = en.filter(([, text]) => /\{m(in|ax)\}/.test(text));
+  assert.ok(bounded.length >= 6, 'there are fewer than there were');
+  for (const [name, text] of bounded) {
+    if (name !== 'OverBudget' && name !== 'FieldTooLarge') assert.match(text, /must be (\S+ )*between \{min\} and \{max\}|may (be|have) at most \{max\}/, name);
+  }
+  for (const [name, text] of ja) if (text.includes('{min}')) assert.match(text, /\{min\} 〜 \{max\} の範囲で指定してください/, name);
+});
+
+test('what is taken instead is told in one form: "using …" or "showing …", and the same in Japanese', () => {
+  const { en, ja } = valueSentences();
+  for (const [name, text] of en) if (text.includes('{used}')) assert.match(text, /\b(using|showing|reading|ignoring)\b/, name);
+  for (const [name, text] of ja) if (/\{used\}.*[。]$/.test(text)) assert.match(text, /(を使います|を表示しています|として読み込みました|だけを読み込みました)。$/, name);
+});
+
+test('no message says "has to", or tells a fallback in the passive', () => {
+  const literals = [...sources('www', '.ts'), ...sources('src', '.rs')].flatMap((text) => text.match(/'(?:[^'\\\n]|\\.)*'|"(?:[^"\\\n]|\\.)*"|`[^`]*`/g) ?? []);
+  assert.ok(literals.length > 1000, 'the search finds none');
+  const messages = [...literals, ...Object.values(ERRORS).map(({ message }) => message)];
+  assert.deepEqual(messages.filter((text) => /\bha(s|ve) to (be|lie)\b|; .{0,40}\b(is|are) used\b|\bis no (whole )?number\b|\bis none of\b/.test(text)), []);
 });

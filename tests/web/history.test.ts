@@ -1,7 +1,7 @@
 // Undo: one step per gesture.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { History } from '../../www/history.ts';
+import { CODE, History } from '../../www/history.ts';
 
 test('undo and redo walk through the steps; a new edit ends redo', () => {
   const history = new History(0);
@@ -94,6 +94,20 @@ test('an edit that no run has reached yet survives the refusal of a later one, a
   assert.deepEqual([history.present, history.settled, steps(history)], [1, 0, [0, 1]]);
   assert.ok(history.refuse());
   assert.deepEqual(steps(history), [0]);
+});
+
+test('edits by code are one step, and yet a refusal takes back none before the run that was refused', () => {
+  const history = new History(0);
+  history.settle((state) => state === 0);
+  history.record(1, CODE, 0);
+  history.begin();
+  history.record(-1, CODE, 100);
+  history.record(-2, CODE, 100);
+  history.begin();
+  assert.ok(history.refuse());
+  assert.equal(history.present, 1);
+  history.record(3, CODE, 200);
+  assert.deepEqual(steps(history), [0, 3], 'it goes on as the same step');
 });
 
 test('a drag goes back to the last result of it that was shown, and goes on as one step', () => {

@@ -56,6 +56,11 @@ test('holes in a list are what is missing, and are named', () => {
   assert.throws(() => resolveParams({ layers: new Array(4e9) }), { name: 'TooManyLayers' });
 });
 
+test('what is missing is called missing', () => {
+  assert.throws(() => WOOD_EARS.resolve({ log: { positions: [] } as never }), { name: 'WrongType', message: /^indices\b.* is missing; it must be a list/ });
+  assert.throws(() => resolveParams({ layers: [{ taper: new Array(3) as [number, number, number] }] }), { name: 'WrongType', message: /is missing; it must be a number$/ });
+});
+
 test('typed arrays are lists of numbers', () => {
   const taper = Float32Array.of(1, 2, 3) as unknown as [number, number, number];
   assert.deepEqual(resolveParams({ layers: [{ taper }] }).layers[0]?.taper, [1, 2, 3]);
@@ -133,7 +138,7 @@ test('JSON in src that is wrong leaves the preset it names, with one notice', ()
     const { params, preset, notices } = readAttributes((name) => (name === 'src' ? src : null));
     assert.deepEqual([params, preset], [presetParams('moraine'), 'moraine'], src);
     assert.equal(notices.length, 1);
-    assert.match(notices[0]!.message, /moraine is shown$/);
+    assert.match(notices[0]!.message, /showing moraine$/);
   }
   const log = readWoodEarAttributes((name) => (name === 'src' ? '{"preset":"wet-colony","moisture":"foo"}' : null));
   assert.deepEqual([log.params, log.preset, log.notices.length], [WOOD_EARS.presetParams('wet-colony'), 'wet-colony', 1]);

@@ -11,8 +11,8 @@ import type { Refusal } from '../../www/renderer/load.ts';
 const refusals = (...messages: string[]): Refusal[] => messages.map((message, k) => ({ backend: k === 0 ? 'webgpu' : 'webgl', error: new Error(message) }));
 const ABSENT = refusals('no graphics adapter', 'no WebGL2 context');
 
-function setUp(t: TestContext, isBack: () => boolean = () => false) {
-  t.mock.timers.enable({ apis: ['setTimeout'] });
+function setUp(t: TestContext, isBack: () => boolean | Promise<boolean> = () => false, arrived: () => number | null = () => null) {
+  t.mock.timers.enable({ apis: ['setTimeout', 'setInterval'] });
   const page = Object.assign(new EventTarget(), { visibilityState: 'visible' });
   const restore = (['document', 'window'] as const).map((name) => {
     const before = Object.getOwnPropertyDescriptor(globalThis, name);
@@ -24,12 +24,12 @@ function setUp(t: TestContext, isBack: () => boolean = () => false) {
   const recovery: Recovery = new Recovery({
     again: async () => {
       counts.tries += 1;
-      const back = isBack();
+      const back = await isBack();
       if (back) recovery.end();
       return back;
     },
     said: () => (counts.said += 1),
-  });
+  }, arrived);
   const pass = async (ms: number) => {
     t.mock.timers.tick(ms);
     await settled();
@@ -50,6 +50,28 @@ test('3D is tried again at ever longer intervals, a minute at most', async (t) =
   }
   assert.deepEqual(tried.slice(0, 7), [1, 3, 7, 15, 31, 63, 123]);
   assert.equal(counts.tries, 9);
+});
+
+test('while a try fetches the renderer, it is said how much of it has come, and no other try is offered', async (t) => {
+  let arrived: number | null = null;
+  let finish: (isBack: boolean) => void = () => {};
+  const { recovery, counts, pass } = setUp(t, () => new Promise((resolve) => (finish = resolve)), () => arrived);
+  recovery.begin(ABSENT, 1, false);
+  const reason = recovery.words('en');
+  const said = () => [recovery.words('en'), recovery.words('ja'), recovery.isFetching];
+  await pass(FIRST_WAIT_MS);
+  assert.deepEqual([counts.tries, recovery.words('en'), recovery.isFetching], [1, reason, false]);
+  arrived = 0.42;
+  await pass(200);
+  assert.deepEqual(said(), ['Loading the renderer 40 %', '3D 描画プログラムを読み込み中：40 %', true]);
+  const { said: before } = counts;
+  await pass(200);
+  assert.equal(counts.said, before, 'nothing new is not said');
+  arrived = null;
+  finish(false);
+  await pass(0);
+  assert.deepEqual([recovery.words('en'), recovery.isFetching], [reason, false]);
+  assert.ok(counts.said > before);
 });
 
 test('after losses in a row the first try comes later, and no sooner after another loss', async (t) => {

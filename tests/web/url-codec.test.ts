@@ -142,7 +142,7 @@ test('a colour is in the link only when it is not the preset\'s own', () => {
       assert.deepEqual(decodeLink(`#preset=${name}&color=${color}`).notices, []);
     }
   }
-  assert.match(decodeLink('#preset=riverbed&color=green').notices[0]!.text, /natural is used/);
+  assert.match(decodeLink('#preset=riverbed&color=green').notices[0]!.text, /using natural/);
   assert.deepEqual([decodeLink('#seed=7').color, decodeLink('#seed=7&color=rock').color], [null, 'rock']);
 });
 
@@ -168,7 +168,8 @@ test('what a link gets wrong is said once, and the rest of it holds', () => {
     ['#seed=3&w=abc', ['not-a-number']],
     ['#seed=3&w=NaN', ['not-a-number']],
     ['#seed=3&w=0', ['clamped']],
-    ['#seed=3&w=10.5', ['clamped']],
+    ['#seed=3&w=10.5', ['not-whole']],
+    ['#seed=3&w=-0.5', ['clamped']],
     ['#seed=3&seed=4', ['repeated']],
     ['#seed=3&r=1,2,3&a=1,2', ['unequal-lists']],
     [`#seed=3&r=${Array(9).fill(20).join(',')}`, ['too-many-layers']],

@@ -35,8 +35,12 @@ export const NOTICE_HELP: Record<NoticeCode, NoticeHelp> = {
     remedy: 'Correct the number.',
   },
   clamped: {
-    cause: 'A number outside its bounds, or a fraction where a whole number is expected.',
+    cause: 'A number outside its bounds.',
     remedy: 'Choose a value within the bounds.',
+  },
+  'not-whole': {
+    cause: 'A fraction where a whole number is expected: `seed`, `w`, `n`.',
+    remedy: 'Round it; the nearest whole number is taken.',
   },
   repeated: {
     cause: 'Two links pasted together, or a link edited by hand.',

@@ -40,7 +40,7 @@ export function startWorker(spawn: () => Worker): WorkerLike {
   try {
     return Object.assign(spawn(), { probe: async (heard: () => void) => (await lazily(() => import('./probe.ts'))).probeScript(script, heard) });
   } catch (thrown) {
-    throw isPolicyRefused ? new Error("the page's Content-Security-Policy has to allow the policy: trusted-types rock-field", { cause: thrown }) : thrown;
+    throw isPolicyRefused ? new Error("the page's Content-Security-Policy must allow the policy: trusted-types rock-field", { cause: thrown }) : thrown;
   } finally {
     globalThis.Worker = Native;
   }

@@ -71,7 +71,7 @@ export class Gltf {
   /** A number that counts: an integer from 0. */
   whole(item: Item, key: string, what: string, fallback?: number): number {
     const value = item[key] ?? fallback;
-    if (typeof value !== 'number' || !Number.isSafeInteger(value) || value < 0) throw this.broken({ en: `${key} of ${what} is ${shown(String(value))}; it has to be a whole number`, ja: `${what} の ${key} が ${shown(String(value))} です。整数でなければなりません` }, value);
+    if (typeof value !== 'number' || !Number.isSafeInteger(value) || value < 0) throw this.broken({ en: `${key} of ${what} is ${shown(String(value))}; it must be a whole number`, ja: `${what} の ${key} が ${shown(String(value))} です。整数でなければなりません` }, value);
     return value;
   }
 
@@ -79,7 +79,7 @@ export class Gltf {
     const value = item[key];
     if (value === undefined) return fallback;
     const isGood = Array.isArray(value) && value.length === fallback.length && value.every((number) => typeof number === 'number' && Number.isFinite(number));
-    if (!isGood) throw this.broken({ en: `${key} of ${what} has to be ${fallback.length} numbers`, ja: `${what} の ${key} は ${fallback.length} 個の数値でなければなりません` });
+    if (!isGood) throw this.broken({ en: `${key} of ${what} must be ${fallback.length} numbers`, ja: `${what} の ${key} は ${fallback.length} 個の数値でなければなりません` });
     return value as number[];
   }
 

@@ -69,13 +69,13 @@ function laidDown(given: Float64Array, indices: Uint32Array, name: string): { po
   }
   const isAlongX = sides[0]! >= sides[2]!;
   const length = Math.max(sides[0]!, sides[2]!);
-  if (length === 0) throw refused('LogFileNoMesh', { en: `${name} stands upright and has no length: x or z has to be the longest side`, ja: `${name} には水平方向の長さがありません` });
+  if (length === 0) throw refused('LogFileNoMesh', { en: `${name} stands upright and has no length: x or z must be the longest side`, ja: `${name} には水平方向の長さがありません` });
   const scale = scaleOfLog(length);
   const reach = (Math.max(...sides) * scale) / 2;
   if (!(reach <= FARTHEST)) {
     const times = Math.round(Math.max(...sides) / length);
     throw refused('LogBadPosition', {
-      en: `${name} is ${times} times as high as it is long: x or z has to be the longest side`,
+      en: `${name} is ${times} times as high as it is long: x or z must be the longest side`,
       ja: `${name} の高さは長さの ${times} 倍です。x か z が最も長くなければなりません`,
     }, { value: reach, max: FARTHEST });
   }
