@@ -14,6 +14,7 @@ const FAILURES: Readonly<Record<string, string>> = {
   'the worker that reads log files could not be started (wood-ear-file-worker.js is missing or blocked)': '丸太ファイルを読み込むワーカーを起動できませんでした（wood-ear-file-worker.js がないか、遮断されています）',
   'its script does not arrive; check the connection': 'スクリプトが届きません。接続を確認してください',
   'its script does not arrive': 'スクリプトが届きません',
+  'it does not arrive': '届きません',
   'its script says nothing; is it the right file?': 'スクリプトが応答しません。正しいファイルか確認してください',
   'its answer could not be read': '応答を読み取れませんでした',
   'the server answered {status}': 'サーバーの応答は {status} です',

@@ -54,7 +54,7 @@ export class MessageBox {
   /** What holds for as long as the picture is as it is; with `canRetry`, another try may change it. */
   setStanding(text: string, canRetry: boolean): void {
     this.#standing = text;
-    this.#canRetryStanding = text !== '' && canRetry;
+    this.#canRetryStanding = canRetry;
     this.#tried();
   }
 

@@ -57,7 +57,7 @@ export class RendererKeeper {
 
   /** Whether trying again at once makes sense. */
   get canRetry(): boolean {
-    return !this.#standing?.isFetching;
+    return this.#standing?.canRetry ?? false;
   }
 
   open(): void {

@@ -71,9 +71,9 @@ export class Recovery {
     };
   }
 
-  /** True while a try fetches the renderer: then there is no use in a button that begins another. */
-  get isFetching(): boolean {
-    return this.#arrived !== null;
+  /** Whether a button makes sense that tries again at once: not while a try is fetching the renderer. */
+  get canRetry(): boolean {
+    return this.#reason !== null && this.#arrived === null;
   }
 
   words(language: Language): string {

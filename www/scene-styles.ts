@@ -34,6 +34,7 @@ export const SCENE_STYLES = `
 }
 .message button { margin-top: .4em; padding: .3em .9em; font: inherit; color: inherit; background: none; border: 1px solid; border-radius: .3em; cursor: pointer }
 .message button:disabled { opacity: .5 }
+@media print { canvas { object-fit: contain } }
 @media (forced-colors: active) { .bar { forced-color-adjust: none; background: Highlight } }
 `;
 

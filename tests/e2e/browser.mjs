@@ -38,16 +38,17 @@ const NO_GPU = ['--disable-gpu', '--disable-3d-apis', '--disable-software-raster
  * @param {number} [options.port] default: any free one
  * @param {(request, response) => boolean | Promise<boolean>} [options.intercept] may answer a request in the server's stead
  * @param {string[]} [options.args] more flags for the browser
+ * @param {boolean} [options.backForwardCache] whether pages that are left are kept; Playwright switches that off
  * @returns {Promise<{ browser, server, url: string, open: Function, close: () => Promise<void> }>}
  */
-export async function launch({ webgpu = false, gpu = true, folder = dist, port = 0, intercept, args = [] } = {}) {
+export async function launch({ webgpu = false, gpu = true, folder = dist, port = 0, intercept, args = [], backForwardCache = false } = {}) {
   const executablePath = await findBrowser();
   if (!executablePath) throw new Error('no Chrome or Chromium found; npm test installs one');
   const asRoot = process.platform === 'linux' && process.getuid() === 0;
   const server = await serve(folder, { port, intercept });
   const flags = [...QUIET, ...(gpu ? [...WEBGL, ...(webgpu ? WEBGPU : [])] : NO_GPU), ...args];
   try {
-    const browser = await chromium.launch({ executablePath, headless: true, chromiumSandbox: !asRoot, args: flags });
+    const browser = await chromium.launch({ executablePath, headless: true, chromiumSandbox: !asRoot, args: flags, ignoreDefaultArgs: backForwardCache ? ['--disable-back-forward-cache'] : [] });
     const close = async () => {
       await browser.close();
       await server.close();

@@ -209,10 +209,12 @@ for (const [address, lang, words] of [
 }
 
 test('a network that falls silent while it brings the renderer: the plan, true words and a button', async () => {
-  const named = (pattern, words = '') => readdirSync(dist).find((name) => pattern.test(name) && readFileSync(path.join(dist, name), 'utf8').includes(words));
-  const renderer = named(/^renderer-webgl_bg-.*\.wasm$/);
-  const generator = named(/^generator_bg-.*\.wasm$/);
-  const plan = named(/^chunk-.*\.js$/, 'no 2D canvas');
+  const names = readdirSync(dist);
+  const renderer = names.find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
+  const generator = names.find((name) => /^generator_bg-.*\.wasm$/.test(name));
+  const chunks = names.filter((name) => /^chunk-.*\.js$/.test(name)).map((name) => [name, readFileSync(path.join(dist, name), 'utf8')]);
+  /** Of the plan, of what starts wasm, of the renderer, of the words: for each the scripts that have it. */
+  const needed = ['no 2D canvas', 'is too old for it', 'WebGL2RenderingContext', 'Loading the renderer', 'The 3D renderer could not be loaded'].map((words) => chunks.filter(([, text]) => text.includes(words)).map(([name]) => name));
   let ask;
   const asked = new Promise((resolve) => (ask = resolve));
   broken = {
@@ -220,8 +222,11 @@ test('a network that falls silent while it brings the renderer: the plan, true w
     [generator]: ask,
   };
   const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200');
-  // The plan is there before the rocks are: afterwards nothing more may arrive.
-  await page.waitForFunction((name) => performance.getEntriesByType('resource').some((entry) => entry.name.includes(name)), plan);
+  // All of it is there before the rocks are: afterwards nothing more may arrive.
+  await page.waitForFunction((lists) => {
+    const entries = performance.getEntriesByType('resource');
+    return lists.every((list) => list.some((name) => entries.some((entry) => entry.name.includes(name))));
+  }, needed);
   const rocks = await asked;
   broken = { '/': () => undefined };
   rocks.writeHead(200, { 'content-type': 'application/wasm' }).end(readFileSync(path.join(dist, generator)));

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { TestContext } from 'node:test';
 import { ErrorPace } from '../../www/error-pace.ts';
-import { RockFieldError } from '../../www/errors.ts';
+import { RockFieldError, scriptUnavailable } from '../../www/errors.ts';
 import type { ErrorInfo } from '../../www/errors.ts';
 import { CAUTIOUS_WAIT_MS, FIRST_WAIT_MS, Recovery } from '../../www/renderer-recovery.ts';
 import type { Refusal } from '../../www/renderer/load.ts';
@@ -58,19 +58,19 @@ test('while a try fetches the renderer, it is said how much of it has come, and 
   const { recovery, counts, pass } = setUp(t, () => new Promise((resolve) => (finish = resolve)), () => arrived);
   recovery.begin(ABSENT, 1, false);
   const reason = recovery.words('en');
-  const said = () => [recovery.words('en'), recovery.words('ja'), recovery.isFetching];
+  const said = () => [recovery.words('en'), recovery.words('ja'), recovery.canRetry];
   await pass(FIRST_WAIT_MS);
-  assert.deepEqual([counts.tries, recovery.words('en'), recovery.isFetching], [1, reason, false]);
+  assert.deepEqual([counts.tries, recovery.words('en'), recovery.canRetry], [1, reason, true]);
   arrived = 0.42;
   await pass(200);
-  assert.deepEqual(said(), ['Loading the renderer 40 %', '3D 描画プログラムを読み込み中：40 %', true]);
+  assert.deepEqual(said(), ['Loading the renderer 40 %', '3D 描画プログラムを読み込み中：40 %', false]);
   const { said: before } = counts;
   await pass(200);
   assert.equal(counts.said, before, 'nothing new is not said');
   arrived = null;
   finish(false);
   await pass(0);
-  assert.deepEqual([recovery.words('en'), recovery.isFetching], [reason, false]);
+  assert.deepEqual([recovery.words('en'), recovery.canRetry], [reason, true]);
   assert.ok(counts.said > before);
 });
 
@@ -131,6 +131,7 @@ test('the words say what is true: no GPU, lost, lost often, busy, or files that 
     [refusals('no graphics adapter', 'the graphics adapter refused a device: busy'), 0, false, /at the moment/],
     [[...refusals('no graphics adapter'), unavailable], 0, false, /could not be loaded/],
     [[unavailable], 2, false, /could not be loaded/],
+    [[{ backend: 'webgl', error: scriptUnavailable('it does not arrive') }], 0, false, /could not be loaded/],
   ] as const) {
     recovery.begin(given, losses, isTooMany);
     assert.match(recovery.words('en'), wanted);

@@ -1,5 +1,6 @@
 /** The two renderer artefacts: what they export (`src/bindings/renderer.rs`, `renderer_wood.rs`), and how one is fetched and started. */
 
+import { scriptUnavailable } from '../errors.ts';
 import { lazily, tellMissingFile } from '../lazy.ts';
 import type { GpuBackend } from './device.ts';
 
@@ -162,5 +163,5 @@ function missing(error: unknown): never {
 }
 
 function late(): Promise<never> {
-  return new Promise((_, reject) => setTimeout(() => reject(new Error('its script does not arrive; check the connection')), SCRIPT_MS));
+  return new Promise((_, reject) => setTimeout(() => reject(scriptUnavailable('it does not arrive')), SCRIPT_MS));
 }
