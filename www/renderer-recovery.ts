@@ -3,8 +3,6 @@
 import type { Language, Words } from './params.ts';
 import { loadingText } from './renderer-loading.ts';
 import { rendererArrived } from './renderer/artefact.ts';
-// The plan stands in for the renderer, so it must be here before the network may be gone.
-import './renderer/canvas2d.ts';
 import type { Refusal } from './renderer/load.ts';
 
 /** Before the first new try, and where the device was lost again and again; doubled after each, up to the longest. */
@@ -16,6 +14,9 @@ const LOOK_EVERY_MS = 200;
 
 /** A renderer that has lived for so long was no accident: after its loss the waits begin anew. */
 const STEADY_MS = 30_000;
+
+// The plan stands in for the renderer, so it has to be here before the network may be gone. Whoever draws it hears of a failure.
+import('./renderer/canvas2d.ts').catch(() => undefined);
 
 const REASONS = {
   noGpu: {
