@@ -9,6 +9,7 @@ import { ERROR_GROUPS, ERRORS } from '../../www/error-list.ts';
 import { japaneseNotice } from '../../www/notices.ja.ts';
 import { NOTICES, noticeText } from '../../www/notices.ts';
 import type { Notice } from '../../www/link.ts';
+import { defaultParams, resolveParams } from '../../www/params-flat.ts';
 import { errorText } from '../../www/strings-later.ts';
 
 const NAMES = Object.keys(ERRORS);
@@ -95,4 +96,31 @@ test('no message says "has to", or tells a fallback in the passive', () => {
   assert.ok(literals.length > 1000, 'the search finds none');
   const messages = [...literals, ...Object.values(ERRORS).map(({ message }) => message)];
   assert.deepEqual(messages.filter((text) => /\bha(s|ve) to (be|lie)\b|; .{0,40}\b(is|are) used\b|\bis no (whole )?number\b|\bis none of\b/.test(text)), []);
+});
+
+/** A message as it is with anything in the place of what differs. */
+function patternOf(message: string): RegExp {
+  return new RegExp(`^${message.replace(/[.*+?^$()|[\]\\]/g, '\\$&').replace(/"?\{\w+\}"?/g, '.+')}$`);
+}
+
+test('what is thrown for a bad request has the message of the list', () => {
+  const [layer] = defaultParams().layers;
+  const bad: [keyof typeof ERRORS, unknown][] = [
+    ['OutOfRange', { packing: 2 }],
+    ['OutOfRange', { layers: [{ radius: 0 }] }],
+    ['NotAnInteger', { seed: 1.5 }],
+    ['WrongType', { seed: '5' }],
+    ['UnknownKey', { sed: 5 }],
+    ['UnknownPreset', { preset: 'moon' }],
+    ['TooManyLayers', { layers: Array(9).fill(layer) }],
+    ['DuplicateLayerId', { layers: [{ id: 1 }, { id: 1 }] }],
+    ['MalformedRequest', 5],
+  ];
+  for (const [name, request] of bad) assert.throws(() => resolveParams(request as object), { name, message: patternOf(ERRORS[name].message) }, JSON.stringify(request));
+});
+
+test('what Rust says of a parameter has the message of the list', () => {
+  const texts = sources('src', '.rs').flatMap((text) => [...text.matchAll(/Error::(\w+) \{[^}]*\} => \("((?:[^"\\]|\\.)*)"/g)].map(([, name = '', message = '']) => [name, message.replaceAll('\\"', '"')] as const));
+  const found = new Map(texts);
+  for (const name of ['OutOfRange', 'NotAnInteger', 'TooManyLayers', 'DuplicateLayerId', 'UnknownPreset'] as const) assert.match(found.get(name) ?? '', patternOf(ERRORS[name].message), name);
 });
