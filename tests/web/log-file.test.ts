@@ -66,6 +66,8 @@ test('edges and points before faces are left out', async () => {
 
 test('triangles without an area are no log', async () => {
   assert.equal((await refusal(stored('F03-collinear.obj'))).name, 'LogNoArea');
+  // Once it is scaled, nothing of its width is left.
+  assert.equal((await refusal(new File(['v 0 0 0\nv 1e308 1 0\nv 0 0 1\nf 1 2 3'], 'needle.obj'))).name, 'LogNoArea');
 });
 
 test('large coordinates keep their shape: they are centred before they are rounded', async () => {

@@ -1,5 +1,6 @@
 /** From triangles as they stand in a file to a log: cleaned, measured, laid down, rounded, merged. In this order. */
 
+import type { RockFieldError } from '../errors.ts';
 import { LOG_LENGTH, scaleOfLog } from '../log-units.ts';
 import type { Words } from '../params.ts';
 import type { LogMesh } from '../wood-ear-flat.ts';
@@ -23,12 +24,18 @@ export interface LogFile {
 export function logOf({ positions, indices: given }: Soup, name: string): LogFile {
   if (given.length === 0) throw refused('LogFileNoMesh', { en: `${name} has no triangles`, ja: `${name} に三角形がありません` });
   const indices = withArea(positions, given);
-  if (indices.length === 0) throw refused('LogNoArea', { en: `no triangle of ${name} has an area`, ja: `${name} の三角形にはどれも面積がありません` });
+  if (indices.length === 0) throw flat(name);
   const laid = laidDown(positions, indices, name);
   const mesh = merged(laid.positions, indices);
+  // Beside a side of astronomical length the others round to nothing.
+  if (mesh.indices.length === 0) throw flat(name);
   checkCount(name, { en: 'vertices', ja: '頂点' }, mesh.positions.length / 3, MOST_VERTICES);
   checkCount(name, { en: 'triangles', ja: '三角形' }, mesh.indices.length / 3, MOST_TRIANGLES);
   return { mesh, notices: laid.notices };
+}
+
+function flat(name: string): RockFieldError {
+  return refused('LogNoArea', { en: `no triangle of ${name} has an area`, ja: `${name} の三角形にはどれも面積がありません` });
 }
 
 export function checkCount(name: string, what: Words, value: number, max: number): void {
