@@ -1,6 +1,7 @@
 /** Values of a request from code, checked against the rows of a table. Nothing is corrected silently: an error names key, value and bounds. */
 
 import { RockFieldError } from './errors.ts';
+import type { ErrorName } from './errors.ts';
 
 /** What a parameter is before it is checked. */
 export type Loose = Record<string, unknown>;
@@ -32,10 +33,7 @@ export function checkValue(spec: Spec, bounds: Range, value: unknown, at?: Place
     if (spec.choices.some((choice) => choice.value === value)) return value as string;
     const words = spec.choices.map((choice) => choice.value).join(' or ');
     if (typeof value !== 'string') throw wrongType(spec.key, value, words, at, name);
-    throw new RockFieldError({
-      name: 'OutOfRange', key: spec.key, layer: at?.index, value, min: spec.min, max: spec.max,
-      message: `${name}${of(at)} is ${shown(value)}; it must be ${words}`,
-    });
+    throw badValue('OutOfRange', spec.key, value, words, at, name, spec);
   }
   if (spec.kind.startsWith('optional') && value === null) return null;
   return checkNumber(spec.key, value, bounds, spec.kind.endsWith('integer'), at, name);
@@ -43,17 +41,9 @@ export function checkValue(spec: Spec, bounds: Range, value: unknown, at?: Place
 
 export function checkNumber(key: string, value: unknown, { min, max }: Range, whole: boolean, at?: Place, part: string = key): number {
   if (typeof value !== 'number') throw wrongType(key, value, 'a number', at, part);
-  const name = `${part}${of(at)}`;
-  const layer = at?.index;
   // Written so that NaN fails too.
-  if (!(value >= min && value <= max)) {
-    const message = `${name} is ${value}; it must be between ${min} and ${max}`;
-    throw new RockFieldError({ name: 'OutOfRange', key, layer, value, min, max, message });
-  }
-  if (whole && !Number.isInteger(value)) {
-    const message = `${name} is ${value}; it must be a whole number`;
-    throw new RockFieldError({ name: 'NotAnInteger', key, layer, value, min, max, message });
-  }
+  if (!(value >= min && value <= max)) throw badValue('OutOfRange', key, value, `between ${min} and ${max}`, at, part, { min, max });
+  if (whole && !Number.isInteger(value)) throw badValue('NotAnInteger', key, value, 'a whole number', at, part, { min, max });
   // −0 would be another number in the link and in the flat list.
   return value === 0 ? 0 : value;
 }
@@ -76,7 +66,13 @@ export function rejectUnknown(given: Loose, known: (key: string) => boolean, at?
 }
 
 export function wrongType(key: string, value: unknown, wanted: string, at?: Place, name: string = key): RockFieldError {
-  return new RockFieldError({ name: 'WrongType', key, layer: at?.index, value, message: `${name}${of(at)} is ${value === undefined ? 'missing' : shown(value)}; it must be ${wanted}` });
+  return badValue('WrongType', key, value, wanted, at, name);
+}
+
+/** @param wanted what it must be instead. */
+function badValue(error: ErrorName, key: string, value: unknown, wanted: string, at: Place | undefined, name: string, { min, max }: Partial<Range> = {}): RockFieldError {
+  const message = `${name}${of(at)} is ${value === undefined ? 'missing' : shown(value)}; it must be ${wanted}`;
+  return new RockFieldError({ name: error, key, layer: at?.index, value, min, max, message });
 }
 
 export function unknownPreset(name: string): RockFieldError {
