@@ -66,8 +66,10 @@ export class Recovery {
   constructor(host: Host, arrived = rendererArrived) {
     this.#host = host;
     this.#look = () => {
-      if (arrived() === this.#arrived) return;
-      this.#arrived = arrived();
+      // Before the first byte the reason still holds.
+      const now = arrived() || null;
+      if (now === this.#arrived) return;
+      this.#arrived = now;
       host.said();
     };
   }

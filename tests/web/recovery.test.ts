@@ -61,6 +61,9 @@ test('while a try fetches the renderer, it is said how much of it has come, and 
   const said = () => [recovery.words('en'), recovery.words('ja'), recovery.canRetry];
   await pass(FIRST_WAIT_MS);
   assert.deepEqual([counts.tries, recovery.words('en'), recovery.canRetry], [1, reason, true]);
+  arrived = 0;
+  await pass(200);
+  assert.deepEqual([recovery.words('en'), recovery.canRetry], [reason, true], 'a server that answers nothing is not loaded from');
   arrived = 0.42;
   await pass(200);
   assert.deepEqual(said(), ['Loading the renderer 40 %', '3D 描画プログラムを読み込み中：40 %', false]);
