@@ -16,7 +16,7 @@ import type { CameraState } from '../../www/renderer/renderer.ts';
 const TABLES = [ROCKS, WOOD_EARS] as const;
 
 test('what has no key of ours is no link', () => {
-  for (const text of ['', '#', '?', '#main', '#/route', '#:~:text=rocks', '?utm_source=x', '?fbclid=y', '?gclid=z', '?id=42', '?v=20240101', '?lang=ja#top', '?x', '?a1=1', '#__proto__', '?constructor=1']) {
+  for (const text of ['', '#', '?', '#main', '#/route', '#v=99', '#nonsense=1', '"#main"', '#:~:text=rocks', '?utm_source=x', '?fbclid=y', '?gclid=z', '?id=42', '?v=20240101', '?lang=ja#top', '?x', '?a1=1', '#__proto__', '?constructor=1']) {
     for (const table of TABLES) assert.equal(isLink<never>(table as never, text), false, text);
   }
 });
