@@ -180,6 +180,7 @@ impl Scene {
         self.radius = (high - low).length() * 0.5;
         self.is_buried = low.z < 0.0;
         let mut uniforms = field_uniforms(sun, self.image, low, high, MapSets::side(gpu) as f32);
+        uniforms.ground[2] = if self.is_buried { 1.0 } else { 0.0 };
         uniforms.size[2] = self.high.z.max(1.0);
         if let Some(axis) = props.axis() {
             uniforms.log = [axis.middle, axis.half, axis.radius, axis.height];

@@ -42,7 +42,7 @@ pub(crate) struct FieldUniforms {
     pub(crate) map: [f32; 4],
     /// xy image width and height, z the top of the highest rock, w that of everything, px.
     pub(crate) size: [f32; 4],
-    /// x width of the soil's fade, y one texel of the height map, px.
+    /// x width of the soil's fade, y one texel of the height map, px; z 1 where something goes on below the ground.
     pub(crate) ground: [f32; 4],
     /// x the middle of the log's reach along x, y half of it (0: no log), z its radius, w the height of its axis, px.
     pub(crate) log: [f32; 4],

@@ -39,7 +39,8 @@ struct FieldUniforms {
   map: vec4f,
   // xy image width and height, z the top of the highest rock, w that of everything, px
   size: vec4f,
-  // x width over which the soil fades outside the image, y one texel of the height map in px, zw unused
+  // x width over which the soil fades outside the image, y one texel of the height map in px, z 1 where something goes on
+  // below the ground, w unused
   ground: vec4f,
   // x the middle of the log's reach along x, y half of it (0: no log), z its radius, w the height of its axis, px
   log: vec4f,

@@ -39,6 +39,11 @@ fn sky_visibility(world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
   const REACH = 26.0;
   let start = dither(pixel) * 0.8;
   let reach = max(REACH, 3.0 * field.ground.y);
+  // Rocks that are sunk into the ground meet it with steep walls, which hide much of what stands behind them: else they would
+  // be black in the middle and at the foot.
+  let sunk = field.ground.z > 0.5;
+  let flattest = select(0.2, 0.04, sunk);
+  let steepest = select(2.0, 25.0, sunk);
   var blocked = 0.0;
   for (var i = 0; i < TAPS; i++) {
     let share = (f32(i) + 0.5) / f32(TAPS);
@@ -47,7 +52,7 @@ fn sky_visibility(world: vec3f, normal: vec3f, pixel: vec2f) -> f32 {
     let away = vec2f(cos(angle), sin(angle)) * radius;
     let rise = height_at(world.xy + away) - world.z;
     // The sine of the horizon's elevation, less what the face itself would hide.
-    let own = clamp(-dot(normal.xy, away) / max(normal.z, 0.2), -radius, 2.0 * radius);
+    let own = clamp(-dot(normal.xy, away) / max(normal.z, flattest), -radius, steepest * radius);
     let above = max(rise - max(own, 0.0) - 0.4, 0.0);
     blocked += above * inverseSqrt(above * above + radius * radius);
   }
