@@ -73,6 +73,12 @@ export async function npm(args, options) {
   return run('npm', args, options);
 }
 
+/** For `sort`: those with these names first, in this order; the others stay as they are. */
+export function beginningWith(names, nameOf) {
+  const rank = (item) => (names.includes(nameOf(item)) ? names.indexOf(nameOf(item)) : names.length);
+  return (a, b) => rank(a) - rank(b);
+}
+
 /** Whether a module is the program that was started, not imported. */
 export function isMain(meta) {
   return Boolean(process.argv[1]) && realpathSync(process.argv[1]) === realpathSync(fileURLToPath(meta.url));

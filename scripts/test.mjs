@@ -6,9 +6,13 @@
 // The last line on stdout is always `N passed, N failed`, counting steps.
 import { existsSync, readdirSync } from 'node:fs';
 import path from 'node:path';
+import { pipeline } from 'node:stream/promises';
+import { run as runFiles } from 'node:test';
+import { spec } from 'node:test/reporters';
 import { parseArgs } from 'node:util';
 import { cargoEnv, root } from './env.mjs';
-import { Failure, main, run, say, seconds } from './run.mjs';
+import { Failure, beginningWith, main, run, say, seconds } from './run.mjs';
+import { runRustTests } from './rust-tests.mjs';
 import { bindgenProgram, setup } from './setup.mjs';
 
 const WASM = ['--target', 'wasm32-unknown-unknown'];
@@ -19,7 +23,9 @@ const clippy = (...flags) => cargo(['clippy', '--all-targets', ...flags, '--', '
 const docs = (...flags) => cargo(['doc', '--no-deps', ...flags], { RUSTDOCFLAGS: '-D warnings' });
 
 /** A test file that hangs fails in the end. */
-const HANGS = '--test-timeout=1200000';
+const HANGS_MS = 1_200_000;
+/** Browser tests that take long begin first, so that none of them runs on alone when the others have ended. */
+const LONG_FILES = ['page', 'docs', 'wood-ear', 'many', 'natural', 'wood-ear-natural', 'devices', 'deaths', 'element', 'controls', 'places'];
 
 /** In order; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards. */
 const STEPS = [
@@ -29,7 +35,7 @@ const STEPS = [
   { name: 'clippy-wood-ear', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'wood-ear') },
   { name: 'clippy-webgpu', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgpu') },
   { name: 'clippy-webgl', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgl') },
-  { name: 'rust', expected: '5 min / 3 min', work: () => cargo(['test']) },
+  { name: 'rust', expected: '5 min / 3 min', work: rustTests },
   { name: 'rust-wasm', expected: '5 min / 3 min', work: rustInNode },
   { name: 'docs', expected: '60 s / 10 s', work: rustDocs },
   { name: 'build', expected: '8 min / 5 s', work: async () => (await import('./build.mjs')).build() },
@@ -96,11 +102,16 @@ async function setUp() {
   await setup({ components: ['rustfmt', 'clippy'] });
 }
 
+async function rustTests() {
+  await runRustTests([]);
+  await cargo(['test', '--doc']);
+}
+
 /** The same core tests as `rust`, as wasm in Node. Doc tests run natively alone. */
 function rustInNode() {
   const runner = bindgenProgram('wasm-bindgen-test-runner');
   if (!runner) throw new Failure('there is no wasm-bindgen-test-runner; see setup');
-  return cargo(['test', '--tests', '--features', 'generator', ...WASM], { CARGO_TARGET_WASM32_UNKNOWN_UNKNOWN_RUNNER: runner });
+  return runRustTests(['--features', 'generator', ...WASM], runner);
 }
 
 async function rustDocs() {
@@ -112,7 +123,7 @@ async function rustDocs() {
 
 async function webTests() {
   const { bundleWebTests } = await import('./web-tests.mjs');
-  await node(['--enable-source-maps', '--test', HANGS, ...(await bundleWebTests())]);
+  await node(['--enable-source-maps', '--test', `--test-timeout=${HANGS_MS}`, ...(await bundleWebTests())]);
 }
 
 async function browserTests() {
@@ -120,10 +131,18 @@ async function browserTests() {
   const { ensureBrowser } = await import('./browser.mjs');
   const browser = await ensureBrowser();
   const folder = path.join(root, 'tests', 'e2e');
-  const tests = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.test.mjs')) : [];
-  if (tests.length === 0) throw new Failure('there are no tests in tests/e2e');
+  const names = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.test.mjs')) : [];
+  if (names.length === 0) throw new Failure('there are no tests in tests/e2e');
+  const files = names.sort(beginningWith(LONG_FILES, (name) => name.replace('.test.mjs', ''))).map((name) => path.join(folder, name));
+  process.env.CHROME_PATH = browser;
   // Two files at a time: while one waits the other computes. More would only be slower, since the software GPU takes every core.
-  await node(['--test', HANGS, '--test-concurrency=2', ...tests.map((name) => path.join(folder, name))], { CHROME_PATH: browser });
+  const running = runFiles({ files, concurrency: 2, timeout: HANGS_MS });
+  const failed = new Set();
+  running.on('test:fail', ({ file }) => failed.add(path.basename(file ?? 'a file')));
+  await pipeline(running.compose(new spec()), async (told) => {
+    for await (const text of told) process.stdout.write(text);
+  });
+  if (failed.size > 0) throw new Failure(`tests failed in ${[...failed].join(', ')}`);
 }
 
 /** The package in the pages of others. */

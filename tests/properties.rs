@@ -14,8 +14,10 @@ use common::{
 use rock_field::params::{Border, Darts, Notation, Params, Swing};
 use rock_field::rocks::{Cells, Field, Generator, generate, voronoi};
 
-/// Headless Node runs one of them at a time, and wasm is there to prove equality, not to search.
-const CASES: usize = if cfg!(target_arch = "wasm32") { 300 } else { 10_000 };
+/// Headless Node runs one of them at a time, and wasm is there to prove that it is the same code, not to search: a hundredth of the random
+/// cases and every third of the large ones.
+const CASES: usize = if cfg!(target_arch = "wasm32") { 100 } else { 10_000 };
+const LARGE_STEP: usize = if cfg!(target_arch = "wasm32") { 3 } else { 1 };
 
 /// Largest side of the random images, px.
 const SIDE: f64 = 384.0;
@@ -36,9 +38,10 @@ fn invariants_hold_and_cached_is_full_for_100_000_more() {
 field_test! {
     fn invariants_hold_for_large_fields() {
         let cases = large_cases();
-        for_all(0..cases.len(), |case| {
-            let field = checked(&cases[case])?;
-            reach_does_not_matter(&cases[case], &field)
+        for_all(0..cases.len().div_ceil(LARGE_STEP), |case| {
+            let params = &cases[case * LARGE_STEP];
+            let field = checked(params)?;
+            reach_does_not_matter(params, &field)
         });
     }
 }
