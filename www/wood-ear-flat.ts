@@ -1,7 +1,8 @@
 /** Requests for colonies of wood ears: checked, completed, and flat. Everything is derived from the table. */
 
 import { RockFieldError } from './errors.ts';
-import { scaleOfLog } from './log-units.ts';
+import { meshOf } from './log-mesh.ts';
+import type { LogMesh } from './log-mesh.ts';
 import { checkValue, isList, objectOf, rejectUnknown, unknownPreset, wrongType } from './param-checks.ts';
 import type { Loose, Place } from './param-checks.ts';
 import type { WoodEarPreset, WoodEarSpec } from './wood-ear-params.ts';
@@ -53,13 +54,6 @@ export type WoodEarRequest = { preset?: WoodEarPresetName | undefined } & Some<O
   base?: Some<WoodEarBase> | undefined;
   bases?: readonly Some<WoodEarBase>[] | undefined;
 };
-
-export interface LogMesh {
-  positions: Float32Array;
-  indices: Uint32Array;
-  /** What its coordinates have been multiplied by, where they have been. */
-  scale?: number | undefined;
-}
 
 /** A colony to grow, in the form that crosses every boundary. */
 export interface FlatColony {
@@ -178,43 +172,4 @@ function basesOf({ base, bases }: Loose): readonly unknown[] | undefined {
 
 function encode(spec: WoodEarSpec, value: unknown): number {
   return spec.kind === 'choice' ? spec.choices.findIndex((choice) => choice.value === value) : typeof value === 'number' ? value : NaN;
-}
-
-/** In cm: a mesh that was made in other units is scaled about the origin. */
-function meshOf(log: Loose): LogMesh {
-  const positions = numbersOf('positions', log['positions']);
-  const given = numbersOf('indices', log['indices']);
-  const indices = new Uint32Array(given.length);
-  for (let i = 0; i < given.length; i += 1) {
-    const index = given[i]!;
-    indices[i] = index;
-    // As an unsigned number it would be another.
-    if (indices[i] !== index) {
-      const max = Math.max(0, Math.floor(positions.length / 3) - 1);
-      throw new RockFieldError({ name: 'LogBadIndex', key: 'log', value: index, min: 0, max, message: `indices[${i}] of the log is ${index}; it must be the number of a vertex` });
-    }
-  }
-  const scale = scaleOfLog(Math.max(extent(positions, indices, 0), extent(positions, indices, 1)));
-  const scaled = new Float32Array(positions.length);
-  for (let i = 0; i < positions.length; i += 1) scaled[i] = positions[i]! * scale;
-  return { positions: scaled, indices, scale };
-}
-
-/** How far the vertices that triangles use reach along an axis. */
-function extent(positions: ArrayLike<number>, indices: Uint32Array, axis: number): number {
-  let [low, high] = [Infinity, -Infinity];
-  for (const index of indices) {
-    const value = positions[3 * index + axis] ?? NaN;
-    if (value < low) low = value;
-    if (value > high) high = value;
-  }
-  return high - low;
-}
-
-function numbersOf(key: string, value: unknown): ArrayLike<number> {
-  const list = isList(value) ? value : undefined;
-  let isRight = list !== undefined;
-  for (let i = 0; isRight && i < list!.length; i += 1) isRight = typeof list![i] === 'number';
-  if (!isRight) throw wrongType(key, value, 'a list of numbers', LOG);
-  return list as ArrayLike<number>;
 }

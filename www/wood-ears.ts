@@ -6,11 +6,12 @@ import type { Field } from './field.ts';
 import type { WoodEarStage } from './generator/wood-ear-session.ts';
 import type { PresetName } from './params.ts';
 import { lazily } from './lazy.ts';
+import type { LogMesh } from './log-mesh.ts';
 import { presetParams } from './params-flat.ts';
 import type { Kind, Table } from './table.ts';
 import { encodeLink } from './url-codec.ts';
 import { BASE_ROWS, COLONY_ROWS, LOG_ROWS, logName, resolveColony, woodEarPreset } from './wood-ear-flat.ts';
-import type { LogMesh, WoodEarBase, WoodEarParams, WoodEarPresetName, WoodEarRequest } from './wood-ear-flat.ts';
+import type { WoodEarBase, WoodEarParams, WoodEarPresetName, WoodEarRequest } from './wood-ear-flat.ts';
 import { MAX_BASES, WOOD_EAR_PRESETS } from './wood-ear.gen.ts';
 
 /** Where the log's origin is on the ground, px, and px per cm. */

@@ -144,9 +144,18 @@ test('wood-ear-log: what code, a property, an attribute or a link sets and eithe
     params: () => (a.params = { ...a.params, density: 5, ground: 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1' }),
     'a link': () => (a.src = '#preset=wrinkled&d=4&ll=400&view=wireframe&camera=1,0.5,300,9,9,0&ground=preset=journal-fig1%26r=1,1,1,1,1,1,1,1'),
   });
-  await refuses(page, 'LogNoArea log', {
-    'a mesh': () => (a.params = { ...a.params, mesh: { positions: [0, 0, 0, 1, 1, 1, 2, 2, 2], indices: [0, 1, 2] } }),
+  // A mesh is refused at once, before any run.
+  const atOnce = await page.evaluate(() => {
+    const seen = () => JSON.stringify([a.params, a.shareURL(), heard]);
+    const before = seen();
+    try {
+      a.params = { ...a.params, mesh: { positions: [0, 0, 0, 1, 1, 1, 2, 2, 2], indices: [0, 1, 2] } };
+      return 'taken';
+    } catch ({ name, key }) {
+      return [name, key, seen() === before, a.undo()];
+    }
   });
+  assert.deepEqual(atOnce, ['LogNoArea', 'log', true, false]);
   const later = await page.evaluate(async () => {
     a.ground = 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1';
     await a.generate().catch(() => undefined);

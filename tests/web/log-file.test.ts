@@ -8,7 +8,7 @@ import type { RockFieldError } from '../../www/errors.ts';
 import { FARTHEST, MOST_LISTED, MOST_TRIANGLES, MOST_VERTICES } from '../../www/log-file/limits.ts';
 import { readLogFile } from '../../www/log-file/read.ts';
 import { shown } from '../../www/log-file/refusal.ts';
-import type { LogMesh } from '../../www/wood-ear-flat.ts';
+import type { LogMesh } from '../../www/log-mesh.ts';
 
 const stored = (name: string) => new File([readFileSync(new URL(`../data/logs/${name}`, import.meta.url))], name);
 const given = (name: string, ...parts: BlobPart[]) => new File(parts, name);

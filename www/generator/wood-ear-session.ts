@@ -1,7 +1,8 @@
 /** Sessions of wood ears: the buffers of the wasm as a `WoodEarColony`. */
 
 import type { WoodEarColony, WoodEarLog } from '../colony.ts';
-import type { FlatColony, LogMesh } from '../wood-ear-flat.ts';
+import type { LogMesh } from '../log-mesh.ts';
+import type { FlatColony } from '../wood-ear-flat.ts';
 import type { LoopCraft } from './loop.ts';
 import { Session } from './session.ts';
 import type { Craft, RawSteps, Times } from './session.ts';

@@ -3,7 +3,7 @@
 import type { RockFieldError } from '../errors.ts';
 import { LOG_LENGTH, scaleOfLog } from '../log-units.ts';
 import type { Words } from '../params.ts';
-import type { LogMesh } from '../wood-ear-flat.ts';
+import type { LogMesh } from '../log-mesh.ts';
 import { FARTHEST, MOST_TRIANGLES, MOST_VERTICES } from './limits.ts';
 import { refused } from './refusal.ts';
 

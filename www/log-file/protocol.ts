@@ -2,7 +2,7 @@
 
 import type { ErrorInfo } from '../errors.ts';
 import type { Words } from '../params.ts';
-import type { LogMesh } from '../wood-ear-flat.ts';
+import type { LogMesh } from '../log-mesh.ts';
 
 export interface ToFileWorker {
   file: Blob;

@@ -1,0 +1,86 @@
+/** A log of one's own from code: checked before it takes the place of another, in the order in which Rust checks it again, and scaled to cm. */
+
+import { RockFieldError } from './errors.ts';
+import { FARTHEST, MOST_TRIANGLES, MOST_VERTICES } from './log-file/limits.ts';
+import { scaleOfLog } from './log-units.ts';
+import { isList, wrongType } from './param-checks.ts';
+import type { Loose } from './param-checks.ts';
+
+export interface LogMesh {
+  positions: Float32Array;
+  indices: Uint32Array;
+  /** What its coordinates have been multiplied by, where they have been. */
+  scale?: number | undefined;
+}
+
+/**
+ * In cm: a mesh that was made in other units is scaled about the origin.
+ *
+ * @throws {RockFieldError} `WrongType`, `LogNotInThrees`, `LogTooLarge`, `LogBadPosition`, `LogBadIndex` or `LogNoArea`, with value and bounds.
+ */
+export function meshOf(log: Loose): LogMesh {
+  const positions = numbersOf('positions', log['positions']);
+  const given = numbersOf('indices', log['indices']);
+  for (const { length: value } of [positions, given]) {
+    if (value % 3 !== 0) throw refused('LogNotInThrees', `the log's positions and its indices must come in threes; there are ${value}`, { value });
+  }
+  for (const [value, max] of [[positions.length / 3, MOST_VERTICES], [given.length / 3, MOST_TRIANGLES]] as const) {
+    if (value > max) throw refused('LogTooLarge', `the log has ${value} vertices or triangles; it may have at most ${max}`, { value, min: 0, max });
+  }
+  const indices = Uint32Array.from(given);
+  const scale = scaleOfLog(Math.max(extent(positions, indices, 0), extent(positions, indices, 1)));
+  const scaled = new Float32Array(positions.length);
+  for (let i = 0; i < positions.length; i += 1) {
+    const value = (scaled[i] = positions[i]! * scale);
+    // Written so that NaN fails too.
+    if (!(Math.abs(value) <= FARTHEST)) {
+      throw refused('LogBadPosition', `vertex ${Math.floor(i / 3)} of the log has the coordinate ${value}, not within 100 m of the origin`, { value, min: -FARTHEST, max: FARTHEST });
+    }
+  }
+  const max = positions.length / 3 - 1;
+  for (let i = 0; i < given.length; i += 1) {
+    const value = given[i]!;
+    // As an unsigned number a fraction or a negative one would be another.
+    if (indices[i] !== value || value > max) {
+      throw refused('LogBadIndex', `triangle ${Math.floor(i / 3)} of the log names vertex ${value}, which is not there`, { value, min: 0, max });
+    }
+  }
+  if (!hasArea(scaled, indices)) throw refused('LogNoArea', 'no triangle of the log has an area');
+  return { positions: scaled, indices, scale };
+}
+
+type LogErrorName = 'LogNotInThrees' | 'LogTooLarge' | 'LogBadPosition' | 'LogBadIndex' | 'LogNoArea';
+
+function refused(name: LogErrorName, message: string, numbers: { value?: number; min?: number; max?: number } = {}): RockFieldError {
+  return new RockFieldError({ name, key: 'log', message, ...numbers });
+}
+
+/** How far the vertices that triangles use reach along an axis. */
+function extent(positions: ArrayLike<number>, indices: Uint32Array, axis: number): number {
+  let [low, high] = [Infinity, -Infinity];
+  for (const index of indices) {
+    const value = positions[3 * index + axis] ?? NaN;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  return high - low;
+}
+
+/** Whether any triangle does; mostly the first one has. */
+function hasArea(positions: Float32Array, indices: Uint32Array): boolean {
+  for (let i = 0; i < indices.length; i += 3) {
+    const [a, b, c] = [3 * indices[i]!, 3 * indices[i + 1]!, 3 * indices[i + 2]!];
+    const [ux, uy, uz] = [positions[b]! - positions[a]!, positions[b + 1]! - positions[a + 1]!, positions[b + 2]! - positions[a + 2]!];
+    const [vx, vy, vz] = [positions[c]! - positions[a]!, positions[c + 1]! - positions[a + 1]!, positions[c + 2]! - positions[a + 2]!];
+    if (uy * vz !== uz * vy || uz * vx !== ux * vz || ux * vy !== uy * vx) return true;
+  }
+  return false;
+}
+
+function numbersOf(key: string, value: unknown): ArrayLike<number> {
+  const list = isList(value) ? value : undefined;
+  let isRight = list !== undefined;
+  for (let i = 0; isRight && i < list!.length; i += 1) isRight = typeof list![i] === 'number';
+  if (!isRight) throw wrongType(key, value, 'a list of numbers', { name: 'the log' });
+  return list as ArrayLike<number>;
+}
