@@ -4,9 +4,12 @@ import { createRequire } from 'node:module';
 
 const source = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 
-/** Every violation of every rule, as `rule: selector – what is wrong`. */
-export async function violations(page) {
+/** The rules that look at colours: what is left to ask in a second theme. */
+export const COLOR_RULES = ['color-contrast', 'link-in-text-block'];
+
+/** Every violation of every rule, or of these, as `rule: selector – what is wrong`. */
+export async function violations(page, rules = null) {
   await page.evaluate(source);
-  const found = await page.evaluate(async () => (await globalThis.axe.run(document, { resultTypes: ['violations'] })).violations);
+  const found = await page.evaluate(async (only) => (await globalThis.axe.run(document, { resultTypes: ['violations'], ...(only && { runOnly: only }) })).violations, rules);
   return found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id}: ${target.flat().join(' ')} – ${failureSummary.replaceAll('\n', ' ')}`));
 }

@@ -61,12 +61,12 @@ const SMALL = 'image-width="400" image-height="300"';
 /** A whole test has ten times as long. */
 const WHOLE_TEST_MS = 10 * PATIENCE;
 
-async function withPage(webgpu, body, use) {
+async function withPage(webgpu, body, use, deviceScaleFactor = 1) {
   const session = await launch({ webgpu, intercept: pageOf('many.html', () => pageWith(body)), args: ['--js-flags=--expose-gc', '--enable-precise-memory-info'] });
   // A page that hangs never answers: without its browser the test fails instead of waiting for ever.
   const watchdog = setTimeout(() => session.browser.close(), WHOLE_TEST_MS);
   try {
-    const opened = await session.open('many.html', { viewport: { width: 1280, height: 720 }, deviceScaleFactor: 1 });
+    const opened = await session.open('many.html', { viewport: { width: 1280, height: 720 }, deviceScaleFactor });
     await use(opened.page);
     assert.deepEqual(opened.errors, []);
   } finally {
@@ -149,9 +149,10 @@ for (const webgpu of [false, true]) {
         return held();
       }, [before, PATIENCE]);
       assert.deepEqual(after, before);
+      // What is not collected yet can only add to a measurement, so the smallest of three is the truest.
       const bytes = measured.slice(-6);
-      const growth = Math.max(...bytes) / Math.min(...bytes) - 1;
-      assert(growth <= 0.02, `the heap moved by ${(100 * growth).toFixed(1)} % in the last 50 cycles: ${bytes}`);
-    });
+      const growth = Math.min(...bytes.slice(3)) / Math.min(...bytes.slice(0, 3)) - 1;
+      assert(growth <= 0.02, `the heap grew by ${(100 * growth).toFixed(1)} % in the last 50 cycles: ${bytes}`);
+    }, 0.25);
   });
 }

@@ -91,7 +91,7 @@ for (const webgpu of [false, true]) {
 }
 
 test('every slider changes the colony or the picture, its number says so, and undo takes it back', async () => {
-  const opened = await open(`${SMALL}&co=pressed&dr=0.3&th=0.1&ft=0.3&pi=0.5&w=60&lb=0.5`);
+  const opened = await open('#preset=thesis-default&d=12&r=25&m=90&co=pressed&dr=0.3&th=0.1&ft=0.3&pi=0.5&w=60&lb=0.5');
   const { page } = opened;
   await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
   const looks = ['sa', 'se'];
@@ -197,7 +197,7 @@ test('the embed code shows the same log on another page', async () => {
   let html = '';
   const other = await launch({ intercept: pageOf('elsewhere.html', () => html) });
   try {
-    const opened = await open(`${SMALL}&ground=preset%3Dshingle`, { permissions: ['clipboard-read', 'clipboard-write'] }, other);
+    const opened = await open(`${SMALL}&ground=preset%3Djournal-fig12a%26w%3D128%26h%3D128%26r%3D20`, { permissions: ['clipboard-read', 'clipboard-write'] }, other);
     const { page } = opened;
     await page.getByRole('button', { name: 'Copy embed code' }).click();
     await page.waitForSelector('.toast.is-shown');
