@@ -1,6 +1,6 @@
 // What browsers do with whole pages: they keep one that is left, and give it back; they print.
 import assert from 'node:assert/strict';
-import { test } from 'node:test';
+import { after, before, describe, test } from 'node:test';
 import { inflateSync } from 'node:zlib';
 import { launch } from './browser.mjs';
 
@@ -32,59 +32,59 @@ function picturesOf(pdf) {
   });
 }
 
-for (const [backend, pages] of [['webgl', [[ROCKS, 1]]], ['webgpu', [[WOOD, 1], ['article.html', 2]]]]) {
-  test(`${backend}: what is printed has the picture of every scene, in its own proportions`, async (t) => {
-    const session = await started(t, backend);
-    for (const [address, count] of pages) {
-      const { page, errors, close } = await open(session, address);
-      const pictures = picturesOf(await page.pdf()).filter((colours) => colours > 200);
-      assert.ok(pictures.length >= count, `${address}: ${pictures}`);
-      // Paper has other proportions than the window.
-      await page.emulateMedia({ media: 'print' });
-      assert.deepEqual(await page.evaluate(() => scenes.map((scene) => getComputedStyle(scene.shadowRoot.querySelector('canvas')).objectFit)), Array(count).fill('contain'));
-      assert.deepEqual(errors, []);
-      await close();
-    }
-  });
-}
-
 for (const [backend, address] of [['webgl', ROCKS], ['webgpu', WOOD]]) {
-  test(`${backend}: a page that is left and come back to has its picture, its worker and its panel`, async (t) => {
-    const session = await started(t, backend, { backForwardCache: true });
-    const { page, errors, close } = await open(session, address);
-    await page.evaluate(() => {
-      globalThis.given = [];
-      addEventListener('pageshow', ({ persisted }) => given.push(persisted));
+  describe(backend, () => {
+    let session;
+    let opened;
+    before(async () => {
+      session = await launch({
+        webgpu: backend === 'webgpu',
+        backForwardCache: true,
+        intercept({ url }, response) {
+          const html = PAGES[new URL(url, 'http://localhost').pathname];
+          if (html) response.writeHead(200, { 'content-type': 'text/html' }).end(html);
+          return html !== undefined;
+        },
+      });
+      opened = await open(session, address);
     });
-    await page.goto(`${session.url}elsewhere.html`);
-    await page.evaluate(() => history.back()).catch(() => undefined);
-    await page.waitForFunction(() => globalThis.given?.length > 0, undefined, { polling: 100 });
-    assert.deepEqual(await page.evaluate(() => given), [true], 'it was loaded anew: this test shows nothing');
-    const colours = await page.evaluate(async () => {
-      const bitmap = await createImageBitmap(await scenes[0].toBlob());
-      const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
-      context.drawImage(bitmap, 0, 0);
-      return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
-    });
-    assert.ok(colours > 200, String(colours));
-    await page.getByRole('button', { name: 'Next seed' }).click();
-    await page.waitForFunction(() => location.hash.includes('seed=1') && scenes[0].params.seed === 1, undefined, { polling: 100 });
-    assert.deepEqual([await page.evaluate(() => scenes[0].backend), errors], [backend, []]);
-    await close();
-  });
-}
+    after(() => session?.close());
 
-/** A browser that is closed with the test. */
-async function started(t, backend, options) {
-  const session = await launch({
-    webgpu: backend === 'webgpu',
-    intercept({ url }, response) {
-      const html = PAGES[new URL(url, 'http://localhost').pathname];
-      if (html) response.writeHead(200, { 'content-type': 'text/html' }).end(html);
-      return html !== undefined;
-    },
-    ...options,
+    test('what is printed has the picture of every scene, in its own proportions', async () => {
+      const article = await open(session, 'article.html');
+      for (const { page, errors } of [opened, article]) {
+        const count = await page.evaluate(() => scenes.length);
+        const pictures = picturesOf(await page.pdf()).filter((colours) => colours > 200);
+        assert.ok(pictures.length >= count, `${page.url()}: ${pictures}`);
+        // Paper has other proportions than the window.
+        await page.emulateMedia({ media: 'print' });
+        assert.deepEqual(await page.evaluate(() => scenes.map((scene) => getComputedStyle(scene.shadowRoot.querySelector('canvas')).objectFit)), Array(count).fill('contain'));
+        await page.emulateMedia({ media: null });
+        assert.deepEqual(errors, []);
+      }
+      await article.close();
+    });
+
+    test('a page that is left and come back to has its picture, its worker and its panel', async () => {
+      const { page, errors } = opened;
+      await page.evaluate(() => {
+        globalThis.given = [];
+        addEventListener('pageshow', ({ persisted }) => given.push(persisted));
+      });
+      await page.goto(`${session.url}elsewhere.html`);
+      await page.evaluate(() => history.back()).catch(() => undefined);
+      await page.waitForFunction(() => globalThis.given?.length > 0, undefined, { polling: 100 });
+      assert.deepEqual(await page.evaluate(() => given), [true], 'it was loaded anew: this test shows nothing');
+      const colours = await page.evaluate(async () => {
+        const bitmap = await createImageBitmap(await scenes[0].toBlob());
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        context.drawImage(bitmap, 0, 0);
+        return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
+      });
+      assert.ok(colours > 200, String(colours));
+      await page.getByRole('button', { name: 'Next seed' }).click();
+      await page.waitForFunction(() => location.hash.includes('seed=1') && scenes[0].params.seed === 1, undefined, { polling: 100 });
+      assert.deepEqual([await page.evaluate(() => scenes[0].backend), errors], [backend, []]);
+    });
   });
-  t.after(() => session.close());
-  return session;
 }
