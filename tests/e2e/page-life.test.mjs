@@ -50,6 +50,28 @@ for (const [backend, address] of [['webgl', ROCKS], ['webgpu', WOOD]]) {
     });
     after(() => session?.close());
 
+    test('a page that is left and come back to has its picture, its worker and its panel', async () => {
+      const { page, errors } = opened;
+      await page.evaluate(() => {
+        globalThis.given = [];
+        addEventListener('pageshow', ({ persisted }) => given.push(persisted));
+      });
+      await page.goto(`${session.url}elsewhere.html`);
+      await page.evaluate(() => history.back()).catch(() => undefined);
+      await page.waitForFunction(() => globalThis.given?.length > 0 || (!globalThis.given && document.querySelector('rock-field, wood-ear-log')?.ready), undefined, { polling: 100 });
+      assert.deepEqual(await page.evaluate(() => globalThis.given ?? []), [true], 'it was loaded anew: this test shows nothing');
+      const colours = await page.evaluate(async () => {
+        const bitmap = await createImageBitmap(await scenes[0].toBlob());
+        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        context.drawImage(bitmap, 0, 0);
+        return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
+      });
+      assert.ok(colours > 200, String(colours));
+      await page.getByRole('button', { name: 'Next seed' }).click();
+      await page.waitForFunction(() => location.hash.includes('seed=1') && scenes[0].params.seed === 1, undefined, { polling: 100 });
+      assert.deepEqual([await page.evaluate(() => scenes[0].backend), errors], [backend, []]);
+    });
+
     test('what is printed has the picture of every scene, in its own proportions', async () => {
       const article = await open(session, 'article.html');
       for (const { page, errors } of [opened, article]) {
@@ -63,28 +85,6 @@ for (const [backend, address] of [['webgl', ROCKS], ['webgpu', WOOD]]) {
         assert.deepEqual(errors, []);
       }
       await article.close();
-    });
-
-    test('a page that is left and come back to has its picture, its worker and its panel', async () => {
-      const { page, errors } = opened;
-      await page.evaluate(() => {
-        globalThis.given = [];
-        addEventListener('pageshow', ({ persisted }) => given.push(persisted));
-      });
-      await page.goto(`${session.url}elsewhere.html`);
-      await page.evaluate(() => history.back()).catch(() => undefined);
-      await page.waitForFunction(() => globalThis.given?.length > 0, undefined, { polling: 100 });
-      assert.deepEqual(await page.evaluate(() => given), [true], 'it was loaded anew: this test shows nothing');
-      const colours = await page.evaluate(async () => {
-        const bitmap = await createImageBitmap(await scenes[0].toBlob());
-        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
-        context.drawImage(bitmap, 0, 0);
-        return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
-      });
-      assert.ok(colours > 200, String(colours));
-      await page.getByRole('button', { name: 'Next seed' }).click();
-      await page.waitForFunction(() => location.hash.includes('seed=1') && scenes[0].params.seed === 1, undefined, { polling: 100 });
-      assert.deepEqual([await page.evaluate(() => scenes[0].backend), errors], [backend, []]);
     });
   });
 }
