@@ -147,6 +147,7 @@ for (const dy of [-120, 80]) {
     const { page, mid, state, slide } = opened;
     const first = await state();
     await slide([[mid.x, mid.y]], [[mid.x + 10, mid.y + dy]]);
+    await page.waitForFunction((isUp) => (isUp ? scrollY > 240 : scrollY < 160), dy < 0);
     await settle(page);
     const { scroll, framings, ...camera } = await state();
     assert.ok(dy < 0 ? scroll > 240 : scroll < 160, `scrolled to ${scroll}`);
