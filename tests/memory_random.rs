@@ -130,8 +130,10 @@ fn check(cases: impl Iterator<Item = u64>, budget: u64) {
 
 #[test]
 fn the_estimate_lies_between_the_peak_and_twice_it_for_any_parameters() {
-    // Behind the first ones, those that once were untrue: few sites that stand before clear pixels are listed; runs that select nothing.
-    check((0..300).chain([338, 2231, 2560, 4620, 6200, 7498, 7887, 7944, 8935]), 100 << 20);
+    // Behind the first ones, those that once were untrue: few sites that stand before clear pixels are listed; runs that select nothing;
+    // a cache that is dropped, or sites and selections that took most, before many rocks are copied out.
+    let once_untrue = [338, 2231, 2560, 4620, 6200, 7498, 7887, 7944, 8935, 22944, 23833, 25481, 27076, 29805];
+    check((0..300).chain(once_untrue), 100 << 20);
 }
 
 #[test]

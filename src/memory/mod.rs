@@ -152,6 +152,8 @@ pub(crate) struct Bitmaps {
 pub(crate) struct Need {
     /// At its peak, before the buffers are copied out.
     peak: f64,
+    /// At the peak of the stages before the number of rocks is known.
+    pub(crate) until_selection: f64,
     /// Of the copies.
     copies: f64,
 }
@@ -186,6 +188,7 @@ impl Need {
         if bitmaps.selects && !layers.is_empty() {
             peak = peak.max(kept + FLAG * pixels + most(|counts| counts.sites) * 8.125);
         }
+        let until_selection = peak;
         for Load { counts: Counts { sites, rocks, rims, .. }, .. } in layers.iter().filter(|load| load.shapes) {
             let shapes = rocks * 12.0 + 16.0 * rims + (3.0 * rims - 2.0 * rocks) * 6.0;
             // The lists have room for a little more than six corners a rock.
@@ -204,10 +207,10 @@ impl Need {
         kept += sum(|counts| counts.rocks) * 9.0;
         peak = peak.max(kept + most(|counts| counts.sites)).max(kept + 8.0 * most(|counts| counts.corners));
         let copies = sum(|counts| 12.0 * counts.sites + 8.0 * counts.corners + 13.0 * counts.rocks);
-        Need { peak, copies: copies + 24.0 * vertices + 12.0 * triangles }
+        Need { peak, until_selection, copies: copies + 24.0 * vertices + 12.0 * triangles }
     }
 
-    /// All of it together, where so many bytes had been held before.
+    /// All of it together, where so many bytes have been taken before.
     pub(crate) fn bytes(&self, before: f64) -> u64 {
         (INSTANCE + HOLES * self.peak.max(before) + self.copies) as u64
     }

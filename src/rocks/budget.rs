@@ -56,7 +56,8 @@ impl Generator {
             need = of(self);
         }
         let bytes = need.bytes(0.0);
-        self.estimate = self.estimate.max(need.bytes(self.held_before));
+        self.peak_before = self.peak_before.max(need.until_selection);
+        self.estimate = self.estimate.max(need.bytes(self.peak_before));
         if bytes > self.max_bytes {
             return MemoryEstimate { bytes, ..memory_estimate(params) }.check(self.max_bytes);
         }

@@ -44,8 +44,8 @@ pub struct Generator {
     pub(super) max_bytes: u64,
     /// What was known when the memory was last estimated.
     pub(super) checked: Known,
-    /// Bytes of the run before that were there at the start.
-    pub(super) held_before: f64,
+    /// Bytes at the peak so far: of what the run before has left, and of the run's stages up to the selection.
+    pub(super) peak_before: f64,
     /// The run has made a selection.
     pub(super) selects: bool,
     /// Most bytes that the run has taken to find clear pixels.
@@ -110,7 +110,7 @@ impl Generator {
         let footprint = self.next_footprint.as_ref().unwrap_or(&self.footprint.0);
         check_before(&params, footprint.is_empty(), max_bytes)?;
         // What the run before has left goes before anything comes, but it was there.
-        self.held_before = self.held();
+        self.peak_before = self.held();
         self.checked = Known::Nothing;
         (self.selects, self.clear_bytes) = (false, 0.0);
         (self.max_bytes, self.estimate, self.refused) = (max_bytes, 0, None);
@@ -144,6 +144,7 @@ impl Generator {
             // Nothing of the old rocks will be used again, and holes where they stood would only fragment the heap.
             self.mesh = Mesh::default();
         }
+        drop(old);
         self.params = Some(params);
         self.go_on();
         Ok(())
@@ -273,7 +274,7 @@ impl Generator {
             let builder = VoronoiBuilder::new(&self.layers[k].sites.value);
             return Ok(Some(Task { layer: k, work: Work::Cells(Box::new(builder)) }));
         }
-        if let Some(task) = self.next_selection() {
+        if let Some(task) = self.next_selection()? {
             return Ok(Some(task));
         }
         self.taken = None;
@@ -316,7 +317,8 @@ impl Generator {
         coarsest_first(self.layers.len(), |k| self.layers[k].sites.value.pixels.len() as f64)
     }
 
-    fn next_selection(&mut self) -> Option<Task> {
+    /// The coarsest layer whose selection is to be made, and those before it, each with the version of its selection.
+    fn stale_selection(&self) -> Option<(usize, SelectionKey, Vec<(usize, u64)>)> {
         let params = self.params.as_ref()?;
         let mut coarser: Vec<(usize, u64)> = Vec::new();
         for k in self.selection_order() {
@@ -330,23 +332,37 @@ impl Generator {
                 coarser: coarser.iter().map(|&(_, version)| version).collect(),
             };
             if !cache.selection.is_current(&key) {
-                self.selects = true;
-                let taken = self.taken.get_or_insert_with(|| {
-                    let image = [params.image_width, params.image_height];
-                    let mut bitmap = Bitmap::new(image[0], image[1]);
-                    self.footprint.0.flag(image, &mut bitmap);
-                    Taken { bitmap, flagged: Vec::new() }
-                });
-                if let Some(&(unflagged, _)) = coarser.get(taken.flagged.len()) {
-                    return Some(Task { layer: unflagged, work: Work::Flag(0) });
-                }
-                let drop_border = params.border == Border::Drop;
-                let selector = Selector::new(&cache.cells.value, key.threshold, drop_border, params.seed, layer.id);
-                return Some(Task { layer: k, work: Work::Selection(key, Box::new(selector)) });
+                return Some((k, key, coarser));
             }
             coarser.push((k, cache.selection.version));
         }
         None
+    }
+
+    fn next_selection(&mut self) -> Result<Option<Task>, Error> {
+        let Some((k, key, coarser)) = self.stale_selection() else { return Ok(None) };
+        self.check_memory(Known::Sites)?;
+        self.selects = true;
+        Ok(self.new_selection(k, key, &coarser))
+    }
+
+    /// Selects from layer `k`, once the cells of the `coarser` layers are flagged.
+    fn new_selection(&mut self, k: usize, key: SelectionKey, coarser: &[(usize, u64)]) -> Option<Task> {
+        let params = self.params.as_ref()?;
+        let taken = self.taken.get_or_insert_with(|| {
+            let image = [params.image_width, params.image_height];
+            let mut bitmap = Bitmap::new(image[0], image[1]);
+            self.footprint.0.flag(image, &mut bitmap);
+            Taken { bitmap, flagged: Vec::new() }
+        });
+        if let Some(&(unflagged, _)) = coarser.get(taken.flagged.len()) {
+            return Some(Task { layer: unflagged, work: Work::Flag(0) });
+        }
+        let cache = &self.layers[k];
+        let layer = cache.layer.as_ref()?;
+        let drop_border = params.border == Border::Drop;
+        let selector = Selector::new(&cache.cells.value, key.threshold, drop_border, params.seed, layer.id);
+        Some(Task { layer: k, work: Work::Selection(key, Box::new(selector)) })
     }
 
     fn next_mesh(&mut self) -> Option<Task> {
