@@ -317,10 +317,10 @@ impl Generator {
         coarsest_first(self.layers.len(), |k| self.layers[k].sites.value.pixels.len() as f64)
     }
 
-    /// The coarsest layer whose selection is to be made, and those before it, each with the version of its selection.
-    fn stale_selection(&self) -> Option<(usize, SelectionKey, Vec<(usize, u64)>)> {
+    /// The coarsest layer whose selection is to be made.
+    fn stale_selection(&self) -> Option<(usize, SelectionKey)> {
         let params = self.params.as_ref()?;
-        let mut coarser: Vec<(usize, u64)> = Vec::new();
+        let mut coarser = Vec::new();
         for k in self.selection_order() {
             let cache = &self.layers[k];
             let layer = cache.layer.as_ref()?;
@@ -329,25 +329,26 @@ impl Generator {
                 threshold: layer.cell_count.map_or(Threshold::Area(layer.area_fraction), Threshold::Count),
                 border: params.border,
                 footprint: self.footprint.1,
-                coarser: coarser.iter().map(|&(_, version)| version).collect(),
+                coarser: coarser.clone(),
             };
             if !cache.selection.is_current(&key) {
-                return Some((k, key, coarser));
+                return Some((k, key));
             }
-            coarser.push((k, cache.selection.version));
+            coarser.push(cache.selection.version);
         }
         None
     }
 
     fn next_selection(&mut self) -> Result<Option<Task>, Error> {
-        let Some((k, key, coarser)) = self.stale_selection() else { return Ok(None) };
+        let Some((k, key)) = self.stale_selection() else { return Ok(None) };
         self.check_memory(Known::Sites)?;
         self.selects = true;
-        Ok(self.new_selection(k, key, &coarser))
+        Ok(self.new_selection(k, key))
     }
 
-    /// Selects from layer `k`, once the cells of the `coarser` layers are flagged.
-    fn new_selection(&mut self, k: usize, key: SelectionKey, coarser: &[(usize, u64)]) -> Option<Task> {
+    /// Selects from layer `k`, once the cells of all coarser layers are flagged.
+    fn new_selection(&mut self, k: usize, key: SelectionKey) -> Option<Task> {
+        let order = self.selection_order();
         let params = self.params.as_ref()?;
         let taken = self.taken.get_or_insert_with(|| {
             let image = [params.image_width, params.image_height];
@@ -355,8 +356,9 @@ impl Generator {
             self.footprint.0.flag(image, &mut bitmap);
             Taken { bitmap, flagged: Vec::new() }
         });
-        if let Some(&(unflagged, _)) = coarser.get(taken.flagged.len()) {
-            return Some(Task { layer: unflagged, work: Work::Flag(0) });
+        let flagged = taken.flagged.len();
+        if flagged < key.coarser.len() {
+            return Some(Task { layer: order[flagged], work: Work::Flag(0) });
         }
         let cache = &self.layers[k];
         let layer = cache.layer.as_ref()?;
