@@ -4,6 +4,7 @@ import path from 'node:path';
 import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from './env.mjs';
 import { Failure, capture, run, say, step } from './run.mjs';
 import { bindgenProgram } from './setup.mjs';
+import { silencePanics } from './silent-panics.mjs';
 
 const WASM = 'wasm32-unknown-unknown';
 
@@ -15,11 +16,12 @@ export const artefacts = [
   // Functions called once stay functions: V8 makes a third slower code of very large ones.
   { feature: 'generator', profile: 'release', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'], expected: '10–60 s', bindgen: RESET },
   // Small, and as fast as with everything: the size levels of the compiler are as large and half as fast; vectorised loops, the deepest
-  // inlining and loops unrolled in part take 2.6 kB and save no time that can be measured; what panics say, where nobody reads it, takes 3 kB.
+  // inlining and loops unrolled in part take 2.6 kB and save no time that can be measured; what panics say, and where in the sources they
+  // are, takes 3.7 kB, and nobody reads it.
   {
     feature: 'wood-ear',
     profile: 'wood-ear',
-    rustc: ['-C', 'no-vectorize-loops', '-C', 'llvm-args=-inline-threshold=170 -unroll-runtime=false -unroll-allow-partial=false'],
+    rustc: ['-C', 'no-vectorize-loops', '-C', 'llvm-args=-inline-threshold=100 -unroll-runtime=false -unroll-allow-partial=false'],
     silent: true,
     optimise: ['-Os', '--one-caller-inline-max-function-size', '0'],
     expected: '10–60 s',
@@ -68,29 +70,6 @@ async function build({ feature, profile, rustc = [], silent = false, optimise, b
   writeFileSync(stamp, JSON.stringify({ tools, inputs, hash: hashFiles(inputs) }, null, 1));
 }
 
-/** What the standard library calls to panic, and never returns from. */
-const PANICS = /^(core|alloc|std|__rustc)\[\w+\]::(\w+::)*(panic\w*|\w+_fail(ed)?|handle_(alloc_)?error|capacity_overflow|rust_(panic|begin_unwind))$/;
-
-/**
- * Panics trap at once instead of first writing a message that no one reads: wasm has no stderr, and `panic = "abort"` ends in the same
- * trap. (Stable Rust cannot say so yet: `panic = "immediate-abort"`.) The functions are found by their names, which wasm-opt drops.
- */
-async function silencePanics(file) {
-  const { default: binaryen } = await import('binaryen');
-  const module = binaryen.readBinary(readFileSync(file));
-  let found = 0;
-  for (let k = 0; k < module.getNumFunctions(); k++) {
-    const panics = module.getFunctionByIndex(k);
-    const { name, base } = binaryen.getFunctionInfo(panics);
-    if (base || !PANICS.test(name)) continue;
-    binaryen.Function.setBody(panics, module.unreachable());
-    found++;
-  }
-  if (found < 5) throw new Failure(`only ${found} panicking functions have names that scripts/wasm.mjs knows`);
-  writeFileSync(file, module.emitBinary());
-  module.dispose();
-}
-
 function isCurrent({ feature }, tools) {
   if (!existsSync(path.join(pkg, `${feature}_bg.wasm`)) || !existsSync(path.join(pkg, `${feature}.js`))) return false;
   try {
@@ -107,7 +86,7 @@ function stampFile(feature) {
 
 /** Everything but the sources that decides the bytes. */
 function toolVersions() {
-  const files = ['Cargo.toml', 'Cargo.lock', 'scripts/wasm.mjs', 'rust-toolchain.toml', '.cargo/config.toml'];
+  const files = ['Cargo.toml', 'Cargo.lock', 'scripts/wasm.mjs', 'scripts/silent-panics.mjs', 'rust-toolchain.toml', '.cargo/config.toml'];
   const texts = files.map((file) => path.join(root, file)).map((file) => (existsSync(file) ? readFileSync(file) : ''));
   const binaryen = readFileSync(path.join(root, 'node_modules', 'binaryen', 'package.json'));
   return hashOf(capture('rustc', ['-vV'], { cwd: root }) ?? '', lockedVersion('wasm-bindgen'), binaryen, process.env.RUSTFLAGS ?? '', ...texts);

@@ -5,6 +5,7 @@ use glam::{DVec3, Vec3};
 use super::body::Layout;
 use super::pairs::{Bounds, overlapping};
 use super::pose::Plane;
+use super::work::tally;
 
 /// Triangles to a box within a body.
 const GROUP: usize = 12;
@@ -18,6 +19,7 @@ pub(super) struct Boxes {
 impl Boxes {
     /// Boxes of a body; `whole` is the box around all.
     pub(super) fn of(layout: &Layout, positions: &[f32]) -> (Self, Bounds) {
+        tally(30 * layout.triangles.len());
         let mut whole = Bounds::EMPTY;
         let groups = layout.triangles.chunks(GROUP).map(|group| {
             let bounds = Bounds::of(group.as_flattened().iter().map(|v| point(positions, *v)));
@@ -38,10 +40,12 @@ fn point(positions: &[f32], v: u16) -> DVec3 {
 ///
 /// Touching and coplanar faces do not count (decision K11).
 pub(super) fn cross(layout: &Layout, a: (&[f32], &Boxes, &Bounds), b: (&[f32], &Boxes, &Bounds)) -> bool {
+    tally(5 * a.1.groups.len());
     for (g, of_a) in a.1.groups.iter().enumerate() {
         if !of_a.overlaps(b.2) {
             continue;
         }
+        tally(5 * b.1.groups.len());
         for (h, of_b) in b.1.groups.iter().enumerate() {
             if of_a.overlaps(of_b) && groups_cross(layout, (a.0, g), (b.0, h), of_b) {
                 return true;
@@ -52,6 +56,7 @@ pub(super) fn cross(layout: &Layout, a: (&[f32], &Boxes, &Bounds), b: (&[f32], &
 }
 
 fn groups_cross(layout: &Layout, (a, g): (&[f32], usize), (b, h): (&[f32], usize), around_b: &Bounds) -> bool {
+    tally(20 * GROUP);
     let of = |group: usize| layout.triangles.iter().skip(group * GROUP).take(GROUP);
     for s in of(g) {
         let s = s.map(|v| point(a, v));
@@ -71,6 +76,7 @@ fn groups_cross(layout: &Layout, (a, g): (&[f32], usize), (b, h): (&[f32], usize
 
 /// Whether an edge of either passes through the inside of the other.
 pub(super) fn triangles_cross(s: [DVec3; 3], t: [DVec3; 3]) -> bool {
+    tally(50);
     let sides_of_t = t.map(|p| side(s, p));
     if sides_of_t.iter().all(|d| *d >= 0.0) || sides_of_t.iter().all(|d| *d <= 0.0) {
         return false;

@@ -20,6 +20,7 @@ use super::settle::{Settle, Stats};
 use super::spawn::{Individual, Spawn, spawn};
 use super::thesis::Thesis;
 use super::user_log::{LogError, Surface, user_log};
+use super::work::{Part, Work};
 use crate::error::Error;
 use crate::params::wood_ear::{Base, Collisions, Log as LogParams, Params, Stage};
 
@@ -55,6 +56,8 @@ pub struct Generator {
     collide_key: Option<Collisions>,
     mesh: ColonyMesh,
     stats: Stats,
+    /// What is to be done after the preview.
+    work: Work,
     /// What the mesh shows was written by this run or is still right for it.
     preview: bool,
     task: Option<Task>,
@@ -219,13 +222,16 @@ impl Generator {
             Some(Task::Spawn) => 0.2,
             Some(Task::Ground(ground)) => 0.2 + 0.05 * ground.progress(),
             Some(Task::Deform(k)) => 0.25 + 0.05 * *k as f64 / self.spawn.individuals.len().max(1) as f64,
-            // By the time they take: the pairs of the thesis's rule far more than counting what is left.
-            Some(Task::Thesis(thesis)) => 0.3 + 0.5 * thesis.progress(),
-            Some(Task::Press(press)) => 0.3 + 0.5 * press.progress(),
-            Some(Task::Settle(settle)) => 0.8 + 0.2 * settle.progress(),
+            Some(Task::Thesis(thesis)) => self.after_preview(thesis.progress()),
+            Some(Task::Press(press)) => self.after_preview(press.progress()),
+            Some(Task::Settle(settle)) => self.after_preview(settle.progress()),
             Some(Task::Count(count)) => 0.3 + 0.7 * count.progress(),
             None => 1.0,
         }
+    }
+
+    fn after_preview(&self, (part, share): (Part, f64)) -> f64 {
+        0.3 + 0.7 * self.work.done(part, share)
     }
 
     /// Whether the buffers hold this run's colony, with or without its collisions solved, those with the log too. True at the latest when
@@ -323,6 +329,7 @@ impl Generator {
             return None;
         }
         self.stats = Stats::of(&self.mesh);
+        self.work = Work::of(params, self.sheets.len());
         Some(match params.collisions {
             Collisions::Off if !params.clear_log => Task::Count(Box::default()),
             Collisions::Off => {

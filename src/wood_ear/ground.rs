@@ -4,6 +4,7 @@ use glam::DVec3;
 
 use super::log::Log as LogMesh;
 use super::shape::LogShape;
+use super::work::tally;
 use crate::params::wood_ear::Log;
 
 /// cm between the places whose radius is tabulated: as fine as the mesh that is seen.
@@ -27,6 +28,7 @@ impl Ground {
 
     /// Whether a point is outside the log and, with `earth`, above the earth that a grown log lies on; `up` leads out of the log nearby.
     pub(super) fn is_clear(&self, point: DVec3, up: DVec3, earth: bool) -> bool {
+        tally(100);
         match self {
             Ground::Grown(grown) => (point.z > 0.0 || !earth) && grown.is_clear(point),
             Ground::Given(given) => !given.holds(point) && !given.holds(point - GIVEN_MARGIN * up),

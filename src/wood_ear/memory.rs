@@ -5,6 +5,7 @@ use super::feet::wanted;
 use super::generator::Generator;
 use super::log::counts;
 use super::user_log::Surface;
+use super::work::pairs_each;
 use crate::error::Error;
 use crate::params::wood_ear::{Collisions, Params};
 
@@ -84,9 +85,7 @@ fn colony(params: &Params, individuals: f64, collides: bool) -> Need {
     let [v, t] = [f64::from(layout.vertices), layout.triangles.len() as f64];
     let s = f64::from(params.rings * params.meridians);
     let buffers = 24.0 * v + 12.0 * t + 17.0;
-    // Boxes overlap where neighbours are nearer than a wood ear is wide.
-    let near = 16.0 * params.size * params.size * params.density / (87.0 * params.log.spacing * params.log.spacing);
-    let pairs = 0.5 * near.min(individuals);
+    let pairs = pairs_each(params, individuals);
     let settled = 24.0 * v + 4.0 * t + 100.0;
     if individuals * 3.0 * t > MOST_CORNERS {
         return Need { kept: f64::INFINITY, ..Need::default() };

@@ -3,6 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::body::Layout;
+use super::work::tally;
 
 /// A colony as one indexed mesh; every individual has the same number of vertices and triangles.
 ///
@@ -82,6 +83,7 @@ impl ColonyMesh {
 /// The normals of one body from its positions.
 pub(super) fn shade(layout: &Layout, positions: &[f32], normals: &mut [f32], sums: &mut Vec<DVec3>) {
     let at = |v: u16| Vec3::from_slice(&positions[3 * usize::from(v)..]).as_dvec3();
+    tally(20 * layout.triangles.len());
     sums.clear();
     sums.resize(usize::from(layout.vertices), DVec3::ZERO);
     for triangle in &layout.triangles {

@@ -55,6 +55,7 @@ mod shape;
 mod spawn;
 mod thesis;
 mod user_log;
+mod work;
 
 pub use body::Layout;
 pub use bowl::bowl;

@@ -6,6 +6,7 @@ use super::body::{Bend, Layout, RIM_RINGS, Rib, build};
 use super::deform::Sheet;
 use super::ground::Ground;
 use super::spawn::Individual;
+use super::work::tally;
 use crate::params::wood_ear::Params;
 
 /// A half-space n·p ≤ offset that a body keeps to, for the sake of a neighbour.
@@ -42,6 +43,7 @@ impl Poser {
         planes: &[Plane],
         (ground, last): (Option<&Ground>, bool),
     ) {
+        tally(80 * usize::from(layout.vertices));
         let bend = Bend::new(params, individual, sheet.size);
         build(params, layout, sheet, &bend, ground.map_or(0.0, Ground::lift), &mut self.ribs);
         self.points.clear();

@@ -14,6 +14,7 @@ use super::mesh::write;
 use super::pairs::{Bounds, overlapping};
 use super::pose::{Plane, Poser};
 use super::spawn::Individual;
+use super::work::{Part, swept};
 use crate::params::wood_ear::Params;
 
 /// Half the gap at a plane, cm: more than f32 loses within 100 m of the origin.
@@ -115,10 +116,13 @@ impl Press {
         self.planes_set == self.began[0]
     }
 
-    /// A guess: sweeps get shorter.
-    pub(super) fn progress(&self) -> f64 {
-        let within = self.pairs.as_ref().map_or(0.0, |pairs| self.next as f64 / pairs.len().max(1) as f64);
-        1.0 - (1.0 - 0.7 * within) * 0.3_f64.powi(self.sweeps.saturating_sub(1) as i32)
+    /// What it works on, and the share of that which is done.
+    pub(super) fn progress(&self) -> (Part, f64) {
+        if self.sweeps == 0 {
+            return (Part::Models, self.boxes.len() as f64 / self.changed.len().max(1) as f64);
+        }
+        let within = self.pairs.as_ref().map_or(1.0, |pairs| self.next as f64 / pairs.len().max(1) as f64);
+        (Part::Pairs, swept(self.sweeps - 1, within))
     }
 
     /// How many pairs a plane parts.

@@ -7,6 +7,7 @@ use super::deform::Sheet;
 use super::mesh::{ColonyMesh, shade, write};
 use super::pose::{Plane, Poser};
 use super::press::Bodies;
+use super::work::Part;
 
 /// Figures of a finished run.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -105,8 +106,12 @@ impl Settle {
         false
     }
 
-    pub(super) fn progress(&self) -> f64 {
-        0.3 * self.next as f64 / self.moved.len().max(1) as f64 + 0.7 * self.count.progress()
+    /// What it works on, and the share of that which is done.
+    pub(super) fn progress(&self) -> (Part, f64) {
+        if self.next < self.moved.len() {
+            return (Part::Bodies, self.next as f64 / self.moved.len() as f64);
+        }
+        (Part::Count, self.count.progress())
     }
 
     pub(super) fn finish(self, mesh: &mut ColonyMesh, stats: &mut Stats) {

@@ -11,6 +11,7 @@ use super::body::{Bend, Layout};
 use super::deform::Sheet;
 use super::pairs::{Bounds, overlapping};
 use super::spawn::Individual;
+use super::work::{Part, swept, tally};
 
 /// Eq. 3.10's one unit, in units of the size: 1/d² of the raw rim radius at the d = 10 of the thesis (decision K1).
 const STEP: f64 = 0.01;
@@ -79,6 +80,7 @@ impl Thesis {
         let (d, c) = (self.rings, self.meridians);
         let bend = self.bends[self.models.len()];
         let count = sheet.points.len();
+        tally(60 * count);
         let mut model = Model {
             points: vec![DVec3::ZERO; count],
             reach: vec![0.0; count],
@@ -144,9 +146,12 @@ impl Thesis {
         false
     }
 
-    pub(super) fn progress(&self) -> f64 {
-        // The first sweep is nearly all of the work.
-        if self.sweeps > 0 { 1.0 } else { self.next as f64 / self.pairs.len().max(1) as f64 }
+    /// What it works on, and the share of that which is done.
+    pub(super) fn progress(&self) -> (Part, f64) {
+        if self.pairs.is_empty() {
+            return (Part::Models, self.models.len() as f64 / self.bends.len().max(1) as f64);
+        }
+        (Part::Pairs, swept(self.sweeps, self.next as f64 / self.pairs.len() as f64))
     }
 
     /// The sheets, and which of them are not as they were.
@@ -252,6 +257,7 @@ fn find(a: &Model, b: &Model, hits_a: &mut [bool], hits_b: &mut [bool], d: usize
         if !a.strips[f].overlaps(&b.whole) {
             continue;
         }
+        tally(5 * c);
         for g in 0..c {
             let known = hits_a[f] && hits_a[(f + 1) % c] && hits_b[g] && hits_b[(g + 1) % c];
             if known || !a.strips[f].overlaps(&b.strips[g]) {
@@ -262,8 +268,10 @@ fn find(a: &Model, b: &Model, hits_a: &mut [bool], hits_b: &mut [bool], d: usize
                 if !quad.overlaps(&b.strips[g]) {
                     continue;
                 }
+                tally(3 * d);
                 for h in 0..d - 1 {
                     if quad.overlaps(&b.quads[g * (d - 1) + h]) {
+                        tally(150);
                         pierce((a, [e, f]), (b, [h, g]), hits_a, hits_b, d, c);
                         pierce((b, [h, g]), (a, [e, f]), hits_b, hits_a, d, c);
                     }
