@@ -6,7 +6,7 @@ mod common;
 
 use common::Random;
 use common::memory::{INSTANCE, TINY, ten_thousand_seeds};
-use common::wood_ear::{Mesh, cylinder};
+use common::wood_ear::{Mesh, cylinder, random_individuals, unit_or_end};
 use peak_alloc::PeakAlloc;
 use rock_field::Error;
 use rock_field::params::wood_ear::{Base, Collisions, Log, Params};
@@ -17,14 +17,12 @@ static ALLOCATED: PeakAlloc = PeakAlloc;
 
 /// A colony of every kind, of no more individuals and vertices than take a test about a second.
 fn random_params(random: &mut Random) -> Params {
-    let unit = |random: &mut Random| if random.chance(0.3) { random.pick(&[0.0, 1.0]) } else { random.unit() };
-    let off = |random: &mut Random, most: f64| if random.chance(0.5) { 0.0 } else { most * random.unit() };
     loop {
         let log = Log {
             length: random.log_between(40.0, 400.0),
             radius: random.log_between(5.0, 30.0),
-            bend: unit(random),
-            bark: unit(random),
+            bend: unit_or_end(random),
+            bark: unit_or_end(random),
             spacing: random.log_between(1.5, 6.0),
             seed: random.bits() as u32,
         };
@@ -37,23 +35,13 @@ fn random_params(random: &mut Random) -> Params {
             .collect();
         let params = Params {
             seed: random.bits() as u32,
-            density: 100.0 * unit(random) * random.pick(&[0.1, 1.0]),
+            density: 100.0 * unit_or_end(random) * random.pick(&[0.1, 1.0]),
             range: random.log_between(20.0, 200.0),
-            moisture: 100.0 * unit(random),
-            wrinkles: 100.0 * unit(random),
-            size: random.between(1.0, 3.0),
-            size_spread: random.between(1.0, 2.0),
-            rings: random.log_between(3.0, 24.9) as u32,
-            meridians: random.log_between(8.0, 64.9) as u32,
-            per_individual: unit(random),
-            collisions: random.pick(&Collisions::ALL),
-            droop: off(random, 1.0),
-            thickness: off(random, 0.4),
-            foot: off(random, 1.0),
-            clear_log: random.chance(0.3),
             log,
             bases,
-            ..Params::with_defaults()
+            ..random_individuals(random, |random| {
+                [random.log_between(3.0, 24.9), random.log_between(8.0, 64.9)].map(|n| n as u32)
+            })
         };
         let places = 7.3 * log.length * log.radius / (log.spacing * log.spacing);
         let ears = places * params.density / 100.0;

@@ -8,7 +8,7 @@
 
 mod common;
 
-use common::wood_ear::run;
+use common::wood_ear::{random_individuals, run, unit_or_end};
 use common::{Random, field_test};
 use rock_field::params::wood_ear::{Base, Collisions, Log, PRESETS, Params};
 use rock_field::validate::check_colony;
@@ -16,13 +16,11 @@ use rock_field::wood_ear::Generator;
 use sha2::{Digest, Sha256};
 
 fn random_params(random: &mut Random) -> Params {
-    let unit = |random: &mut Random| if random.chance(0.3) { random.pick(&[0.0, 1.0]) } else { random.unit() };
-    let off = |random: &mut Random, most: f64| if random.chance(0.5) { 0.0 } else { most * random.unit() };
     let log = Log {
         length: random.between(40.0, 55.0),
         radius: random.between(5.0, 7.0),
-        bend: unit(random),
-        bark: unit(random),
+        bend: unit_or_end(random),
+        bark: unit_or_end(random),
         spacing: random.between(4.0, 6.0),
         seed: random.bits() as u32,
     };
@@ -35,23 +33,11 @@ fn random_params(random: &mut Random) -> Params {
         .collect();
     Params {
         seed: random.bits() as u32,
-        density: 100.0 * unit(random) * unit(random),
+        density: 100.0 * unit_or_end(random) * unit_or_end(random),
         range: random.between(20.0, 40.0),
-        moisture: 100.0 * unit(random),
-        wrinkles: 100.0 * unit(random),
-        size: random.between(1.0, 3.0),
-        size_spread: random.between(1.0, 2.0),
-        rings: 3 + random.below(5) as u32,
-        meridians: 8 + random.below(8) as u32,
-        per_individual: unit(random),
-        collisions: random.pick(&Collisions::ALL),
-        droop: off(random, 1.0),
-        thickness: off(random, 0.4),
-        foot: off(random, 1.0),
-        clear_log: random.chance(0.3),
         log,
         bases,
-        ..Params::with_defaults()
+        ..random_individuals(random, |random| [3 + random.below(5) as u32, 8 + random.below(8) as u32])
     }
 }
 

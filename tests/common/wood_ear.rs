@@ -1,8 +1,10 @@
 //! What the tests of wood ears share.
 
 use glam::DVec3;
-use rock_field::params::wood_ear::{Log, Params};
+use rock_field::params::wood_ear::{Collisions, Log, Params};
 use rock_field::wood_ear::Generator;
+
+use super::Random;
 
 /// A finished run, and the positions that it showed before its collisions.
 pub struct Run {
@@ -24,6 +26,34 @@ pub fn run(params: &Params) -> Run {
     }
     let preview = preview.unwrap_or_else(|| generator.mesh().positions.clone());
     Run { generator, preview }
+}
+
+/// 0 … 1, and both ends often.
+pub fn unit_or_end(random: &mut Random) -> f64 {
+    if random.chance(0.3) { random.pick(&[0.0, 1.0]) } else { random.unit() }
+}
+
+/// Individuals of any shape and rule, with rings and meridians as `fineness` draws them; everything else at its default.
+pub fn random_individuals(random: &mut Random, fineness: impl Fn(&mut Random) -> [u32; 2]) -> Params {
+    let off = |random: &mut Random, most: f64| if random.chance(0.5) { 0.0 } else { most * random.unit() };
+    let (moisture, wrinkles) = (100.0 * unit_or_end(random), 100.0 * unit_or_end(random));
+    let (size, size_spread) = (random.between(1.0, 3.0), random.between(1.0, 2.0));
+    let [rings, meridians] = fineness(random);
+    Params {
+        moisture,
+        wrinkles,
+        size,
+        size_spread,
+        rings,
+        meridians,
+        per_individual: unit_or_end(random),
+        collisions: random.pick(&Collisions::ALL),
+        droop: off(random, 1.0),
+        thickness: off(random, 0.4),
+        foot: off(random, 1.0),
+        clear_log: random.chance(0.3),
+        ..Params::with_defaults()
+    }
 }
 
 /// A short log with some hundred individuals.
