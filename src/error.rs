@@ -4,7 +4,7 @@
 use std::fmt;
 
 /// What a caller asked for and cannot have. Nothing was changed or allocated.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
     /// A number outside its bounds, or not a number at all.
@@ -41,11 +41,6 @@ pub enum Error {
         /// The id that occurs twice.
         value: u32,
     },
-    /// A preset nobody has heard of.
-    UnknownPreset {
-        /// The name given.
-        value: String,
-    },
     /// The numeric form of the parameters has the wrong length; see [`crate::params::Params::from_flat`].
     MalformedRequest {
         /// Numbers given.
@@ -72,7 +67,6 @@ impl Error {
             Error::NotAnInteger { .. } => "NotAnInteger",
             Error::TooManyLayers { .. } => "TooManyLayers",
             Error::DuplicateLayerId { .. } => "DuplicateLayerId",
-            Error::UnknownPreset { .. } => "UnknownPreset",
             Error::MalformedRequest { .. } => "MalformedRequest",
             Error::OverBudget { .. } => "OverBudget",
         }
@@ -84,7 +78,6 @@ impl Error {
             Error::OutOfRange { key, .. } | Error::NotAnInteger { key, .. } | Error::OverBudget { key, .. } => key,
             Error::TooManyLayers { .. } => "layers",
             Error::DuplicateLayerId { .. } => "id",
-            Error::UnknownPreset { .. } => "preset",
             Error::MalformedRequest { .. } => "params",
         }
     }
@@ -104,7 +97,6 @@ impl Error {
             Error::NotAnInteger { value, .. } => [value, f64::NAN, f64::NAN],
             Error::TooManyLayers { value, max } => [value as f64, 0.0, max as f64],
             Error::DuplicateLayerId { value } => [f64::from(value), f64::NAN, f64::NAN],
-            Error::UnknownPreset { .. } => [f64::NAN; 3],
             Error::MalformedRequest { value, expected } => [value as f64, expected as f64, expected as f64],
             Error::OverBudget { estimate, budget, .. } => [estimate as f64, 0.0, budget as f64],
         }
@@ -126,7 +118,6 @@ impl Error {
             Error::NotAnInteger { .. } => ("@@ is #; it must be a whole number", [key, &place], [value; 3]),
             Error::TooManyLayers { .. } => ("there are # layers; there may be at most #", [""; 2], [value, max, max]),
             Error::DuplicateLayerId { .. } => ("two layers have the id #", [""; 2], [value; 3]),
-            Error::UnknownPreset { value } => ("there is no preset called \"@\"", [value.as_str(), ""], [0.0; 3]),
             Error::MalformedRequest { .. } => ("the request holds # numbers instead of #", [""; 2], [value, max, max]),
             Error::OverBudget { .. } => (
                 "@ would need about # MiB and the budget is # MiB; change @",

@@ -12,8 +12,18 @@ test('the seconds left are those of the stage’s own pace, and none are told be
   // The quick stage's pace is none of the long one's.
   assert.equal(estimate.added({ stage: 'long', fraction: 0.3 }, 200).secondsLeft, undefined);
   assert.equal(estimate.added({ stage: 'long', fraction: 0.32 }, 600).secondsLeft, undefined);
-  assert.equal(estimate.added({ stage: 'long', fraction: 0.301 }, 5000).secondsLeft, undefined);
-  assert.ok(Math.abs(estimate.added({ stage: 'long', fraction: 0.4 }, 10_200).secondsLeft! - 60) < 1e-9);
+  assert.equal(estimate.added({ stage: 'long', fraction: 0.324 }, 5200).secondsLeft, undefined);
+  assert.ok(Math.abs(estimate.added({ stage: 'long', fraction: 0.374 }, 10_200).secondsLeft! - 62.6) < 1e-9);
+});
+
+test('a slow beginning of a stage is soon forgotten', () => {
+  const estimate = new Estimate<'long'>();
+  estimate.added({ stage: 'long', fraction: 0 }, 0);
+  // One percent in a second, then ten percent a second.
+  estimate.added({ stage: 'long', fraction: 0.01 }, 1000);
+  assert.ok(Math.abs(estimate.added({ stage: 'long', fraction: 0.11 }, 2000).secondsLeft! - 8.9) < 1e-9);
+  estimate.added({ stage: 'long', fraction: 0.21 }, 3000);
+  assert.ok(Math.abs(estimate.added({ stage: 'long', fraction: 0.31 }, 4000).secondsLeft! - 6.9) < 1e-9);
 });
 
 test('the other rule is offered where the thesis’s takes long, and nowhere else', () => {
