@@ -21,7 +21,7 @@ export const artefacts = [
   {
     feature: 'wood-ear',
     profile: 'wood-ear',
-    rustc: ['-C', 'no-vectorize-loops', '-C', 'llvm-args=-inline-threshold=170 -unroll-runtime=false -unroll-allow-partial=false'],
+    rustc: ['-C', 'no-vectorize-loops', '-C', 'llvm-args=-inline-threshold=150 -unroll-runtime=false -unroll-allow-partial=false'],
     silent: true,
     optimise: ['-Os', '--one-caller-inline-max-function-size', '0'],
     expected: '10–60 s',
