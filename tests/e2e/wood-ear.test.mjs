@@ -259,7 +259,8 @@ test('a log from a file carries the colony; a broken, foreign or empty file is r
 const SLIVERS = 'v 0 100 0\nv 200 100 0\nv 100 100 0.0000000001\nv 0 -100 0\nv 200 -100 0\nv 100 -100 0.0000000001\nf 1 2 3\nf 4 5 6\n'.replaceAll('0 0.0000000001', '0.0000000001 0');
 
 test('a log that the generator refuses leaves the old one, on the element, in the panel, in the history and in the address', async () => {
-  const opened = await open('#preset=thesis-default&r=25&d=100');
+  // As the page itself writes it, so that its address stays as it is.
+  const opened = await open('#v=1&preset=thesis-default&d=100&r=25');
   const { page } = opened;
   await page.evaluate(() => {
     window.changes = [];
