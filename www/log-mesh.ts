@@ -27,8 +27,8 @@ export function meshOf(log: Loose): LogMesh {
   for (const [value, max] of [[positions.length / 3, MOST_VERTICES], [given.length / 3, MOST_TRIANGLES]] as const) {
     if (value > max) throw refused('LogTooLarge', `the log has ${value} vertices or triangles; it may have at most ${max}`, { value, min: 0, max });
   }
-  const indices = Uint32Array.from(given);
-  const scale = scaleOfLog(Math.max(extent(positions, indices, 0), extent(positions, indices, 1)));
+  const indices = new Uint32Array(given);
+  const scale = scaleOfLog(extent(positions, indices));
   const scaled = new Float32Array(positions.length);
   for (let i = 0; i < positions.length; i += 1) {
     const value = (scaled[i] = positions[i]! * scale);
@@ -55,15 +55,18 @@ function refused(name: LogErrorName, message: string, numbers: { value?: number;
   return new RockFieldError({ name, key: 'log', message, ...numbers });
 }
 
-/** How far the vertices that triangles use reach along an axis. */
-function extent(positions: ArrayLike<number>, indices: Uint32Array, axis: number): number {
-  let [low, high] = [Infinity, -Infinity];
-  for (const index of indices) {
-    const value = positions[3 * index + axis] ?? NaN;
-    if (value < low) low = value;
-    if (value > high) high = value;
+/** How far the vertices that triangles use reach along x or y, whichever is longer. */
+function extent(positions: ArrayLike<number>, indices: Uint32Array): number {
+  let [left, right, front, back] = [Infinity, -Infinity, Infinity, -Infinity];
+  for (let i = 0; i < indices.length; i += 1) {
+    const at = 3 * indices[i]!;
+    const [x, y] = [positions[at] ?? NaN, positions[at + 1] ?? NaN];
+    if (x < left) left = x;
+    if (x > right) right = x;
+    if (y < front) front = y;
+    if (y > back) back = y;
   }
-  return high - low;
+  return Math.max(right - left, back - front);
 }
 
 /** Whether any triangle does; mostly the first one has. */
@@ -80,7 +83,9 @@ function hasArea(positions: Float32Array, indices: Uint32Array): boolean {
 function numbersOf(key: string, value: unknown): ArrayLike<number> {
   const list = isList(value) ? value : undefined;
   let isRight = list !== undefined;
-  for (let i = 0; isRight && i < list!.length; i += 1) isRight = typeof list![i] === 'number';
+  // What a typed array of numbers holds need not be looked at.
+  const isTyped = list instanceof Float32Array || list instanceof Float64Array || list instanceof Uint32Array || list instanceof Uint16Array;
+  for (let i = 0; !isTyped && isRight && i < list!.length; i += 1) isRight = typeof list![i] === 'number';
   if (!isRight) throw wrongType(key, value, 'a list of numbers', { name: 'the log' });
   return list as ArrayLike<number>;
 }
