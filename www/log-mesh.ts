@@ -55,7 +55,7 @@ function refused(name: LogErrorName, message: string, numbers: { value?: number;
   return new RockFieldError({ name, key: 'log', message, ...numbers });
 }
 
-/** How far the vertices that triangles use reach along x or y, whichever is longer. */
+/** The longer level side of the box around the vertices that triangles use, in the mesh's own units. */
 function extent(positions: ArrayLike<number>, indices: Uint32Array): number {
   let [left, right, front, back] = [Infinity, -Infinity, Infinity, -Infinity];
   for (let i = 0; i < indices.length; i += 1) {
@@ -69,7 +69,7 @@ function extent(positions: ArrayLike<number>, indices: Uint32Array): number {
   return Math.max(right - left, back - front);
 }
 
-/** Whether any triangle does; mostly the first one has. */
+/** Whether any triangle has an area. The first one nearly always has, so that this seldom looks further. */
 function hasArea(positions: Float32Array, indices: Uint32Array): boolean {
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [3 * indices[i]!, 3 * indices[i + 1]!, 3 * indices[i + 2]!];
@@ -83,7 +83,7 @@ function hasArea(positions: Float32Array, indices: Uint32Array): boolean {
 function numbersOf(key: string, value: unknown): ArrayLike<number> {
   const list = isList(value) ? value : undefined;
   let isRight = list !== undefined;
-  // What a typed array of numbers holds need not be looked at.
+  // A typed array holds numbers and nothing else, so that its entries need not be looked at.
   const isTyped = list instanceof Float32Array || list instanceof Float64Array || list instanceof Uint32Array || list instanceof Uint16Array;
   for (let i = 0; !isTyped && isRight && i < list!.length; i += 1) isRight = typeof list![i] === 'number';
   if (!isRight) throw wrongType(key, value, 'a list of numbers', { name: 'the log' });

@@ -8,12 +8,12 @@ const AFTER = { ms: 500, fraction: 0.005 };
 export class Estimate<Stage extends string> {
   #stage: Stage | undefined;
   #began = 0;
-  /** When the stage had come how far, from the report on that the pace is measured from. */
+  /** Reports of the present stage; the first is the one that the pace is measured from. `fraction` is of the whole run, 0 … 1. */
   #reports: [ms: number, fraction: number][] = [];
 
   /**
-   * The report with the seconds left, once they can be told. The pace is that of the later half of the stage's time: at its beginning a
-   * memory grows, and code is still compiled.
+   * Takes a report that came at `now`, ms, and gives it back with `secondsLeft`, once that can be told. The pace is that of the later half
+   * of the stage's time so far: at its beginning the memory still grows and the engine still compiles.
    */
   added(progress: Progress<Stage>, now: number): Progress<Stage> {
     const { stage, fraction } = progress;
