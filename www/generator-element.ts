@@ -99,7 +99,7 @@ export let historyOf: <K extends Kind>(element: GeneratorElement<K>, onEdit: () 
  * @fires error - What went wrong, as data.
  * @fires camera-change - The user moved the camera, or asked for everything.
  * @fires restored - The picture is back after a loss of the device.
- * @fires notice - An attribute could not be taken as it stood.
+ * @fires notice - An attribute could not be taken as it stood. `preventDefault()` keeps the message off the picture.
  */
 export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   readonly #scene: Scene<K>;

@@ -75,12 +75,12 @@ export class MessageBox {
     this.#notices.push(text);
     this.#update();
     clearTimeout(this.#timer);
-    this.#timer = setTimeout(() => this.forgetNotices(), NOTICE_MS);
+    this.#timer = setTimeout(() => this.forget(), NOTICE_MS);
   }
 
-  forgetNotices(): void {
-    clearTimeout(this.#timer);
-    this.#notices = [];
+  /** Takes a notice back; without `text`, all of them. */
+  forget(text?: string): void {
+    this.#notices = this.#notices.filter((notice) => text !== undefined && notice !== text);
     this.#update();
   }
 

@@ -123,9 +123,11 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
     store.setBackend(element.backend);
     if (!isSaid) store.say((language) => translate(language, 'lostPicture'));
   });
-  listen('notice', ({ detail }: SceneEventMap<string>['notice']) => {
-    // What is offered beside the progress is not said twice.
-    if (detail.message !== store.offer?.text) store.say(() => detail.message);
+  listen('notice', (event: SceneEventMap<string>['notice']) => {
+    // The page says it, or offers the remedy beside the progress.
+    event.preventDefault();
+    const { message } = event.detail;
+    if (message !== store.offer?.text) store.say(() => message);
   });
   listen('camera-change', ({ detail }: SceneEventMap<string>['camera-change']) => {
     // The default camera is no part of a link.
@@ -179,12 +181,13 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
   });
   if (isLink(store.table, location.hash)) rememberScene(link());
 
-  window.addEventListener('hashchange', () => {
+  window.addEventListener('hashchange', ({ newURL }) => {
+    // Not the present address: an edit may have been written to it since, which is older than what was put there.
+    const { hash } = new URL(newURL);
     // A place on the page, not a scene: what is shown stays.
-    if (location.hash !== '' && !isLink(store.table, location.hash)) return;
-    // An edit on its way to the address is older than what was put there.
+    if (hash !== '' && !isLink(store.table, hash)) return;
     clearTimeout(addressTimer);
-    const opened = readLink(location.hash);
+    const opened = readLink(hash);
     store.open(opened);
     element.camera = store.camera = opened.camera;
   });

@@ -376,7 +376,7 @@ export abstract class SceneElement extends Base {
 
   /** False when it is an `error` that a listener tells the user itself. */
   protected emit(type: string, detail: unknown = null): boolean {
-    return this.dispatchEvent(new CustomEvent(type, { detail, bubbles: false, composed: true, cancelable: type === 'error' }));
+    return this.dispatchEvent(new CustomEvent(type, { detail, bubbles: false, composed: true, cancelable: /error|notice/.test(type) }));
   }
 
   /** An `error` event, at most one a second; also a message in the element while it has no picture to show instead. */
@@ -409,16 +409,20 @@ export abstract class SceneElement extends Base {
     if (this.#failure && (this.#kept.renderer || isPassing(this.#failure))) this.regrow();
   }
 
-  /** Something was put right, or left out, for an attribute: said once on the console, once by event, for a while on the picture. */
+  /** Something was put right, or left out, for an attribute: said once on the console, once by event, for a while on the picture unless the event is prevented. */
   protected notify(message: string): void {
     console.warn(`<${this.localName}>: ${message}`);
-    this.say(message);
-    this.emit('notice', { message });
+    if (this.emit('notice', { message })) this.say(message);
   }
 
   /** Shown on the picture for a while. */
   protected say(text: string): void {
     this.#tree.messages.notify(text);
+  }
+
+  /** Takes back what is said on the picture and no longer holds. */
+  protected unsay(text: string): void {
+    this.#tree.messages.forget(text);
   }
 
   /** Asks for a frame; many calls, one frame. */
@@ -507,7 +511,7 @@ export abstract class SceneElement extends Base {
     this.#camera.stay();
     this.#visibility = undefined;
     this.#size = undefined;
-    this.#tree.messages.forgetNotices();
+    this.#tree.messages.forget();
     if (this.#painted) this.#renewReadiness();
     if (this.#isStarted) this.closed();
     this.#isStarted = false;

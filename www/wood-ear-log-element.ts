@@ -99,8 +99,8 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
   #framed: readonly unknown[] = [];
   #handles: BaseHandles | undefined;
   #listening: AbortController | undefined;
-  /** The present run has been told to be slow. */
-  #isSlowTold = false;
+  /** What was said of the present run, which is slow. */
+  #slow = '';
   /** A base is being dragged. */
   #isHeld = false;
   /** The file that is being read or tried. */
@@ -213,10 +213,13 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
 
   /** Once for each run. */
   protected override heard(progress: Progress<WoodEarStage> | null): void {
-    if (!progress || progress.stage !== 'collide') this.#isSlowTold = false;
-    if (!progress || this.#isSlowTold || !isSlowThesis(progress, this.params)) return;
-    this.#isSlowTold = true;
-    this.notify(saySlow(this.language, timeLeft(progress, this.language)));
+    if (this.#slow !== '' && progress?.stage !== 'collide') {
+      this.unsay(this.#slow);
+      this.#slow = '';
+    }
+    if (!progress || this.#slow !== '' || !isSlowThesis(progress, this.params)) return;
+    this.#slow = saySlow(this.language, timeLeft(progress, this.language));
+    this.notify(this.#slow);
   }
 
   protected override present(scene: WoodEarScene): boolean {

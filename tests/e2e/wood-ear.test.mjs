@@ -406,6 +406,50 @@ test('a phone has the picture and a sheet of controls, and Japanese has all its 
   await closeClean(opened);
 });
 
+test('a long run is told once, beside the offer of the other rule, clear of what the picture says, and until it ends', async () => {
+  const opened = await open(`${SMALL}&co=thesis`, { viewport: { width: 1280, height: 800 }, locale: 'en-US' });
+  const { page } = opened;
+  const tell = (progress) => page.evaluate((given) => document.querySelector('wood-ear-log').tellProgress(given), progress);
+  const box = page.locator('[part=message]');
+  const offer = page.locator('.progress-offer');
+  for (const [language, words] of [['en', 'about 40 seconds'], ['ja', '約40 秒']]) {
+    await page.locator(`input[name="language"][value="${language}"]`).evaluate((button) => button.click());
+    await tell({ stage: 'collide', fraction: 0.31, secondsLeft: 40 });
+    await offer.filter({ hasText: words }).waitFor();
+    assert.ok(!(await box.innerText()).includes(words), 'it is said twice');
+    // What the picture has to say for itself meanwhile, with its button.
+    await page.evaluate(() => document.querySelector('wood-ear-log').say('Words of the picture itself, long enough to need a second line where the window is no wider than a phone.'));
+    for (const [width, height] of [[1280, 800], [844, 390], [360, 740], [320, 640]]) {
+      await page.setViewportSize({ width, height });
+      const covered = await page.evaluate(() => {
+        const boxes = [document.querySelector('.progress'), document.querySelector('wood-ear-log').shadowRoot.querySelector('[part=message]')].map((one) => one.getBoundingClientRect());
+        const [a, b] = boxes;
+        const isCovered = Math.min(a.bottom, b.bottom) > Math.max(a.top, b.top) && Math.min(a.right, b.right) > Math.max(a.left, b.left);
+        return isCovered || boxes.some(({ top }) => top < 0) ? boxes.map(({ top, bottom }) => [top, bottom]) : false;
+      });
+      assert.equal(covered, false, `${language} at ${width} × ${height}`);
+    }
+    await tell(null);
+  }
+  // On another page the element says it by itself.
+  const said = await page.evaluate(() => {
+    document.body.innerHTML = '<wood-ear-log backend="null" density="4" collisions="thesis"></wood-ear-log>';
+    const element = document.body.firstChild;
+    const box = element.shadowRoot.querySelector('[part=message]');
+    const words = () => (box.hidden ? '' : box.innerText);
+    return element.getColony().then(() => {
+      const heard = [];
+      for (const progress of [{ stage: 'collide', fraction: 0.31, secondsLeft: 40 }, { stage: 'collide', fraction: 0.32, secondsLeft: 30 }, null]) {
+        element.tellProgress(progress);
+        heard.push(words());
+      }
+      return heard;
+    });
+  });
+  assert.deepEqual([said[0] !== '', said[1] === said[0], said[2]], [true, true, '']);
+  await opened.close();
+});
+
 for (const colorScheme of ['light', 'dark']) {
   test(`axe finds nothing to complain about in ${colorScheme} colours`, async () => {
     const opened = await open(SMALL, { colorScheme });

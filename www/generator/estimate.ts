@@ -3,7 +3,7 @@
 import type { Progress } from './protocol.ts';
 
 /** Before a stage has run for so long and come so far, nothing can be told. */
-const AFTER = { ms: 500, fraction: 0.005 };
+const AFTER = { ms: 1000, fraction: 0.005 };
 
 export class Estimate<Stage extends string> {
   #stage: Stage | undefined;
