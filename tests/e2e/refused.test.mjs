@@ -240,27 +240,36 @@ test('a control keeps the value that was refused, with its message; address, Sha
 
 test('a control of an element\'s own panel keeps the value that was refused, with its message, and the picture stays', async () => {
   const { page, errors, close } = await open('rocks.html');
-  await page.evaluate(() => {
-    a.style.cssText = 'display: block; width: 700px; height: 300px';
-    a.controls = 'open';
+  // `control` is what the panel calls the parameter `key`.
+  const refuses = async ({ control, key, refusable, kept, taken }) => {
+    await page.evaluate(() => (a.controls = 'open'));
+    const number = page.locator(`[id="${control}-number"]`);
+    const problem = page.locator(`[data-param="${control}"] .control-problem`);
+    const before = await page.evaluate((name) => {
+      globalThis.before = a[name];
+      return [JSON.stringify(a.params), a.shareURL()];
+    }, kept);
+    await number.fill(refusable);
+    await problem.waitFor();
+    assert.match(await problem.textContent(), /MiB.*MiB/);
+    await number.blur();
+    assert.equal(await number.inputValue(), refusable);
+    assert.deepEqual(await page.evaluate((name) => [JSON.stringify(a.params), a.shareURL(), a[name] === before], kept), [...before, true]);
+    const panel = page.locator('[part=panel]');
+    assert.ok(await panel.getByRole('button', { name: 'Undo' }).isDisabled());
+    // The next edit is of its own parameter alone, and the message goes.
+    await panel.getByRole('button', { name: 'Next seed' }).click();
+    await page.waitForFunction((name) => a[name] !== before, kept, { polling: 100 });
+    assert.deepEqual([await number.inputValue(), await problem.count(), await page.evaluate((name) => [a.seed, a[name]], key)], [taken, 0, [1, key === 'radius' ? [Number(taken)] : Number(taken)]]);
+  };
+  await page.evaluate(() => (a.style.cssText = 'display: block; width: 700px; height: 300px'));
+  await refuses({ control: 'r-0', key: 'radius', refusable: '1', kept: 'field', taken: '200' });
+  await page.evaluate(async () => {
+    await import('/wood-ear-log.js');
+    a.outerHTML = '<wood-ear-log id="a" backend="null" density="4" range="100" rings="24" meridians="64" log-spacing="1.5" collisions="off" style="display: block; width: 700px; height: 300px"></wood-ear-log>';
+    await a.getColony();
   });
-  const number = page.locator('[id="r-0-number"]');
-  const problem = page.locator('[data-param="r-0"] .control-problem');
-  const before = await page.evaluate(() => {
-    globalThis.before = a.field;
-    return [JSON.stringify(a.params), a.shareURL()];
-  });
-  await number.fill('1');
-  await problem.waitFor();
-  assert.match(await problem.textContent(), /MiB.*MiB/);
-  await number.blur();
-  assert.equal(await number.inputValue(), '1');
-  assert.deepEqual(await page.evaluate(() => [JSON.stringify(a.params), a.shareURL(), a.field === before]), [...before, true].flat());
-  assert.ok(await page.locator('[part=panel]').getByRole('button', { name: 'Undo' }).isDisabled());
-  // The next edit is of its own parameter alone, and the message goes.
-  await page.locator('[part=panel]').getByRole('button', { name: 'Next seed' }).click();
-  await page.waitForFunction(() => a.field !== before, undefined, { polling: 100 });
-  assert.deepEqual([await number.inputValue(), await problem.count(), await page.evaluate(() => [a.seed, a.radius])], ['200', 0, [1, [200]]]);
+  await refuses({ control: 'd', key: 'density', refusable: '100', kept: 'colony', taken: '4' });
   assert.deepEqual(errors, []);
   await close();
 });
