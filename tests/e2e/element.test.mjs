@@ -1,6 +1,7 @@
 // <rock-field> in a real browser: lifecycle, sizing, frames, loss, attributes. Drawn by WebGL2 unless said otherwise.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { decodePng } from '../engines/png.mjs';
 import { launch, pageOf } from './browser.mjs';
 
 /** Everything the element could leave behind is counted. */
@@ -250,6 +251,19 @@ test('src is a share link: everything is taken from it, what is wrong in it is n
   assert.equal(state.notices.length, 1);
   assert.match(state.notices[0], /^src: .*cd/);
   assert.deepEqual(errors, []);
+  await close();
+});
+
+test('before the first picture one sees what the page has put behind the element, not a black canvas', async () => {
+  const body = '<rock-field id="a" style="--rock-field-background: rgb(0 160 0)"></rock-field><script>listenTo(a)</script>';
+  const { page, close } = await open(body, { painted: false, prepare: (page) => page.route('**/generator_bg-*', (route) => route.abort()) });
+  await page.waitForFunction(() => types().includes('error') && a.shadowRoot.querySelector('.stage canvas'), undefined, { polling: 100 });
+  const { data, width, channels } = decodePng(await page.screenshot({ scale: 'css', clip: { x: 0, y: 0, width: 400, height: 100 } }));
+  assert.deepEqual([...data.subarray(channels * (50 * width + 200)).subarray(0, 3)], [0, 160, 0]);
+  await page.unrouteAll();
+  await page.evaluate(() => a.generate());
+  await page.evaluate(() => a.ready);
+  assert.equal(await page.evaluate(() => getComputedStyle(a.shadowRoot.querySelector('.stage canvas')).opacity), '1');
   await close();
 });
 
