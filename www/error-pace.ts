@@ -4,18 +4,25 @@ import type { ErrorInfo } from './errors.ts';
 
 const PACE_MS = 1000;
 
+/** `shown`: the element has said it by itself, when it happened. */
+export interface ErrorDetail {
+  error: ErrorInfo;
+  shown: boolean;
+}
+
 export class ErrorPace {
-  readonly #tell: (error: ErrorInfo) => void;
+  readonly #tell: (detail: ErrorDetail) => void;
   /** What is still to be told. Of several that say the same of the same, the last. */
-  readonly #waiting = new Map<string, ErrorInfo>();
+  readonly #waiting = new Map<string, ErrorDetail>();
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  constructor(tell: (error: ErrorInfo) => void) {
+  constructor(tell: (detail: ErrorDetail) => void) {
     this.#tell = tell;
   }
 
-  push(error: ErrorInfo): void {
-    this.#waiting.set(`${error.name} ${error.key} ${error.layer}`, error);
+  push(detail: ErrorDetail): void {
+    const { name, key, layer } = detail.error;
+    this.#waiting.set(`${name} ${key} ${layer}`, detail);
     if (this.#timer === undefined) this.#next();
   }
 

@@ -8,7 +8,7 @@ import type { Edition } from './controls/scene-store.ts';
 import { CAN_SHOW } from './document-styles.ts';
 import type { ControlsButton, PanelModule } from './controls-button.ts';
 import { errorInfo, isAbort, RockFieldError, UNAVAILABLE } from './errors.ts';
-import type { ErrorInfo } from './errors.ts';
+import type { ErrorDetail } from './error-pace.ts';
 import type { Progress } from './generator/protocol.ts';
 import { CODE, History } from './history.ts';
 import type { SceneLink } from './link.ts';
@@ -31,7 +31,7 @@ export interface SceneEventMap<Stage extends string> {
   /** A run of more than 200 ms is under way. */
   progress: CustomEvent<Progress<Stage>>;
   /** Something went wrong; at most one a second. `shown`: the element says so itself, over its picture. */
-  error: CustomEvent<{ error: ErrorInfo; shown: boolean }>;
+  error: CustomEvent<ErrorDetail>;
   /** The user moved the camera, or asked for everything. */
   'camera-change': CustomEvent<{ camera: CameraState; framed: boolean }>;
   /** The picture is back after a loss of the device. */

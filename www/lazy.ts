@@ -21,16 +21,24 @@ export function tellMissingFile(isSaid = false): void {
   listener?.(isSaid);
 }
 
+/** A script of some kB that has not come after so long does not come, ms. */
+const SCRIPT_MS = 15_000;
+
 /**
  * The module that `load` imports. `isSaid` as in `onMissingFile`.
  *
- * @throws {RockFieldError} `ScriptUnavailable`. A later call tries again, in browsers that do not remember a failed import.
+ * @throws {RockFieldError} `ScriptUnavailable`. A later call tries again, in browsers that do not remember a failed import; a script
+ * that comes late after all is there for it.
  */
 export async function lazily<Module>(load: () => Promise<Module>, isSaid = false): Promise<Module> {
+  let timer: ReturnType<typeof setTimeout> | undefined;
   try {
-    return await load();
+    const late = new Promise<never>((_, reject) => (timer = setTimeout(reject, SCRIPT_MS, 'it does not arrive')));
+    return await Promise.race([load(), late]);
   } catch (cause) {
     tellMissingFile(isSaid);
     throw scriptUnavailable(cause);
+  } finally {
+    clearTimeout(timer);
   }
 }

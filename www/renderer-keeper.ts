@@ -1,6 +1,6 @@
 /** Keeps a scene drawn: opens its renderer, and another one when the graphics device is lost. */
 
-import type { ErrorInfo } from './errors.ts';
+import type { ErrorInfo, RockFieldError } from './errors.ts';
 import { lazily } from './lazy.ts';
 import type { Language } from './params.ts';
 import type { Recovery } from './renderer-recovery.ts';
@@ -39,7 +39,7 @@ export class RendererKeeper {
   /** Counts openings and closings; compared after every await. */
   #cycle = 0;
   /** Fetched beside the renderer: what helps when the network is gone has to be there before that. */
-  #recovery: Promise<Recovery | undefined> | undefined;
+  #recovery: Promise<Recovery> | undefined;
   #standing: Recovery | undefined;
 
   constructor(scene: KeptScene) {
@@ -64,10 +64,8 @@ export class RendererKeeper {
     const cycle = (this.#cycle += 1);
     void this.#open(cycle, this.#backends());
     const again = async () => cycle === this.#cycle && this.#open(cycle, this.#backends('canvas2d'), true);
-    this.#recovery = lazily(() => import('./renderer-recovery.ts'), true).then(
-      ({ Recovery }) => new Recovery({ again, said: () => this.#scene.said() }),
-      () => undefined,
-    );
+    this.#recovery = lazily(() => import('./renderer-recovery.ts'), true).then(({ Recovery }) => new Recovery({ again, said: () => this.#scene.said() }));
+    this.#recovery.catch(() => undefined);
   }
 
   close(): void {
@@ -86,7 +84,7 @@ export class RendererKeeper {
   /** Tries at once to draw as it was asked for, if that is not so. */
   retry(): void {
     if (this.#standing) void this.#standing.retry();
-    else if (!this.#renderer) void this.#open(this.#cycle, this.#backends());
+    else if (!this.#isWhole(this.#renderer)) this.open();
   }
 
   /** Draws with the renderer, if there is one; `restored` is the first picture after a loss. */
@@ -123,6 +121,11 @@ export class RendererKeeper {
     return backendsOf(wanted).filter((backend) => backend !== without || backend === wanted);
   }
 
+  /** Whether the renderer is one that was asked for, not the plan in its stead. */
+  #isWhole(renderer: SceneRenderer | undefined): boolean {
+    return renderer !== undefined && (renderer.backend !== 'canvas2d' || this.#scene.wantedBackend() === 'canvas2d');
+  }
+
   /** True when the picture is drawn as it was asked for. Another try changes nothing unless it succeeds. */
   async #open(cycle: number, backends: readonly Backend[], isRetry = false): Promise<boolean> {
     const refusals: Refusal[] = [];
@@ -131,7 +134,7 @@ export class RendererKeeper {
       renderer?.dispose();
       return false;
     }
-    const isWhole = renderer !== undefined && (renderer.backend !== 'canvas2d' || this.#scene.wantedBackend() === 'canvas2d');
+    const isWhole = this.#isWhole(renderer);
     if (isRetry && !isWhole) return false;
     try {
       if (renderer) this.#scene.fill(renderer);
@@ -157,10 +160,15 @@ export class RendererKeeper {
 
   /** The plan stands in, or nothing does: says why, and tries again from time to time. */
   async #lack(cycle: number, refusals: readonly Refusal[]): Promise<void> {
-    const recovery = await this.#recovery;
-    if (cycle !== this.#cycle) return;
-    this.#standing = recovery;
-    recovery?.begin(refusals, this.#losses.length, this.#losses.length > MAX_LOSSES);
+    try {
+      const recovery = await this.#recovery;
+      if (cycle !== this.#cycle) return;
+      this.#standing = recovery;
+      recovery?.begin(refusals, this.#losses.length, this.#losses.length > MAX_LOSSES);
+    } catch (thrown) {
+      // Where nothing at all is drawn, that has been told.
+      if (cycle === this.#cycle && this.#renderer) this.#scene.report(thrown as RockFieldError);
+    }
   }
 
   /** The device or context is gone: a new canvas and renderer, the same field, the same camera. */

@@ -15,9 +15,6 @@ const LOOK_EVERY_MS = 200;
 /** A renderer that has lived for so long was no accident: after its loss the waits begin anew. */
 const STEADY_MS = 30_000;
 
-// The plan stands in for the renderer, so it has to be here before the network may be gone. Whoever draws it hears of a failure.
-import('./renderer/canvas2d.ts').catch(() => undefined);
-
 const REASONS = {
   noGpu: {
     en: 'This browser offers neither WebGPU nor WebGL2 here, so the plan is drawn instead of the rocks.',
@@ -146,4 +143,16 @@ function reasonOf(refusals: readonly Refusal[], losses: number, isTooMany: boole
   if (isTooMany) return 'lostOften';
   if (losses > 0) return 'lost';
   return errors.every(({ message }) => ABSENT.test(message)) ? 'noGpu' : 'refused';
+}
+
+/** What the browser still has to tell an instance of the renderer's wasm that is no more concerns nobody. */
+export function ignoreStale(): void {
+  for (const type of ['error', 'unhandledrejection']) addEventListener(type, ignoreIfStale, true);
+}
+
+function ignoreIfStale(event: Event): void {
+  const { error, reason } = event as Event & { error?: unknown; reason?: unknown };
+  if (!/previous WASM instance/i.test(String(error ?? reason))) return;
+  event.preventDefault();
+  event.stopImmediatePropagation();
 }

@@ -89,7 +89,7 @@ export abstract class SceneElement extends Base {
 
   /** Why there is no picture, or not the one that was asked for. */
   #failure: ErrorInfo | null = null;
-  #pace = new ErrorPace((error) => this.emit('error', { error, shown: this.#shows(error) }));
+  #pace = new ErrorPace((detail) => this.emit('error', detail));
   /** Who waits for one. */
   #waiting: ((error?: RockFieldError) => void)[] = [];
 
@@ -386,7 +386,7 @@ export abstract class SceneElement extends Base {
       this.#sayFailure(error);
       if (!this.#hasPicture()) this.#tellWaiting(new RockFieldError(error));
     }
-    this.#pace.push(error);
+    this.#pace.push({ error, shown: this.#shows(error) });
   }
 
   /** Whether the element's own message says it. */

@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
-import { PATIENCE, launch } from './browser.mjs';
+import { PATIENCE, launch, until } from './browser.mjs';
 
 /** `heard` tells what the element said. `null` draws nothing: these tests are about the generators. */
 const html = (element, script) => `<!doctype html><meta charset="utf-8"><title>deaths</title><link rel="icon" href="data:,">
@@ -135,10 +135,22 @@ test('the plan is drawn again when the browser restores its canvas', async () =>
 });
 
 const missing = (response) => response.writeHead(404, { 'content-type': 'text/plain' }).end('gone');
-/** The first new try comes by itself after a second, later ones not at all: after one in vain it is the button that helps. */
-const holdLongTimers = () => {
-  const { setTimeout: later } = globalThis;
-  globalThis.setTimeout = (act, ms, ...rest) => (ms > 1000 ? 0 : later(act, ms, ...rest));
+/** In the page: timers of a second or more are held until `passTime` is called. */
+const holdTimers = () => {
+  const { setTimeout: later, clearTimeout: clear } = globalThis;
+  const held = new Map();
+  let id = 0;
+  globalThis.setTimeout = (act, ms, ...rest) => {
+    if (!(ms >= 1000)) return later(act, ms, ...rest);
+    held.set((id -= 1), () => act(...rest));
+    return id;
+  };
+  globalThis.clearTimeout = (id) => held.delete(id) || clear(id);
+  globalThis.passTime = () => {
+    const acts = [...held.values()];
+    held.clear();
+    for (const act of acts) act();
+  };
 };
 /** Everything that is said over the picture, by the element and by the page. */
 const boxes = (page) => page.locator('[part=message], stage-overlay .message').filter({ visible: true });
@@ -153,7 +165,8 @@ for (const [address, lang, file, words, label] of [
 ]) {
   test(`${address.replace(/#.*/, '')} in ${lang} without ${file}…: one box that is true, whose button works once the file is there`, async () => {
     broken = { [file]: missing };
-    const { page, close } = await session.open(address, { locale: lang, prepare: (page) => page.addInitScript(holdLongTimers) });
+    // No new try comes by itself: it is the button that helps.
+    const { page, close } = await session.open(address, { locale: lang, prepare: (page) => page.addInitScript(holdTimers) });
     await boxes(page).filter({ hasText: words }).waitFor();
     assert.equal(await boxes(page).count(), 1, (await boxes(page).allInnerTexts()).join(' | '));
     const button = boxes(page).getByRole('button', { name: label });
@@ -166,6 +179,8 @@ for (const [address, lang, file, words, label] of [
       const element = document.querySelector('rock-field, wood-ear-log');
       return element.field && /webgl|null/.test(element.backend);
     });
+    // The second failure is told a second after the first: by now it is overcome.
+    await page.evaluate(() => passTime());
     assert.deepEqual(await boxes(page).allInnerTexts(), []);
     await close();
   });
@@ -208,36 +223,56 @@ for (const [address, lang, words] of [
   });
 }
 
-test('a network that falls silent while it brings the renderer: the plan, true words and a button', async () => {
-  const names = readdirSync(dist);
-  const renderer = names.find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
-  const generator = names.find((name) => /^generator_bg-.*\.wasm$/.test(name));
-  const chunks = names.filter((name) => /^chunk-.*\.js$/.test(name)).map((name) => [name, readFileSync(path.join(dist, name), 'utf8')]);
-  /** Of the plan, of what starts wasm, of the renderer: for each the scripts that have it. */
-  const needed = ['no 2D canvas', 'is too old for it', 'WebGL2RenderingContext'].map((words) => chunks.filter(([, text]) => text.includes(words)).map(([name]) => name));
-  let ask;
-  const asked = new Promise((resolve) => (ask = resolve));
-  broken = {
-    [renderer]: (response) => void response.writeHead(200, { 'content-type': 'application/wasm' }).write(readFileSync(path.join(dist, renderer)).subarray(0, 9000)),
-    [generator]: ask,
-  };
-  const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200');
-  // All of it is there before the rocks are: afterwards nothing more may arrive.
-  await page.waitForFunction((lists) => {
-    const entries = performance.getEntriesByType('resource');
-    return lists.every((list) => list.some((name) => entries.some((entry) => entry.name.includes(name))));
-  }, needed);
-  const rocks = await asked;
-  broken = { '/': () => undefined };
-  rocks.writeHead(200, { 'content-type': 'application/wasm' }).end(readFileSync(path.join(dist, generator)));
-  const words = boxes(page).filter({ hasText: /^The 3D renderer could not be loaded; the plan is shown instead/ });
-  await words.getByRole('button', { name: 'Retry' }).waitFor();
-  await page.waitForFunction(() => document.querySelector('rock-field').backend === 'canvas2d' && document.querySelector('rock-field').field);
-  broken = {};
-  await words.getByRole('button', { name: 'Retry' }).click();
-  await page.waitForFunction(() => document.querySelector('rock-field').backend === 'webgl');
-  await close();
-});
+/** The one script of the page that has these words. */
+function scriptWith(words) {
+  const names = readdirSync(dist).filter((name) => /^chunk-.*\.js$/.test(name) && readFileSync(path.join(dist, name), 'utf8').includes(words));
+  assert.equal(names.length, 1, `${words}: ${names}`);
+  return names[0];
+}
+
+const NO_RENDERER = /^The 3D renderer could not be loaded; the plan is shown instead/;
+for (const [when, hanging, words, plan] of [
+  ['after its scripts', [], NO_RENDERER, 'canvas2d'],
+  ['before the words about it', ['The 3D renderer could not be loaded'], /^a script could not be fetched \(it does not arrive\)/, 'canvas2d'],
+  ['before what starts it', ['content security policy|unsafe-eval'], NO_RENDERER, 'canvas2d'],
+  ['before the plan, too', ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded'], /^The rocks cannot be drawn here/, null],
+]) {
+  test(`a network that falls silent while it brings the renderer, ${when}: what can be drawn, true words and a button`, async () => {
+    const all = ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded', 'WebGL2RenderingContext'];
+    const silent = hanging.map(scriptWith);
+    const arriving = all.filter((words) => !hanging.includes(words)).map(scriptWith);
+    const renderer = readdirSync(dist).find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
+    const generator = readdirSync(dist).find((name) => /^generator_bg-.*\.wasm$/.test(name));
+    const send = (name, response) => response.writeHead(200, { 'content-type': name.endsWith('.js') ? 'text/javascript' : 'application/wasm' }).end(readFileSync(path.join(dist, name)));
+    const held = [];
+    let ask;
+    const asked = new Promise((resolve) => (ask = resolve));
+    broken = {
+      ...Object.fromEntries(silent.map((name) => [name, (response) => held.push(() => send(name, response))])),
+      [renderer]: (response) => void response.writeHead(200, { 'content-type': 'application/wasm' }).write(readFileSync(path.join(dist, renderer)).subarray(0, 9000)),
+      [generator]: ask,
+    };
+    const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200', { prepare: (page) => page.addInitScript(holdTimers) });
+    // What is to arrive is there before the rocks are: afterwards nothing more does.
+    await page.waitForFunction((names) => names.every((name) => performance.getEntriesByType('resource').some((entry) => entry.name.includes(name))), arriving);
+    const rocks = await asked;
+    // When the network comes back, what was asked for meanwhile has failed; a browser has few connections, and nothing may keep them.
+    broken = { '/': (response) => held.push(() => response.destroy()) };
+    send(generator, rocks);
+    await page.waitForFunction(() => document.querySelector('rock-field').field);
+    await page.evaluate(() => passTime());
+    const said = boxes(page).filter({ hasText: words });
+    await said.getByRole('button', { name: 'Retry' }).waitFor();
+    assert.equal(await page.evaluate(() => document.querySelector('rock-field').backend), plan);
+    assert.equal(await boxes(page).count(), 1, (await boxes(page).allInnerTexts()).join(' | '));
+    broken = {};
+    held.forEach((answer) => answer());
+    await said.getByRole('button', { name: 'Retry' }).click();
+    await page.waitForFunction(() => document.querySelector('rock-field').backend === 'webgl');
+    await until(async () => (await boxes(page).count()) === 0);
+    await close();
+  });
+}
 
 test('colony and ground die each by itself, at random moments: every run ends with a result or a named error, and the next one works', async () => {
   broken = {};

@@ -146,8 +146,8 @@ test('the words say what is true: no GPU, lost, lost often, busy, or files that 
 test('errors are told at most once a second, equal ones once, and none of another kind is lost', (t) => {
   t.mock.timers.enable({ apis: ['setTimeout'] });
   const told: string[] = [];
-  const pace = new ErrorPace(({ name, message }) => told.push(`${name} ${message}`));
-  const push = (name: ErrorInfo['name'], message: string, key?: string) => pace.push({ name, message, key });
+  const pace = new ErrorPace(({ error: { name, message } }) => told.push(`${name} ${message}`));
+  const push = (name: ErrorInfo['name'], message: string, key?: string) => pace.push({ error: { name, message, key }, shown: true });
   push('WorkerLost', 'first');
   assert.deepEqual(told, ['WorkerLost first']);
   for (let k = 0; k < 5000; k += 1) push('WorkerLost', `again ${k}`);

@@ -9,7 +9,7 @@ import { hasModifier, travel } from './keys.ts';
 import { LAYOUT_STYLES, PANEL_STYLES } from './panel-styles.ts';
 import { isDialogOpen } from './parts.ts';
 import type { OpenPanel, PanelOwner } from '../controls-button.ts';
-import type { ErrorInfo } from '../errors.ts';
+import type { ErrorDetail } from '../error-pace.ts';
 import type { GeneratorElement, SceneEventMap } from '../generator-element.ts';
 import type { History } from '../history.ts';
 import type { Kind } from '../table.ts';
@@ -119,7 +119,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       if (result) store.showResult(result, detail.superseded);
     });
     on('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
-    on('error', (event: CustomEvent<{ error: ErrorInfo; shown: boolean }>) => {
+    on('error', (event: CustomEvent<ErrorDetail>) => {
       // The panel has words for it.
       event.preventDefault();
       if (event.detail.shown) store.setProgress(null);

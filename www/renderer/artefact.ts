@@ -1,6 +1,5 @@
 /** The two renderer artefacts: what they export (`src/bindings/renderer.rs`, `renderer_wood.rs`), and how one is fetched and started. */
 
-import { scriptUnavailable } from '../errors.ts';
 import { lazily, tellMissingFile } from '../lazy.ts';
 import type { GpuBackend } from './device.ts';
 
@@ -126,22 +125,11 @@ export async function loadArtefact(backend: GpuBackend): Promise<RendererModule>
   }
   const module = await loading;
   if (trapped.delete(backend)) {
-    for (const type of ['error', 'unhandledrejection']) addEventListener(type, ignoreStale, true);
     module.__wbg_reset_state();
+    import('../renderer-recovery.ts').then(({ ignoreStale }) => ignoreStale(), () => undefined);
   }
   return module;
 }
-
-/** What the browser still has to tell an instance that is no more concerns nobody. */
-function ignoreStale(event: Event): void {
-  const { error, reason } = event as Event & { error?: unknown; reason?: unknown };
-  if (!/previous WASM instance/i.test(String(error ?? reason))) return;
-  event.preventDefault();
-  event.stopImmediatePropagation();
-}
-
-/** Scripts of some kB that have not come after so long do not come. */
-const SCRIPT_MS = 30_000;
 
 async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   const { load, wasm } = ARTEFACTS[backend];
@@ -150,7 +138,10 @@ async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   const stop = new AbortController();
   const response = fetch(url, { signal: stop.signal });
   response.catch(() => undefined);
-  const [module, { startWasmFile }] = await Promise.race([Promise.all([load() as Promise<RendererModule>, lazily(() => import('../wasm-file.ts'), true)]), late()]);
+  const scripts = Promise.all([load() as Promise<RendererModule>, lazily(() => import('../wasm-file.ts'), true)]);
+  // A request that nobody reads would keep the next one for the same file waiting.
+  scripts.catch(() => stop.abort());
+  const [module, { startWasmFile }] = await scripts;
   arrived = 0;
   const heard = (bytes: number): void => void (arrived = Math.min(1, bytes / (backend === 'webgpu' ? __WEBGPU_BYTES__ : __WEBGL_BYTES__)));
   await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop, heard }).catch(missing).finally(() => (arrived = null));
@@ -160,8 +151,4 @@ async function instantiate(backend: GpuBackend): Promise<RendererModule> {
 function missing(error: unknown): never {
   tellMissingFile(true);
   throw error;
-}
-
-function late(): Promise<never> {
-  return new Promise((_, reject) => setTimeout(() => reject(scriptUnavailable('it does not arrive')), SCRIPT_MS));
 }

@@ -32,9 +32,12 @@ export function backendsOf(wanted: WantedBackend): readonly Backend[] {
  * @param refusals filled with the backends that were tried in vain.
  */
 export async function loadRenderer(makeCanvas: () => HTMLCanvasElement, backends: readonly Backend[], refusals: Refusal[]): Promise<SceneRenderer | undefined> {
+  // The plan stands in for a renderer that does not arrive, so it is asked for before the network may be gone.
+  const plan = backends.includes('canvas2d') ? loadPlan() : undefined;
+  plan?.catch(() => undefined);
   for (const backend of backends) {
     try {
-      return await open(backend, makeCanvas);
+      return await open(backend, makeCanvas, plan);
     } catch (error) {
       refusals.push({ backend, error });
     }
@@ -42,12 +45,16 @@ export async function loadRenderer(makeCanvas: () => HTMLCanvasElement, backends
   return undefined;
 }
 
-async function open(backend: Backend, makeCanvas: () => HTMLCanvasElement): Promise<SceneRenderer> {
+function loadPlan(): Promise<typeof import('./canvas2d.ts')> {
+  return lazily(() => import('./canvas2d.ts'), true);
+}
+
+async function open(backend: Backend, makeCanvas: () => HTMLCanvasElement, plan: ReturnType<typeof loadPlan> | undefined): Promise<SceneRenderer> {
   switch (backend) {
     case 'null':
       return new (await lazily(() => import('./null.ts'))).NullRenderer(makeCanvas());
     case 'canvas2d':
-      return new (await lazily(() => import('./canvas2d.ts'))).Canvas2dRenderer(makeCanvas());
+      return new (await (plan ?? loadPlan())).Canvas2dRenderer(makeCanvas());
     case 'webgpu':
     case 'webgl':
       return GpuRenderer.create(backend, makeCanvas);
