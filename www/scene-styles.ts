@@ -16,7 +16,7 @@ export const SCENE_STYLES = `
   box-shadow: inset 0 0 0 3px rgb(255 255 255 / .75);
 }
 [hidden] { display: none !important }
-.stage:has(+ :not([hidden])) canvas { opacity: 0 }
+.waiting canvas { opacity: 0 }
 .poster { position: absolute; inset: 0; display: grid; place-items: center; pointer-events: none; overflow: hidden }
 .poster-image { width: 100%; height: 100%; object-fit: cover }
 .progress { position: absolute; inset-inline: 0; top: 0; pointer-events: none }

@@ -11,7 +11,7 @@ const HINT_MS = 1500;
 
 export class SceneTree {
   /** Holds the canvas and the focus. */
-  readonly stage = part('div', 'stage');
+  readonly stage = part('div', 'stage waiting');
   readonly messages: MessageBox;
   #poster = part('div', 'poster');
   #posterSlot = slot('poster');
@@ -91,7 +91,9 @@ export class SceneTree {
     this.#poster.append(canvas);
   }
 
+  /** The first picture is there; a canvas without one is black in some browsers. */
   hidePoster(): void {
+    this.stage.className = 'stage';
     this.#poster.hidden = true;
   }
 
