@@ -66,7 +66,7 @@ export async function startWasmFile<T>(address: URL | string, start: (source: Re
     const type = response.headers.get('Content-Type') ?? '';
     const whole = new Response(response.body && counted(response.body), { headers: { 'Content-Type': type } });
     // Any other type cannot be compiled while it arrives. Servers answer an unknown path with a page, so look first.
-    if (type.startsWith('application/wasm')) return await started(name, whole, start);
+    if (type.startsWith('application/wasm') && !(heard && isNarrow())) return await started(name, whole, start);
     const file = await whole.arrayBuffer();
     const magic = new Uint8Array(file, 0, Math.min(4, file.byteLength));
     if (String.fromCharCode(...magic) !== '\0asm') throw unavailable(`${name} is not a wasm file: the server sent ${type || 'something without a type'} instead`);
@@ -87,6 +87,14 @@ export async function started<S, T>(name: string, source: S, start: (source: S) 
     const isForbidden = cause instanceof Error && /content security policy|unsafe-eval/i.test(cause.message);
     throw unavailable(isForbidden ? `${name} may not be compiled: a Content-Security-Policy must allow 'wasm-unsafe-eval'` : `${name} could not be started: the file is damaged, or this browser is too old for it`, cause);
   }
+}
+
+/**
+ * Whether a file that is compiled while it arrives holds up all others: Firefox compiles one at a time on two cores, and what grows the rocks
+ * would wait for the whole renderer.
+ */
+function isNarrow(): boolean {
+  return navigator.hardwareConcurrency <= 2;
 }
 
 export function unavailable(message: string, cause?: unknown): RockFieldError {
