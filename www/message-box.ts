@@ -14,7 +14,7 @@ export class MessageBox {
   #text = document.createElement('span');
   #button = document.createElement('button');
   #error = '';
-  #notices: string[] = [];
+  #notices = new Set<string>();
   #standing = '';
   #loading = '';
   #canRetry = false;
@@ -72,7 +72,7 @@ export class MessageBox {
 
   /** Shown for a while, beside those that were given shortly before. */
   notify(text: string): void {
-    this.#notices.push(text);
+    this.#notices.add(text);
     this.#update();
     clearTimeout(this.#timer);
     this.#timer = setTimeout(() => this.forget(), NOTICE_MS);
@@ -80,16 +80,17 @@ export class MessageBox {
 
   /** Takes a notice back; without `text`, all of them. */
   forget(text?: string): void {
-    this.#notices = this.#notices.filter((notice) => text !== undefined && notice !== text);
+    if (text) this.#notices.delete(text);
+    else this.#notices.clear();
     this.#update();
   }
 
   #update(): void {
-    const text = [...this.#notices, this.#standing, this.#loading].filter((line) => line !== '').join('\n');
+    const text = [...this.#notices, this.#standing, this.#loading].filter(Boolean).join('\n');
     if (this.#errorText.textContent !== this.#error) this.#errorText.textContent = this.#error;
-    this.#errorSlot.hidden = this.#error === '';
+    this.#errorSlot.hidden = !this.#error;
     if (this.#text.textContent !== text) this.#text.textContent = text;
     this.#button.hidden = !this.#canRetry && !this.#canRetryStanding;
-    this.element.hidden = text === '' && this.#error === '';
+    this.element.hidden = !text && !this.#error;
   }
 }
