@@ -1,22 +1,23 @@
-//! A stone as a convex body: half-spaces, and how round the corners between them are worn.
+//! A stone as a convex body: the intersection of half-spaces, with its edges and corners rounded by wear.
 //!
-//! A point x lies in the body where its gauge G(x) ≤ 1. With planes mᵢ·x = 1, G = maxᵢ mᵢ·x is the polytope they bound, freshly
-//! broken; the p-norm Gₚ(x) = (Σᵢ max(0, mᵢ·x)ᵖ)^(1/p) lies inside it and rounds it off, its edges less than its corners: what
-//! abrasion does to a pebble (Bloore 1977, *The shape of pebbles*; Domokos & Gibbons 2012). p falls from about 45 to 2. Only the powers of two are
-//! evaluated, by squaring and √, and blended between; so the bits are the same everywhere.
+//! A point x lies in the body where its gauge G(x) ≤ 1. With planes mᵢ·x = 1, G = maxᵢ mᵢ·x describes the polytope that
+//! they bound: a freshly broken stone. The p-norm Gₚ(x) = (Σᵢ max(0, mᵢ·x)ᵖ)^(1/p) describes a body inside it with
+//! rounded edges and even rounder corners, as abrasion rounds a pebble (Bloore 1977, *The shape of pebbles*; Domokos &
+//! Gibbons 2012). As wear grows, p falls from about 45 to 2. Only powers of two are evaluated, by squaring and √, and
+//! the values between are blended, so the result has the same bits on every platform.
 
 use glam::{DVec3, Vec4};
 
-/// Planes per vector.
+/// Number of planes per SIMD vector.
 const LANES: usize = 4;
 
-/// The largest power of two that p can be: 2⁵, and twice that to blend with.
+/// log₂ of the largest power of two used for p: 2⁵. The blend also needs 2⁶.
 const MAX_SQUARINGS: f64 = 5.0;
 
-/// The half-spaces of one stone about its middle.
+/// The half-spaces that bound one stone, relative to its middle.
 #[derive(Debug, Default)]
 pub(super) struct Body {
-    /// Normals over distances, four planes at a time.
+    /// Each plane's normal divided by its distance from the middle, four planes per entry.
     planes: Vec<[Vec4; 3]>,
     len: usize,
     squarings: u32,
@@ -24,7 +25,7 @@ pub(super) struct Body {
 }
 
 impl Body {
-    /// Empties the body; `wear` 0 is freshly broken, 1 rounded.
+    /// Removes all planes and sets the wear: 0 is freshly broken, 1 is fully rounded.
     pub(super) fn start(&mut self, wear: f64) {
         self.planes.clear();
         self.len = 0;
@@ -34,11 +35,11 @@ impl Body {
         self.blend = log_p - whole;
     }
 
-    /// Adds the half-space below the plane with this normal, at this distance from the middle.
+    /// Adds the half-space on the inner side of the plane with this unit normal at this distance from the middle.
     pub(super) fn push(&mut self, normal: DVec3, distance: f64) {
         let lane = self.len % LANES;
         if lane == 0 {
-            // An empty lane bounds nothing.
+            // A lane of zeros bounds nothing.
             self.planes.push([Vec4::ZERO; 3]);
         }
         let scaled = (normal / distance).as_vec3().to_array();
@@ -50,7 +51,7 @@ impl Body {
         self.len += 1;
     }
 
-    /// Gₚ(x); positive wherever a plane bounds the body in that direction.
+    /// The gauge Gₚ(x). It is positive in every direction in which a plane bounds the body, and 0 in all others.
     pub(super) fn gauge(&self, at: DVec3) -> f64 {
         let at = at.as_vec3();
         let [x, y, z] = at.to_array().map(Vec4::splat);
@@ -60,7 +61,8 @@ impl Body {
         if most <= 0.0 {
             return 0.0;
         }
-        // Relative to the highest: no power overflows, and what underflows would not count.
+        // Values are scaled by the largest one, so that no power overflows. Those that underflow are too small to
+        // matter.
         let scale = Vec4::splat(1.0 / most);
         let (mut sum, mut sum_of_squares) = (Vec4::ZERO, Vec4::ZERO);
         for group in &self.planes {

@@ -1,4 +1,4 @@
-//! The memory of a run, estimated again whenever more of its numbers are known.
+//! The memory of a run. It is estimated again each time more of the run's numbers are known.
 
 use super::cache::{LayerCache, bytes};
 use super::footprint::Footprint;
@@ -7,7 +7,7 @@ use crate::error::Error;
 use crate::memory::{Bitmaps, Load, MemoryEstimate, Need, expected_sites, memory_estimate};
 use crate::mesh::Mesh;
 
-/// What a run knows of its numbers.
+/// How much a run knows about the sizes of its results.
 #[derive(Debug, Clone, Copy, Default, PartialEq, PartialOrd)]
 pub(super) enum Known {
     #[default]
@@ -17,13 +17,13 @@ pub(super) enum Known {
 }
 
 impl Generator {
-    /// Bytes that the run needs at its peak, output included, as far as that is known: the largest of what was estimated at the start and
-    /// before each stage since; see [`crate::memory_estimate`].
+    /// Bytes that the run needs at its peak, output included. This is the largest of the estimates made so far: one at
+    /// the start and one before each stage; see [`crate::memory_estimate`].
     pub fn estimate(&self) -> u64 {
         self.estimate
     }
 
-    /// Bytes of all results that are kept.
+    /// Bytes of all results that are kept from the last run.
     pub(super) fn held(&self) -> f64 {
         let layers: usize = self.layers.iter().map(LayerCache::bytes).sum();
         let footprints = self.footprint.0.bytes() + self.next_footprint.as_ref().map_or(0, Footprint::bytes);
@@ -32,7 +32,8 @@ impl Generator {
         (layers + footprints + self.mesh.bytes().iter().sum::<usize>() + rest) as f64
     }
 
-    /// Estimates again with what is known by now, before a stage allocates.
+    /// Repeats the estimate with what is known now. Called before a stage allocates; returns [`Error::OverBudget`] if
+    /// the new estimate is above the budget.
     #[inline(never)]
     pub(super) fn check_memory(&mut self, known: Known) -> Result<(), Error> {
         let Some(params) = &self.params else { return Ok(()) };
@@ -50,7 +51,7 @@ impl Generator {
         };
         let mut need = of(self);
         if need.bytes(0.0) > self.max_bytes {
-            // Rocks of the run before would be overwritten sooner or later.
+            // The rocks of the previous run would be overwritten later anyway, so their memory is freed now.
             self.mesh = Mesh::default();
             self.layers.iter_mut().for_each(|cache| cache.mesh = None);
             need = of(self);

@@ -1,4 +1,5 @@
-//! What the generator keeps of a field: every stage's result with the key of what it is a function of.
+//! What the generator keeps of a field: the result of every stage, together with the key of the inputs it was made
+//! from.
 
 use super::field::area_reached;
 use super::select::{Selection, Threshold};
@@ -11,11 +12,11 @@ use crate::memory::{Counts, Load};
 use crate::mesh::Extent;
 use crate::params::{Border, Darts, Layer, Params, Swing};
 
-/// The result of a stage and what it is a function of.
+/// The result of a stage and the key of the inputs it was made from.
 #[derive(Debug)]
 pub(super) struct Cached<K, V> {
     pub(super) key: Option<K>,
-    /// Changes exactly when the value does: the key of what is built on it.
+    /// Changes exactly when the value does. Later stages use it as part of their key.
     pub(super) version: u64,
     pub(super) value: V,
 }
@@ -36,7 +37,8 @@ impl<K: PartialEq, V: Default> Cached<K, V> {
     }
 }
 
-/// What the sites of a layer are a function of, besides its id. Floats compare as numbers: none of them is NaN.
+/// The inputs of a layer's sites, besides the layer's id. Floats are compared as numbers, which is safe because none of
+/// them is NaN.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct SitesKey {
     pub(super) seed: u32,
@@ -53,7 +55,7 @@ pub(super) struct SelectionKey {
     pub(super) border: Border,
     /// Version of the footprint.
     pub(super) footprint: u64,
-    /// Versions of the selections that went before.
+    /// Versions of the selections of all coarser layers.
     pub(super) coarser: Vec<u64>,
 }
 
@@ -70,19 +72,19 @@ pub(super) struct MeshKey {
 
 #[derive(Debug, Default)]
 pub(super) struct LayerCache {
-    /// Lengths in px.
+    /// The layer's parameters, with lengths in px.
     pub(super) layer: Option<Layer>,
     pub(super) sites: Cached<SitesKey, Sites>,
     pub(super) cells: Cached<u64, Cells>,
     pub(super) selection: Cached<SelectionKey, Selection>,
-    /// Vertices of the selected cells, all together.
+    /// Number of vertices of all selected cells together.
     pub(super) rims: usize,
     pub(super) shapes: Cached<u64, Shapes>,
     pub(super) mesh: Option<MeshKey>,
 }
 
 impl LayerCache {
-    /// Bytes of the stages' results.
+    /// Bytes of memory that the results of all stages use.
     pub(super) fn bytes(&self) -> usize {
         let Cells { starts, vertices, neighbors, grid } = &self.cells.value;
         bytes(&self.sites.value.pixels)
@@ -94,7 +96,8 @@ impl LayerCache {
             + self.shapes.value.bytes()
     }
 
-    /// What is known of the layer, and what is still to be made for it; `expected` sites where they are not known.
+    /// The sizes of the layer's results, and which of them still have to be made. `expected` is used as the number of
+    /// sites while it is not known; `selected` says that the selection is known.
     pub(super) fn load(&self, params: &Params, expected: f64, selected: bool) -> Option<Load> {
         let layer = self.layer.as_ref()?;
         let sites = !self.sites.is_current(&SitesKey::new(params, layer));
@@ -113,7 +116,7 @@ impl LayerCache {
     }
 }
 
-/// What a list takes, filled or not.
+/// Bytes that a list has allocated, whether they are filled or not.
 pub(super) fn bytes<T>(list: &Vec<T>) -> usize {
     list.capacity() * size_of::<T>()
 }
@@ -130,26 +133,27 @@ impl SitesKey {
     }
 }
 
-/// One layer's results, borrowed.
+/// The results of one layer, borrowed from the generator.
 #[derive(Debug, Clone, Copy)]
 pub struct LayerView<'a> {
-    /// What was asked for, lengths in px.
+    /// The layer's parameters, with lengths in px.
     pub layer: &'a Layer,
-    /// Stage 1.
+    /// Result of stage 1.
     pub sites: &'a Sites,
-    /// Stage 2.
+    /// Result of stage 2.
     pub cells: &'a Cells,
-    /// Stage 3.
+    /// Result of stage 3.
     pub selection: &'a Selection,
 }
 
 impl LayerView<'_> {
-    /// Share of the image's pixels that the selected cells own.
+    /// Share of the image's pixels that the layer's selected cells own, 0 … 1.
     pub fn area_reached(&self) -> f64 {
         area_reached(self.sites, self.selection)
     }
 
-    /// Id, radius (px), N_p, sites saturated, A_s asked and reached, selection saturated.
+    /// The layer's id, radius (px), N_p, whether the sites are saturated (0 or 1), A_s as asked and as reached, and
+    /// whether the selection is saturated (0 or 1).
     pub fn summary(&self) -> [f64; 7] {
         [
             f64::from(self.layer.id),

@@ -9,54 +9,54 @@ use crate::error::Error;
 use crate::mesh::Mesh;
 use crate::params::{Layer, Params};
 
-/// Everything a run made, with the intermediate results of every stage.
+/// The result of a run, including the intermediate results of every stage.
 #[derive(Debug, Clone, Default)]
 pub struct Field {
-    /// In input order.
+    /// Results per layer, in input order.
     pub layers: Vec<FieldLayer>,
-    /// Rocks in layer order, within a layer in the order of the selection.
+    /// All rocks: layers in input order, and within a layer in the order of the selection.
     pub mesh: Mesh,
 }
 
-/// The stages of one layer.
+/// The results of all stages for one layer.
 #[derive(Debug, Clone)]
 pub struct FieldLayer {
-    /// What was asked for, lengths in px.
+    /// The layer's parameters, with lengths in px.
     pub layer: Layer,
-    /// Stage 1.
+    /// Result of stage 1.
     pub sites: Sites,
-    /// Stage 2.
+    /// Result of stage 2.
     pub cells: Cells,
-    /// Stage 3.
+    /// Result of stage 3.
     pub selection: Selection,
-    /// Stage 4, before displacement.
+    /// Result of stage 4, before displacement.
     pub shapes: Shapes,
 }
 
 impl Field {
-    /// Share of the image's pixels that the selected cells own (decision A9).
+    /// Share of the image's pixels that the selected cells of all layers own, 0 … 1 (decision A9).
     pub fn covered_fraction(&self) -> f64 {
-        // Not sum(): that of nothing is −0.
+        // Folded by hand, because `sum()` of an empty iterator of floats is −0.
         self.layers.iter().fold(0.0, |sum, layer| sum + layer.area_reached())
     }
 }
 
 impl FieldLayer {
-    /// Share of the image's pixels that this layer's selected cells own (decision A9).
+    /// Share of the image's pixels that this layer's selected cells own, 0 … 1 (decision A9).
     pub fn area_reached(&self) -> f64 {
         area_reached(&self.sites, &self.selection)
     }
 }
 
 pub(crate) fn area_reached(sites: &Sites, selection: &Selection) -> f64 {
-    // Before a run has reached the layer there is no image yet, and no pixel.
+    // Until a run reaches the layer, the image has no pixels; `max(1.0)` avoids dividing by 0.
     selection.pixels as f64 / (f64::from(sites.width) * f64::from(sites.height)).max(1.0)
 }
 
-/// Grows a field: a pure function of the parameters.
+/// Grows a field and returns it. The result depends on the parameters alone.
 ///
 /// # Errors
-/// The first parameter out of range. There is no budget here; see [`Generator::start`].
+/// Returns the first parameter that is out of range. Memory is not limited here; see [`Generator::start`] for a budget.
 pub fn generate(params: &Params) -> Result<Field, Error> {
     let mut generator = Generator::new();
     generator.start(params.clone(), u64::MAX)?;

@@ -1,4 +1,4 @@
-//! Ground that something else stands on: no rock grows there.
+//! Ground that is occupied by something else, so that no rock grows there.
 
 use glam::DVec2;
 
@@ -6,18 +6,20 @@ use super::cache::bytes;
 use crate::bitmap::Bitmap;
 use crate::error::Error;
 
-/// Most triangles a footprint can have.
+/// Largest number of triangles in a footprint.
 const MAX_TRIANGLES: usize = 1 << 16;
 
-/// Farthest coordinate, px: far enough for whatever lies partly on the largest image, near enough for exact rows.
+/// Largest absolute value of a coordinate, px: enough for anything that lies partly on the largest image, and small
+/// enough for rows to be computed exactly.
 const FARTHEST: f64 = 65_536.0;
 
-/// Triangles in the plane, px, in any order and orientation; they may overlap and leave the image.
+/// Triangles in the plane, px, in any order and orientation. They may overlap each other and extend beyond the image.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Footprint(Vec<[DVec2; 3]>);
 
 impl Footprint {
-    /// Six numbers per triangle: x, y of its corners.
+    /// Takes six numbers per triangle: x and y of its three corners. Refuses a length that is not a multiple of six,
+    /// too many triangles and coordinates out of range.
     pub(super) fn new(numbers: &[f64]) -> Result<Self, Error> {
         let triangles = numbers.chunks_exact(6);
         if !triangles.remainder().is_empty() {
@@ -32,22 +34,22 @@ impl Footprint {
         Ok(Footprint(triangles.map(|t| [0, 2, 4].map(|i| DVec2::new(t[i], t[i + 1]))).collect()))
     }
 
-    /// Whether nothing stands there.
+    /// Whether the footprint has no triangles.
     pub(super) fn is_empty(&self) -> bool {
         self.0.is_empty()
     }
 
-    /// What it takes.
+    /// Bytes of memory that the footprint uses.
     pub(super) fn bytes(&self) -> usize {
         bytes(&self.0)
     }
 
-    /// Flags every pixel that a triangle touches, be it by a corner.
+    /// Flags every pixel that a triangle touches, even if only with a corner.
     pub(super) fn flag(&self, [width, height]: [u32; 2], taken: &mut Bitmap) {
         for triangle in &self.0 {
             let low = triangle.iter().fold(f64::INFINITY, |low, v| low.min(v.y));
             let high = triangle.iter().fold(f64::NEG_INFINITY, |high, v| high.max(v.y));
-            // `as` saturates: what lies beside the image has no rows.
+            // `as` saturates, so a triangle beside the image has no rows.
             for row in low.floor().max(0.0) as u32..(high.floor() + 1.0).min(f64::from(height)).max(0.0) as u32 {
                 let [left, right] = reach(triangle, f64::from(row));
                 let (first, last) = (left.floor().max(0.0), right.floor().min(f64::from(width) - 1.0));
@@ -59,7 +61,8 @@ impl Footprint {
     }
 }
 
-/// Leftmost and rightmost x of what a triangle has in the row from `y` to y + 1; empty where the first is the larger.
+/// Leftmost and rightmost x of the part of a triangle between `y` and y + 1. The triangle has no part there if the
+/// first is greater than the second.
 fn reach(triangle: &[DVec2; 3], y: f64) -> [f64; 2] {
     let mut reach = [f64::INFINITY, f64::NEG_INFINITY];
     for (from, to) in [(0, 1), (1, 2), (2, 0)].map(|(i, j)| (triangle[i], triangle[j])) {
@@ -69,7 +72,7 @@ fn reach(triangle: &[DVec2; 3], y: f64) -> [f64; 2] {
         }
         let at = |height: f64| {
             let rise = high.y - low.y;
-            // A level edge has its ends, and nothing between them that is farther out.
+            // A horizontal edge is farthest out at one of its ends.
             if height <= low.y || rise == 0.0 {
                 low.x
             } else {

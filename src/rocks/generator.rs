@@ -1,8 +1,9 @@
-//! The stages, run in pieces and cached.
+//! The generator: runs the stages in small steps and caches their results.
 //!
-//! Every stage of every layer is keyed by what it is a function of. A run is nothing but: find the first stage
-//! whose key differs from the wanted one, and work on it. So an edit re-runs from the first stage it touches, a
-//! superseded run leaves its finished stages behind, and a cached result is the full result by construction.
+//! Every result is stored with a key: the inputs that it depends on. A run repeatedly finds the first stage whose key
+//! differs from the wanted one, and works on it. An edit therefore re-runs the stages from the first one that it
+//! affects, a run that is replaced leaves its finished stages behind, and a cached result always equals a newly
+//! computed one.
 
 use super::budget::Known;
 use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey};
@@ -21,38 +22,38 @@ use crate::memory::{check_before, coarsest_first, expected_sites};
 use crate::mesh::{Extent, Mesh};
 use crate::params::{Border, Darts, Layer, Params, Stage};
 
-/// Picks, cells or rocks that one step works on: one to three milliseconds in wasm.
+/// Number of picks, cells or rocks that one step works on, which takes one to three milliseconds in wasm.
 const PICKS_PER_STEP: u32 = 1 << 15;
 const CELLS_PER_STEP: usize = 1 << 11;
 const ROCKS_PER_STEP: usize = 1 << 10;
 
-/// Grows fields, keeping the stages of the last one.
+/// Grows fields. The results of the last run are kept and re-used as far as they are still valid.
 #[derive(Debug, Default)]
 pub struct Generator {
     pub(super) params: Option<Params>,
-    /// With its version.
+    /// The footprint in use, and its version.
     pub(super) footprint: (Footprint, u64),
-    /// The footprint from the next start on, where it is another.
+    /// The footprint to be used from the next start on, if it is another one.
     pub(super) next_footprint: Option<Footprint>,
-    /// In input order.
+    /// The results of the layers, in input order.
     pub(super) layers: Vec<LayerCache>,
     pub(super) mesh: Mesh,
     task: Option<Task>,
-    /// Pixels taken by the coarser layers while a selection runs.
+    /// The pixels taken by coarser layers, kept while selections run.
     taken: Option<Taken>,
     versions: u64,
     pub(super) max_bytes: u64,
-    /// What was known when the memory was last estimated.
+    /// What was known about the run when its memory was last estimated.
     pub(super) checked: Known,
-    /// Bytes at the peak so far: of what the run before has left, and of the run's stages up to the selection.
+    /// Peak memory so far, bytes: of what the previous run left behind, and of this run's stages up to the selection.
     pub(super) peak_before: f64,
-    /// The run has made a selection.
+    /// True once this run has made a selection.
     pub(super) selects: bool,
-    /// Most bytes that the run has taken to find clear pixels.
+    /// The most bytes that this run has used to list clear pixels.
     pub(super) clear_bytes: f64,
-    /// The largest estimate of the run.
+    /// The largest memory estimate of this run, bytes.
     pub(super) estimate: u64,
-    /// Why the run cannot go on.
+    /// The error that ends the run, until [`Generator::step`] returns it.
     refused: Option<Error>,
 }
 
@@ -74,7 +75,7 @@ struct Task {
 enum Work {
     Sites(SitesKey, Box<DartThrower>),
     Cells(Box<VoronoiBuilder>),
-    /// Flags the cells of a coarser layer, from this one on.
+    /// Flags the selected cells of a coarser layer, from this one on.
     Flag(usize),
     Selection(SelectionKey, Box<Selector>),
     Shapes(Box<Shaper>),
@@ -82,34 +83,38 @@ enum Work {
 }
 
 impl Generator {
-    /// An empty cache.
+    /// Makes a generator without cached results.
     pub fn new() -> Self {
         Generator::default()
     }
 
-    /// Ground that something else stands on: from the next [`Generator::start`] on, no cell that touches it is selected. An addition to
-    /// Fig. 7: its pixels are flagged before the first layer's cells are looked at, as those of larger rocks are before the smaller ones'.
+    /// Sets the ground on which something else stands: from the next [`Generator::start`] on, no cell that touches it
+    /// is selected. This is an addition to Fig. 7: the footprint's pixels are flagged before the cells of the first
+    /// layer are examined, just as the pixels of larger rocks are flagged before those of smaller ones.
     ///
-    /// `triangles` has x, y (px) of three corners each, in any orientation, overlapping or not; none takes the footprint away. A rock
-    /// stays within its cell at the ground; its top may lean out of it (decision A14).
+    /// `triangles` holds x and y (px) of three corners per triangle, in any orientation; triangles may overlap. An
+    /// empty slice removes the footprint. A rock stays within its cell at the ground, but its top may lean out of it
+    /// (decision A14).
     ///
     /// # Errors
-    /// Not six numbers per triangle, more than 2¹⁶ of them, or a number beyond ±65,536; then nothing has changed.
+    /// Returns an error, and changes nothing, if there are not six numbers per triangle, more than 2¹⁶ triangles, or a
+    /// number beyond ±65,536.
     pub fn set_footprint(&mut self, triangles: &[f64]) -> Result<(), Error> {
         let footprint = Footprint::new(triangles)?;
         self.next_footprint = (footprint != self.footprint.0).then_some(footprint);
         Ok(())
     }
 
-    /// Begins a run, dropping the one in progress but not the stages it has finished.
+    /// Begins a run. A run in progress is abandoned, but its finished stages are kept.
     ///
     /// # Errors
-    /// A parameter out of range, or an estimate over `max_bytes`; then nothing has changed.
+    /// Returns an error, and changes nothing, if a parameter is out of range or the estimated memory is above
+    /// `max_bytes`.
     pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
         params.validate()?;
         let footprint = self.next_footprint.as_ref().unwrap_or(&self.footprint.0);
         check_before(&params, footprint.is_empty(), max_bytes)?;
-        // What the run before has left goes before anything comes, but it was there.
+        // The results of the previous run are freed before new ones are made, but they count for the peak.
         self.peak_before = self.held();
         self.checked = Known::Nothing;
         (self.selects, self.clear_bytes) = (false, 0.0);
@@ -141,7 +146,7 @@ impl Generator {
             })
             .collect();
         if self.layers.iter().all(|cache| cache.sites.key.is_none()) {
-            // Nothing of the old rocks will be used again, and holes where they stood would only fragment the heap.
+            // Nothing of the old rocks will be used again, and the gaps that they would leave fragment the heap.
             self.mesh = Mesh::default();
         }
         drop(old);
@@ -150,11 +155,11 @@ impl Generator {
         Ok(())
     }
 
-    /// Does a bounded piece of work. True when the run is finished.
+    /// Does a limited amount of work. Returns true when the run is finished.
     ///
     /// # Errors
-    /// [`Error::OverBudget`], now that more is known than at the start; see [`Generator::estimate`]. The run has ended, and the stages
-    /// that are finished are kept.
+    /// Returns [`Error::OverBudget`] if the memory estimate exceeds the budget with what is known by now; see
+    /// [`Generator::estimate`]. The run has then ended, and its finished stages are kept.
     pub fn step(&mut self) -> Result<bool, Error> {
         if let Some(mut task) = self.task.take() {
             if self.advance(&mut task) {
@@ -170,7 +175,7 @@ impl Generator {
         self.refused.take().map_or(Ok(self.task.is_none()), Err)
     }
 
-    /// Estimates again before darts list the clear pixels, which not all have to.
+    /// Repeats the memory estimate before a dart thrower lists the clear pixels. Not every layer has to list them.
     fn allow(&mut self, task: &mut Task) -> Result<(), Error> {
         let Work::Sites(_, thrower) = &mut task.work else { return Ok(()) };
         if thrower.waits_for_list() {
@@ -191,7 +196,7 @@ impl Generator {
         }
     }
 
-    /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
+    /// The stage that the next step works on. [`Stage::Mesh`] when the run is finished.
     pub fn stage(&self) -> Stage {
         match self.task.as_ref().map(|task| &task.work) {
             Some(Work::Sites(..)) => Stage::Sites,
@@ -203,7 +208,8 @@ impl Generator {
         }
     }
 
-    /// 0 … 1: finished stages and the fraction of the one at work, layers weighted by their number of sites.
+    /// Progress, 0 … 1: the finished stages and the fraction of the current one, with layers weighted by their number
+    /// of sites.
     pub fn progress(&self) -> f64 {
         let Some(task) = &self.task else { return 1.0 };
         let weight = |cache: &LayerCache| cache.layer.as_ref().map_or(0.0, |l| 1.0 / (l.radius * l.radius).max(1.0));
@@ -218,14 +224,14 @@ impl Generator {
             Work::Shapes(shaper) => shaper.progress(),
             Work::Mesh(mesher) => mesher.progress(&cache.shapes.value),
         };
-        /// Where each stage begins and ends on the bar: its share of the time for Fig. 1.
+        /// Where each stage begins and ends on the progress bar, according to its share of the time for Fig. 1.
         const SHARE: [f64; 6] = [0.0, 0.15, 0.5, 0.65, 0.9, 1.0];
         let stage = self.stage() as usize;
         let done = (before + weight(cache) * fraction) / total.max(f64::MIN_POSITIVE);
         SHARE[stage] + (SHARE[stage + 1] - SHARE[stage]) * done.min(1.0)
     }
 
-    /// The layers' results in input order. Complete once [`Generator::step`] has returned true.
+    /// The results of the layers, in input order. They are complete once [`Generator::step`] has returned true.
     pub fn layers(&self) -> impl ExactSizeIterator<Item = LayerView<'_>> {
         self.layers.iter().map(|cache| LayerView {
             layer: cache.layer.as_ref().unwrap_or(&Layer::EMPTY),
@@ -235,18 +241,18 @@ impl Generator {
         })
     }
 
-    /// The buffers. Complete once [`Generator::step`] has returned true.
+    /// The mesh. It is complete once [`Generator::step`] has returned true.
     pub fn mesh(&self) -> &Mesh {
         &self.mesh
     }
 
-    /// Rocks, triangles, covered fraction, layers.
+    /// The numbers of rocks and triangles, the covered fraction (0 … 1), and the number of layers.
     pub fn summary(&self) -> [f64; 4] {
         let covered = self.layers().fold(0.0, |sum, layer| sum + layer.area_reached());
         [self.mesh.rocks() as f64, self.mesh.triangles() as f64, covered, self.layers.len() as f64]
     }
 
-    /// The field as a value of its own.
+    /// Turns the generator into the finished field.
     pub fn into_field(self) -> Field {
         let layers = self.layers.into_iter().filter_map(|cache| {
             Some(FieldLayer {
@@ -260,7 +266,7 @@ impl Generator {
         Field { layers: layers.collect(), mesh: self.mesh }
     }
 
-    /// The first piece of work whose result is not in the cache.
+    /// The next piece of work: the first stage whose result is not in the cache. `None` when the run is finished.
     fn next_task(&mut self) -> Result<Option<Task>, Error> {
         if let Some(k) = self.first(|cache, params| {
             let key = cache.layer.as_ref().map(|layer| SitesKey::new(params, layer));
@@ -285,7 +291,7 @@ impl Generator {
         Ok(self.next_mesh())
     }
 
-    /// The first layer with a stage that is to be made.
+    /// The first layer for which `is_stale` returns true.
     fn first(&self, is_stale: impl Fn(&LayerCache, &Params) -> bool) -> Option<usize> {
         let params = self.params.as_ref()?;
         self.layers.iter().position(|cache| is_stale(cache, params))
@@ -312,12 +318,12 @@ impl Generator {
         Some(Task { layer: k, work: Work::Shapes(Box::new(shaper)) })
     }
 
-    /// Layers by descending mean cell area W·H / n, equal ones in input order (decision A7).
+    /// The layers' indices by descending mean cell area W·H / n, equal ones in input order (decision A7).
     fn selection_order(&self) -> Vec<usize> {
         coarsest_first(self.layers.len(), |k| self.layers[k].sites.value.pixels.len() as f64)
     }
 
-    /// The coarsest layer whose selection is to be made.
+    /// The coarsest layer whose selection still has to be made, and its key.
     fn stale_selection(&self) -> Option<(usize, SelectionKey)> {
         let params = self.params.as_ref()?;
         let mut coarser = Vec::new();
@@ -346,7 +352,8 @@ impl Generator {
         Ok(self.new_selection(k, key))
     }
 
-    /// Selects from layer `k`, once the cells of all coarser layers are flagged.
+    /// The task that selects from layer `k`; or, while the cells of a coarser layer are not flagged yet, the task that
+    /// flags them.
     fn new_selection(&mut self, k: usize, key: SelectionKey) -> Option<Task> {
         let order = self.selection_order();
         let params = self.params.as_ref()?;
@@ -377,7 +384,7 @@ impl Generator {
             let wear = Wear::of(layer);
             let Layer { taper, height, .. } = *layer;
             let key = MeshKey { shapes: cache.shapes.version, taper, height, swing, wear, index, at };
-            // What stood elsewhere in the buffers may be overwritten by another layer from here on.
+            // Rocks whose place in the buffers has changed may be overwritten by another layer from here on.
             if cache.mesh.as_ref() != Some(&key) {
                 cache.mesh = None;
             }
@@ -391,7 +398,7 @@ impl Generator {
             || self.mesh.positions.len() != 3 * at.vertices
             || self.mesh.indices.len() != 3 * at.triangles
         {
-            // A field that once was large would keep its memory for good.
+            // Without this, a generator that once made a large field would keep that memory for good.
             if self.mesh.bytes().iter().sum::<usize>() > 2 * (24 * at.vertices + 12 * at.triangles) {
                 self.mesh = Mesh::default();
                 self.layers.iter_mut().for_each(|cache| cache.mesh = None);
@@ -405,9 +412,10 @@ impl Generator {
         Some(Task { layer: stale, work: Work::Mesh(Box::new(mesher)) })
     }
 
-    /// Works on a task for a while. True when it is done.
+    /// Works on a task for a while. Returns true when it is done.
     ///
-    /// The stages are functions of their own, never inlined here: V8 makes a third slower code of very large functions.
+    /// The stages are functions of their own and never inlined here, because V8 compiles very large functions to code
+    /// that is a third slower.
     fn advance(&mut self, task: &mut Task) -> bool {
         let (Some(cache), Some(params)) = (self.layers.get(task.layer), &self.params) else { return true };
         let (sites, cells) = (&cache.sites.value, &cache.cells.value);
@@ -434,7 +442,7 @@ impl Generator {
         }
     }
 
-    /// Puts a finished task's result into the cache.
+    /// Stores the result of a finished task in the cache.
     fn complete(&mut self, task: Task) {
         self.versions += 1;
         let version = self.versions;
@@ -453,12 +461,12 @@ impl Generator {
             }
             Work::Selection(key, selector) => {
                 let value = selector.finish();
-                // A selection that came out the same keeps its version, and with it all that is built on it.
+                // A selection that is the same as before keeps its version, so everything built on it stays valid.
                 let same = cache.selection.key.as_ref().is_some_and(|old| old.cells == key.cells)
                     && cache.selection.value == value;
                 let version = if same { cache.selection.version } else { version };
                 if !same {
-                    // Shapes of rocks that stand no longer.
+                    // The shapes belong to rocks that no longer exist.
                     cache.shapes.clear();
                 }
                 cache.rims = value.selected.iter().map(|&site| cache.cells.value.polygon(site as usize).len()).sum();

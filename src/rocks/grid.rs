@@ -1,8 +1,9 @@
-//! Buckets of sites: the neighbourhood queries of the Voronoi stage and of pixel ownership.
+//! Sites sorted into square buckets, for the neighbourhood queries of the Voronoi stage and for finding the owner of a
+//! pixel.
 
 use super::sites::Pixel;
 
-/// Square buckets over the image; bucket k holds `order[starts[k]] .. order[starts[k + 1]]`.
+/// Square buckets over the image. Bucket k holds the sites `order[starts[k]] .. order[starts[k + 1]]`.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Grid {
     pub(crate) side: u32,
@@ -13,9 +14,9 @@ pub(crate) struct Grid {
 }
 
 impl Grid {
-    /// Buckets of `side` px (raised where that would mean more buckets than sites).
+    /// Sorts the sites into buckets of `side` px. The side is raised where there would be more buckets than sites.
     pub(crate) fn new(width: u32, height: u32, side: u32, pixels: &[Pixel]) -> Self {
-        // More buckets than sites only cost memory and empty visits.
+        // More buckets than sites would only cost memory and visits to empty buckets.
         let roomy = (2.0 * f64::from(width) * f64::from(height) / pixels.len().max(1) as f64).sqrt() as u32;
         let side = side.max(roomy).max(1);
         let (columns, rows) = (width.div_ceil(side), height.div_ceil(side));
@@ -37,17 +38,18 @@ impl Grid {
         Grid { side, columns, rows, starts, order }
     }
 
-    /// What it takes.
+    /// Bytes of memory that the grid uses.
     pub(crate) fn bytes(&self) -> usize {
         4 * (self.starts.capacity() + self.order.capacity())
     }
 
-    /// All sites, bucket by bucket.
+    /// All sites, in the order of the buckets.
     pub(crate) fn order(&self) -> &[u32] {
         &self.order
     }
 
-    /// Sites of the buckets `column0 ..= column1` (clamped by the caller) of a row: one contiguous run.
+    /// The sites in the buckets `column0 ..= column1` of a row. They are one contiguous slice. The caller clamps the
+    /// columns.
     #[inline]
     pub(crate) fn run(&self, row: u32, column0: u32, column1: u32) -> &[u32] {
         let base = row * self.columns;
@@ -56,7 +58,8 @@ impl Grid {
         &self.order[from..to]
     }
 
-    /// Calls `visit` with the sites whose buckets lie at most `rings` buckets from bucket (column, row), a row at a time.
+    /// Calls `visit` with the sites in all buckets at most `rings` buckets away from bucket (column, row), one row of
+    /// buckets at a time.
     #[inline]
     pub(crate) fn block(&self, column: u32, row: u32, rings: u32, mut visit: impl FnMut(&[u32])) {
         let (left, right) = (column.saturating_sub(rings), (column + rings).min(self.columns - 1));
@@ -65,7 +68,8 @@ impl Grid {
         }
     }
 
-    /// The site that owns a pixel: the nearest one, ties to the lowest index (decision A9).
+    /// The site that owns a pixel, that is the nearest one; of equally near sites, the one with the lowest index
+    /// (decision A9). `None` if there are no sites.
     pub(crate) fn owner(&self, pixels: &[Pixel], x: u32, y: u32) -> Option<u32> {
         let (column, row) = (x / self.side, y / self.side);
         let mut best: Option<(u64, u32)> = None;
@@ -80,7 +84,7 @@ impl Grid {
                     }
                 }
             });
-            // What lies beyond is farther than `rings` bucket sides.
+            // Every site outside this block is farther than `rings` bucket sides.
             let clear = u64::from(rings) * u64::from(self.side);
             if best.is_some_and(|(d2, _)| d2 <= clear * clear) || rings >= self.columns.max(self.rows) {
                 break;

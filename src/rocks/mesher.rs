@@ -8,26 +8,26 @@ use super::voronoi::Cells;
 use super::wear::{Rock, Wearer};
 use crate::mesh::{Extent, Mesh, RockBuilder};
 
-/// What the rocks of a layer are made from.
+/// The inputs from which a layer's rocks are made.
 pub(super) struct Source<'a> {
     pub(super) seed: u32,
-    /// Its id.
+    /// Id of the layer.
     pub(super) layer: u32,
     pub(super) cells: &'a Cells,
     pub(super) selected: &'a [u32],
     pub(super) shapes: &'a Shapes,
 }
 
-/// Writes a layer's rocks in pieces.
+/// Writes a layer's rocks into the mesh, some of them per step.
 #[derive(Debug)]
 pub(super) struct Mesher {
     pub(super) key: MeshKey,
-    /// The next rock, and where it begins.
+    /// Number of the next rock; `at` is its place in the buffers.
     rock: usize,
     at: Extent,
     builder: RockBuilder,
     wearer: Wearer,
-    /// Per site whether a rock stands on it; empty where nothing is worn.
+    /// Per site, whether a rock stands on it. Empty if weathering is 0.
     standing: Vec<bool>,
 }
 
@@ -49,7 +49,7 @@ impl Mesher {
         self.rock as f64 / shapes.len().max(1) as f64
     }
 
-    /// Writes at most `count` rocks, fewer where they are cut finer. True when all are written.
+    /// Writes at most `count` rocks, and fewer if they are subdivided. Returns true when all are written.
     #[inline(never)]
     pub(super) fn advance(&mut self, of: &Source<'_>, mesh: &mut Mesh, count: usize) -> bool {
         let segments = self.key.wear.segments();
@@ -80,7 +80,7 @@ impl Mesher {
         swings.displace(top, key.taper, key.height, |p| builder.points.push(p));
         if !key.wear.is_none() {
             let neighbors = of.cells.neighbors_of(site as usize);
-            // A side of the image is no site.
+            // A side of the image is not a site, so no rock stands behind it.
             let touches = |edge: usize| standing.get(neighbors[edge] as usize).copied().unwrap_or(false);
             let rock = Rock { rim, top, triangles, touches: &touches, seed: of.seed, layer: of.layer, site };
             wearer.wear(key.wear, &rock, builder);
@@ -92,11 +92,12 @@ impl Mesher {
     }
 }
 
-/// Rocks whose shapes are on their way from memory while others are written.
+/// Number of rocks whose shapes are fetched from memory together, ahead of writing them.
 const ROCKS_AHEAD: usize = 16;
 
-/// Touches what is about to be needed. Rocks come in the order of the selection, scattered over a field that may be larger than
-/// any cache: one after the other, each would wait for its own lines; like this they come together.
+/// Reads a little of each shape that is about to be used. Rocks are written in the order of the selection, which
+/// scatters them over a field that may be larger than any cache. Written one by one, each rock would wait for its own
+/// cache lines; read ahead as a group, their lines are fetched at the same time.
 fn read_ahead<'a>(rocks: impl Iterator<Item = (&'a [DVec2], &'a [DVec2], &'a [[u16; 3]])>) {
     let touched = rocks.fold(0, |sum, (rim, top, triangles)| {
         let ends = [rim, top].map(|list| list[0].x.to_bits() ^ list[list.len() - 1].x.to_bits());

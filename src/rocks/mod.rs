@@ -1,4 +1,4 @@
-//! The rock method: sites → cells → selection → shape → mesh.
+//! The rock method: sites → cells → selection → shape → mesh. Numbers such as A9 refer to docs/decisions.md.
 
 mod body;
 mod budget;

@@ -8,43 +8,45 @@ use super::voronoi::Cells;
 use crate::bitmap::Bitmap;
 use crate::rng::{Purpose, Stream};
 
-/// When a layer has enough (decision A7).
+/// How much of a layer is selected (decision A7).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Threshold {
-    /// The selected cells own this share of the image's pixels: A_s.
+    /// Select until the cells own this share of the image's pixels: A_s, 0 … 1.
     Area(f64),
-    /// So many cells are selected.
+    /// Select this number of cells.
     Count(u32),
 }
 
-/// The cells of one layer that were granted to rocks.
+/// The cells of one layer on which rocks will stand.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Selection {
-    /// Site indices in the order granted.
+    /// Site indices of the selected cells, in the order in which they were granted.
     pub selected: Vec<u32>,
-    /// Pixels they own.
+    /// Number of pixels that these cells own.
     pub pixels: u64,
-    /// The cells ended before the threshold was reached.
+    /// True if the layer ran out of cells before the threshold was reached.
     pub saturated: bool,
 }
 
 /// The pixels of a cell, row by row.
 ///
-/// A pixel belongs to the cell of the nearest site, ties to the lowest site index (decision A9). Relative to the site, pixel
-/// p is not nearer to the neighbour at offset g exactly if p·g ≤ ⌊|g|² / 2⌋, or ⌊(|g|² − 1) / 2⌋ where a tie
-/// goes to the neighbour: so in every row each neighbour bounds x by an exact integer inequality. The cell is
-/// convex, so every neighbour's bound may be applied to every row, four rows at a time.
+/// A pixel belongs to the cell of the nearest site, or of the one with the lowest index if several are equally near
+/// (decision A9). Relative to the site, pixel p is not nearer to the neighbour at offset g exactly if p·g ≤ ⌊|g|² / 2⌋,
+/// or ⌊(|g|² − 1) / 2⌋ if ties go to the neighbour. In every row, each neighbour therefore bounds x by an exact
+/// inequality of integers. The cell is convex, so every neighbour's bound may be applied to every row, four rows at a
+/// time.
 #[derive(Debug, Default)]
 pub(crate) struct PixelSpans {
-    /// Lowest row, relative to the site.
+    /// Lowest row of the cell, relative to the site.
     bottom: i32,
     rows: usize,
-    /// First and last column per row, relative to the site, as whole numbers; empty where first > last. Padded to vectors.
+    /// First and last column per row, relative to the site, as whole numbers; a row is empty if first > last. Padded to
+    /// whole vectors.
     first: Vec<[f32; LANES]>,
     last: Vec<[f32; LANES]>,
 }
 
-/// Rows per vector.
+/// Number of rows per SIMD vector.
 const LANES: usize = 4;
 
 impl PixelSpans {
@@ -52,7 +54,7 @@ impl PixelSpans {
     pub(crate) fn compute(&mut self, sites: &Sites, cells: &Cells, i: usize) {
         let here = sites.pixels[i];
         let [x, y] = here.map(i32::from);
-        // Positive numbers sort like their bits, and those without a branch.
+        // The bits of positive floats sort like the floats, and comparing integers needs no branch.
         let heights = cells.polygon(i).iter().map(|vertex| vertex.y.to_bits());
         let (low, high) = heights.fold((u64::MAX, 0), |(low, high), bits| (low.min(bits), high.max(bits)));
         let centre = f64::from(here[1]) + 0.5;
@@ -67,13 +69,13 @@ impl PixelSpans {
 
         for &neighbor in cells.neighbors_of(i) {
             if neighbor >= SIDES {
-                continue; // rows and columns are within the image already
+                continue; // rows and columns are limited to the image already
             }
             let [ox, oy] = sites.pixels[neighbor as usize].map(i32::from);
             let (gx, gy) = (ox - x, oy - y);
             let tie_is_lost = i32::from((neighbor as usize) < i);
             let bound = (gx * gx + gy * gy - tie_is_lost) >> 1;
-            // Of row 0: what x·gx may be.
+            // The most that x·gx may be in the cell's lowest row.
             let room = bound - self.bottom * gy;
             let largest = room.abs().max((room - (self.rows as i32 + LANES as i32) * gy).abs());
             if largest < EXACT_ROOM {
@@ -85,13 +87,13 @@ impl PixelSpans {
         self.settle_ties_at_vertices(sites, cells, i);
     }
 
-    /// Applies x·gx ≤ room − row·gy to every row.
+    /// Applies the bound x·gx ≤ room − row·gy to every row.
     #[inline]
     fn bound_rows(&mut self, gx: f32, gy: f32, room: f32) {
         let mut room = Vec4::splat(room) - Vec4::new(0.0, 1.0, 2.0, 3.0) * gy;
         let step = Vec4::splat(LANES as f32 * gy);
         if gx == 0.0 {
-            // A horizontal edge: it admits or refuses whole rows.
+            // The edge is horizontal, so it admits or refuses whole rows.
             for last in &mut self.last {
                 let refused = Vec4::select(room.cmplt(Vec4::ZERO), Vec4::NEG_INFINITY, Vec4::INFINITY);
                 *last = Vec4::from(*last).min(refused).to_array();
@@ -99,7 +101,8 @@ impl PixelSpans {
             }
             return;
         }
-        // ⌊room / |gx|⌋: half a step keeps the quotient clear of whole numbers, so that rounding cannot tip it.
+        // Computes ⌊room / |gx|⌋. Adding a half keeps the quotient clear of whole numbers, so that rounding cannot
+        // change the result.
         let inverse = Vec4::splat(1.0 / gx.abs());
         let half = Vec4::splat(0.5);
         if gx > 0.0 {
@@ -115,7 +118,7 @@ impl PixelSpans {
         }
     }
 
-    /// The same for numbers beyond single precision.
+    /// Like [`PixelSpans::bound_rows`], for numbers that single precision cannot hold exactly.
     fn bound_rows_exactly(&mut self, gx: i32, gy: i32, room: i32) {
         let rows = self.first.as_flattened_mut().iter_mut().zip(self.last.as_flattened_mut());
         for (row, (first, last)) in (0..).zip(rows) {
@@ -129,12 +132,13 @@ impl PixelSpans {
         }
     }
 
-    /// Where a cell vertex lies on a pixel's centre, the pixel may also be claimed by a cell that touches this one in
-    /// that vertex only, across no edge; there the owner is looked up.
+    /// If a cell vertex lies on a pixel's centre, a cell that touches this one only at that vertex, and not along an
+    /// edge, may also claim the pixel. In that case the pixel's owner is looked up, and the pixel is removed if it
+    /// belongs to another cell.
     fn settle_ties_at_vertices(&mut self, sites: &Sites, cells: &Cells, i: usize) {
         let [x, y] = sites.pixels[i].map(i32::from);
         for vertex in cells.polygon(i) {
-            // The pixel that holds the vertex, and how far its centre is.
+            // The vertex is skipped unless it lies at the centre of the pixel that holds it.
             let pixel = vertex.floor();
             if (*vertex - pixel - 0.5).abs().max_element() > VERTEX_SLACK {
                 continue;
@@ -146,7 +150,7 @@ impl PixelSpans {
             if (first..=last).contains(&here)
                 && cells.grid.owner(&sites.pixels, column as u32, row as u32) != Some(i as u32)
             {
-                // A vertex is a corner of the cell, so the pixel ends its row.
+                // A vertex is a corner of the cell, so the pixel is the first or the last of its row.
                 if here == first {
                     self.first[k / LANES][k % LANES] += 1.0;
                 } else {
@@ -161,7 +165,7 @@ impl PixelSpans {
         (self.first[k / LANES][k % LANES] as i32, self.last[k / LANES][k % LANES] as i32)
     }
 
-    /// Number of pixels; 0 where one of them is taken.
+    /// Number of pixels of the cell, or 0 if one of them is taken.
     fn free_pixels(&self, site: Pixel, taken: &Bitmap) -> u32 {
         let mut count = 0;
         for (row, first, last) in self.spans(site) {
@@ -173,7 +177,7 @@ impl PixelSpans {
         count
     }
 
-    /// Rows with at least one pixel: (row, first column, last column) in the image.
+    /// Yields (row, first column, last column), in image coordinates, for every row that has at least one pixel.
     pub(crate) fn spans(&self, [x, y]: Pixel) -> impl Iterator<Item = (u32, u32, u32)> + '_ {
         let (x, y) = (i32::from(x), i32::from(y));
         let (first, last) = (self.first.as_flattened(), self.last.as_flattened());
@@ -183,13 +187,15 @@ impl PixelSpans {
     }
 }
 
-/// Below this, x·gx and its half are exact in single precision, and a quotient's error is too small to tip it.
+/// Below this, x·gx and its half are exact in single precision, and the error of a quotient is too small to change its
+/// floor.
 const EXACT_ROOM: i32 = 1 << 20;
 
-/// Cell vertices are rounded to 2⁻²¹ px and merged within 1e-6 px.
+/// Margin for cell vertices, px: they are rounded to 2⁻²¹ px and merged within 1e-6 px.
 const VERTEX_SLACK: f64 = 2.0e-6;
 
-/// The nearest whole number, below 2³¹: adding 1.5·2⁵² leaves it in the lowest bits. Nothing here is near a half.
+/// Rounds to the nearest whole number, for values below 2³¹: adding 1.5·2⁵² leaves it in the lowest bits. The values
+/// used here are never near a half.
 #[inline]
 fn round(value: f64) -> i32 {
     (value + 1.5 * (1_u64 << 52) as f64).to_bits() as i32
@@ -197,22 +203,23 @@ fn round(value: f64) -> i32 {
 
 /// Selects cells of one layer whose pixels are all free, in random order, until the threshold is reached.
 ///
-/// Within a layer cells share no pixel, so whether a cell is free does not depend on the visiting order, which only decides
-/// where the threshold cuts. Hence cells are looked at in batches, each in the order of memory.
+/// Cells of a layer share no pixel, so whether a cell is free does not depend on the visiting order. The order only
+/// decides where the threshold cuts. Therefore cells are examined in batches, each in the order in which they lie in
+/// memory.
 #[derive(Debug)]
 pub(crate) struct Selector {
     order: Vec<u32>,
     threshold: Threshold,
     drop_border: bool,
     spans: PixelSpans,
-    /// Cells of the visiting order that have been granted or refused.
+    /// Number of cells of the visiting order that have been granted or refused.
     decided: usize,
-    /// Where in the visiting order the cells end that are looked at now.
+    /// End of the current batch in the visiting order.
     batch_end: usize,
-    /// One bit per cell that is to be looked at next, and the word to go on with.
+    /// One bit per cell, set if the cell is to be examined in the current batch.
     batch: Vec<u64>,
     word: usize,
-    /// Pixels of the cells that have been looked at, 0 where one is not free.
+    /// Per cell, its number of pixels once it has been examined, or 0 if one of them is not free.
     free_pixels: Vec<u32>,
     selection: Selection,
 }
@@ -238,14 +245,14 @@ impl Selector {
         }
     }
 
-    /// Chooses the cells to be looked at and decided next: an eighth, then as many as it will probably take.
+    /// Marks the next batch of cells: first an eighth of all, then as many as will probably be needed.
     fn mark_batch(&mut self, area: f64) {
         let (all, left) = (self.order.len(), self.order.len() - self.decided);
         let wanted = if self.decided == 0 {
             all.div_ceil(8)
         } else {
             let per_cell = self.granted() / self.decided as f64;
-            // Infinite where nothing has been granted yet.
+            // The quotient is infinite if nothing has been granted yet.
             ((1.02 * (self.wanted(area) - self.granted()) / per_cell) as usize).saturating_add(16)
         };
         self.batch_end = self.decided + wanted.min(left);
@@ -255,7 +262,7 @@ impl Selector {
         self.word = 0;
     }
 
-    /// What the threshold asks for: pixels, or cells.
+    /// The threshold as a number: of pixels, or of cells.
     fn wanted(&self, area: f64) -> f64 {
         match self.threshold {
             Threshold::Area(fraction) => fraction * area,
@@ -263,7 +270,7 @@ impl Selector {
         }
     }
 
-    /// What has been granted of it.
+    /// What has been granted so far, in the same unit as [`Selector::wanted`].
     fn granted(&self) -> f64 {
         match self.threshold {
             Threshold::Area(_) => self.selection.pixels as f64,
@@ -271,7 +278,7 @@ impl Selector {
         }
     }
 
-    /// Looks at about `count` more cells. True when all have been looked at, or the threshold is reached.
+    /// Examines about `count` more cells. Returns true when all have been examined or the threshold is reached.
     #[inline(never)]
     pub(crate) fn advance(&mut self, sites: &Sites, cells: &Cells, taken: &Bitmap, count: usize) -> bool {
         let mut looked_at = 0;
@@ -300,7 +307,7 @@ impl Selector {
 
     fn free_pixels_of(&mut self, sites: &Sites, cells: &Cells, taken: &Bitmap, i: usize) -> u32 {
         let pixel = sites.pixels[i];
-        // The site's own pixel is always the cell's: most cells under a coarser rock end here.
+        // The site's own pixel always belongs to its cell. For most cells under a coarser rock, this test is enough.
         if taken.get(pixel[0].into(), pixel[1].into()) || (self.drop_border && cells.touches_border(i)) {
             return 0;
         }
@@ -308,10 +315,10 @@ impl Selector {
         self.spans.free_pixels(pixel, taken)
     }
 
-    /// Grants the cells that have been looked at, in visiting order. True when that was the last of it.
+    /// Grants the cells that have been examined, in visiting order. Returns true when the selection is complete.
     fn decide(&mut self, area: f64) -> bool {
         loop {
-            // The test comes before each cell and the last one is taken whole (decision A7).
+            // The threshold is tested before each cell, and the last cell is taken whole (decision A7).
             if self.granted() >= self.wanted(area) {
                 return true;
             }
@@ -342,7 +349,7 @@ impl Selector {
     }
 }
 
-/// Flags the pixels of selected cells.
+/// Flags the pixels of the selected cells in `taken`.
 pub(crate) fn flag(sites: &Sites, cells: &Cells, selected: &[u32], taken: &mut Bitmap) {
     let mut spans = PixelSpans::default();
     for &site in selected {
@@ -353,7 +360,7 @@ pub(crate) fn flag(sites: &Sites, cells: &Cells, selected: &[u32], taken: &mut B
     }
 }
 
-/// A random permutation of the cells (decision A7: the order of creation would favour large cells).
+/// A random permutation of the cells (decision A7). The order of creation would favour large cells.
 fn visiting_order(count: u32, seed: u32, layer: u32) -> Vec<u32> {
     let mut stream = Stream::new(seed, Purpose::VisitingOrder, layer, 0);
     let mut order: Vec<u32> = (0..count).collect();
@@ -363,7 +370,8 @@ fn visiting_order(count: u32, seed: u32, layer: u32) -> Vec<u32> {
     order
 }
 
-/// Selects from several layers, given in descending order of mean cell area, with given visiting orders.
+/// Selects from several layers with given visiting orders. The layers must be in descending order of mean cell area;
+/// the result has one selection per layer, in the same order.
 pub fn select(layers: &[(&Sites, &Cells, Vec<u32>, Threshold)]) -> Vec<Selection> {
     let Some((first, ..)) = layers.first() else { return Vec::new() };
     let mut taken = Bitmap::new(first.width, first.height);
@@ -379,7 +387,7 @@ pub fn select(layers: &[(&Sites, &Cells, Vec<u32>, Threshold)]) -> Vec<Selection
         .collect()
 }
 
-/// Pixels (column, row) that cell `i` owns, row by row.
+/// Returns the pixels (column, row) that cell `i` owns, row by row.
 pub fn cell_pixels(sites: &Sites, cells: &Cells, i: usize) -> Vec<Pixel> {
     let mut spans = PixelSpans::default();
     spans.compute(sites, cells, i);

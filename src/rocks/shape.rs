@@ -10,14 +10,14 @@ use crate::rng::{Purpose, Stream};
 
 /// The undisplaced rocks of one layer.
 ///
-/// Rock k of the selection has n rim vertices (the cell's) and as many top vertices. Its 3n − 2 triangles are indices into
-/// rim (0 … n − 1) and top (n … 2n − 1), counter-clockwise seen from above. The lists below are in the order of the
-/// rocks' sites, so that neighbours on the ground are neighbours in memory.
+/// Rock k of the selection has n rim vertices, which are the cell's, and as many top vertices. Its 3n − 2 triangles
+/// hold indices into the rim (0 … n − 1) and the top (n … 2n − 1), counter-clockwise seen from above. The lists below
+/// are sorted by the rocks' sites, so that rocks next to each other on the ground are close together in memory.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Shapes {
-    /// Per rock its place in the lists.
+    /// Per rock of the selection, its place in the sorted lists.
     places: Vec<u32>,
-    /// rocks + 1 offsets into `top`; three of them less two per rock, into `triangles`.
+    /// rocks + 1 offsets into `top`. The triangles of a place start at 3 × its offset − 2 × the place.
     starts: Vec<u32>,
     top: Vec<DVec2>,
     triangles: Vec<[u16; 3]>,
@@ -29,33 +29,33 @@ impl Shapes {
         self.places.len()
     }
 
-    /// Whether there is none.
+    /// Whether there are no rocks.
     pub fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// Top vertices of all rocks together.
+    /// Number of top vertices of all rocks together.
     pub fn top_vertices(&self) -> usize {
         self.top.len()
     }
 
-    /// Triangles of all rocks together.
+    /// Number of triangles of all rocks together.
     pub fn triangles(&self) -> usize {
         self.triangles.len()
     }
 
-    /// What they take.
+    /// Bytes of memory that the shapes use.
     pub(super) fn bytes(&self) -> usize {
         bytes(&self.places) + bytes(&self.starts) + bytes(&self.top) + bytes(&self.triangles)
     }
 
-    /// p_add of rock `k`, px.
+    /// The points p_add of rock `k` before displacement, px.
     pub fn top_of(&self, k: usize) -> &[DVec2] {
         let place = self.places[k] as usize;
         &self.top[self.starts[place] as usize..self.starts[place + 1] as usize]
     }
 
-    /// Triangles of rock `k`.
+    /// The triangles of rock `k`.
     pub fn triangles_of(&self, k: usize) -> &[[u16; 3]] {
         let place = self.places[k] as usize;
         let first = |place: usize| 3 * self.starts[place] as usize - 2 * place;
@@ -63,11 +63,11 @@ impl Shapes {
     }
 }
 
-/// Builds a layer's shapes in pieces.
+/// Builds a layer's shapes, some rocks per step.
 #[derive(Debug)]
 pub(crate) struct Shaper {
     shapes: Shapes,
-    /// The rocks by ascending site.
+    /// The rocks' numbers in the selection, sorted by ascending site.
     rocks: Vec<u32>,
     triangulator: Triangulator,
     sampler: PolygonSampler,
@@ -76,9 +76,10 @@ pub(crate) struct Shaper {
 }
 
 impl Shaper {
-    /// `sites` is the number of sites in the layer.
+    /// `selected` holds the selected sites, `sites` is the number of sites in the layer, and `layer` is the layer's id.
     pub(crate) fn new(selected: &[u32], sites: usize, seed: u32, layer: u32) -> Self {
-        // Six cell vertices on average, and a little room; counting them would be a walk through all cells.
+        // Cells have six vertices on average; an eighth is added for safety. Counting them would need a pass over all
+        // cells.
         let rim_vertices = 6 * selected.len() + selected.len() / 8;
         let mut shapes = Shapes {
             places: Vec::new(),
@@ -91,7 +92,7 @@ impl Shaper {
         Shaper { shapes, rocks, triangulator: Triangulator::default(), sampler: PolygonSampler::default(), seed, layer }
     }
 
-    /// Shapes about `count` more rocks. True when all are done.
+    /// Shapes up to `count` more rocks. Returns true when all are done.
     #[inline(never)]
     pub(crate) fn advance(&mut self, cells: &Cells, selected: &[u32], count: usize) -> bool {
         let from = self.shapes.starts.len() - 1;
@@ -126,7 +127,8 @@ impl Shaper {
     }
 }
 
-/// The places of the selection by ascending site. A site is selected at most once, so counting sorts them.
+/// The numbers 0 … n − 1 of the selected cells, sorted by ascending site. A site is selected at most once, so a
+/// counting sort is enough.
 fn in_order_of_sites(selected: &[u32], sites: usize) -> Vec<u32> {
     const NONE: u32 = u32::MAX;
     let mut rock_of = vec![NONE; sites];
@@ -138,11 +140,12 @@ fn in_order_of_sites(selected: &[u32], sites: usize) -> Vec<u32> {
     rock_of
 }
 
-/// Draws points uniformly by area from a convex polygon (decision A12), as a fan of triangles.
+/// Draws points uniformly by area from a convex polygon (decision A12), which is split into a fan of triangles.
 #[derive(Debug, Default)]
 struct PolygonSampler {
     origin: DVec2,
-    /// Per triangle of the fan: two edge vectors, and the parallelogram's area.
+    /// Per triangle of the fan: its two edge vectors, the sum of the parallelograms' areas before it, and the
+    /// reciprocal of its own parallelogram's area.
     fan: Vec<(DVec2, DVec2, f64, f64)>,
     bounds: Vec<f64>,
     double_area: f64,
@@ -166,15 +169,16 @@ impl PolygonSampler {
         self.bounds.pop();
     }
 
-    /// A triangle by area, then a point of it: of a parallelogram's two halves, the far one is folded back.
+    /// Draws a point: chooses a triangle by area, then a point of its parallelogram; a point in the far half is folded
+    /// back.
     #[inline]
     fn draw(&self, stream: &mut Stream) -> DVec2 {
-        // Every draw takes another turn: arithmetic instead of branches.
+        // Each draw would take a different branch, so arithmetic is used instead.
         let place = stream.unit() * self.double_area;
         let t = stream.unit();
         let passed: usize = self.bounds.iter().map(|&bound| usize::from(place >= bound)).sum();
         let (u, v, start, scale) = self.fan[passed];
-        // What is left of the first number is uniform too.
+        // The remainder of the first number within the chosen triangle is uniform too, so it is used again.
         let s = (place - start) * scale;
         let beyond = f64::from(u8::from(s + t > 1.0));
         let (s, t) = (s + beyond * (1.0 - 2.0 * s), t + beyond * (1.0 - 2.0 * t));
@@ -182,7 +186,7 @@ impl PolygonSampler {
     }
 }
 
-/// The random numbers of Eqs 2 and 3 for one rock.
+/// The random numbers j1 and j2 of Eqs 2 and 3 for one rock.
 #[derive(Debug)]
 pub(crate) struct Swings {
     rock: [f64; 2],
@@ -205,7 +209,7 @@ impl Swings {
         }
     }
 
-    /// (j1, j2) of Eq. 2 and of Eq. 3 for the next vertex.
+    /// Draws the next vertex's numbers: (j1, j2) for Eq. 2, then (j1, j2) for Eq. 3.
     fn next(&mut self) -> [[f64; 2]; 2] {
         let width = self.vertex[0].unit();
         let height = if self.shared { width } else { self.vertex[1].unit() };
@@ -213,10 +217,12 @@ impl Swings {
     }
 }
 
-/// Moves the p_add of one rock (Eqs 2 and 3): outward from their mean g_add by a step, and up.
+/// Displaces the p_add of one rock (Eqs 2 and 3): each moves outward from their mean g_add by a step, and up. Calls
+/// `moved` with each displaced point, px.
 ///
-/// `swings` gives (j1, j2) of Eq. 2 and of Eq. 3 per vertex. A p_add that equals g_add has no direction and stays
-/// (decision A15); a negative step moves inward, and through g_add where it is longer than the distance.
+/// `swings` must return (j1, j2) for Eq. 2 and (j1, j2) for Eq. 3, once per vertex. A p_add that equals g_add has no
+/// direction and stays (decision A15). A negative step moves inward, and through g_add if it is longer than the
+/// distance.
 pub fn displace(
     top: &[DVec2],
     taper: [f64; 3],
@@ -237,7 +243,7 @@ pub fn displace(
 }
 
 impl Swings {
-    /// Displaces one rock with this rock's own numbers.
+    /// Displaces one rock's p_add with the random numbers of this rock; see [`displace`].
     pub(crate) fn displace(&mut self, top: &[DVec2], taper: [f64; 3], height: [f64; 3], moved: impl FnMut(DVec3)) {
         displace(top, taper, height, || self.next(), moved);
     }

@@ -4,7 +4,7 @@ use super::grid::Grid;
 use crate::bitmap::{Bitmap, ClearPixels, Disc};
 use crate::rng::{Purpose, Stream};
 
-/// A site as a pixel (column, row); its position is the pixel's centre, (column + 0.5, row + 0.5).
+/// A site, given as a pixel (column, row). Its position is the pixel's centre, (column + 0.5, row + 0.5).
 pub type Pixel = [u16; 2];
 
 /// The sites of one layer.
@@ -16,76 +16,81 @@ pub struct Sites {
     pub height: u32,
     /// Disc radius r, px.
     pub radius: f64,
-    /// One pixel per site, in buckets row by row, so that neighbours on the ground are neighbours in memory.
+    /// One pixel per site. They are sorted into buckets row by row, so that sites next to each other on the ground are
+    /// close together in memory.
     pub pixels: Vec<Pixel>,
     /// N_p of Eq. 1, rounded down (decision A2).
     pub target: u64,
-    /// No free pixel was left: every pixel of the image is nearer than r to a site.
+    /// True if no free pixel was left: every pixel of the image is nearer than r to a site.
     pub saturated: bool,
 }
 
 impl Sites {
-    /// How far the neighbours of a site can be, px, if the layer is saturated: every pixel's centre is nearer than r to a
-    /// site, so every point of the image is nearer than r + √½, and a neighbour is at most twice as far as a cell vertex.
+    /// The largest distance of a site's neighbours, px, in a saturated layer: every pixel's centre is nearer than r to
+    /// a site, so every point of the image is nearer than r + √½, and a neighbour is at most twice as far away as a
+    /// cell vertex.
     pub(crate) fn neighbor_reach(&self) -> f64 {
         2.0 * (self.radius + 0.71)
     }
 
-    /// Buckets of which one ring holds every neighbour of a saturated layer's site.
+    /// Sorts the sites into buckets so large that the bucket of a site and the ring around it hold all of the site's
+    /// neighbours, in a saturated layer.
     pub(crate) fn grid(&self) -> Grid {
         let side = self.neighbor_reach().ceil().min(f64::from(self.width.max(self.height)));
         Grid::new(self.width, self.height, side as u32, &self.pixels)
     }
 
-    /// Positions as x, y, x, y …, px: exact, being multiples of ½ below 2¹⁴.
+    /// Positions as x, y, x, y …, px. They are exact, because they are multiples of ½ below 2¹⁴.
     pub fn positions(&self) -> Vec<f32> {
         self.pixels.iter().flatten().map(|&c| f32::from(c) + 0.5).collect()
     }
 }
 
-/// N_p = A·c_d / (π (0.5 r)²), before rounding (Eq. 1).
+/// N_p = A·c_d / (π (0.5 r)²) of Eq. 1, before rounding. `area` is in px², `radius` in px.
 pub fn target_sites(area: f64, packing: f64, radius: f64) -> f64 {
     let half = 0.5 * radius;
     area * packing / (core::f64::consts::PI * half * half)
 }
 
-/// Picks in one batch of the first phase.
+/// Number of picks in one batch.
 const BATCH: u32 = 1024;
 
-/// Fewer hits than this in a batch, and picking among the free pixels is cheaper than missing (about 1.5 %).
+/// If a batch has fewer hits than this (about 1.5 %), listing the free pixels and picking among them is cheaper than
+/// missing.
 const FEW_HITS: u32 = 16;
 
-/// So many pixels are listed in the time of one miss.
+/// Number of pixels that can be listed in the time of one miss.
 const LIST_COST: u64 = 1024;
 
 /// Throws darts at a bitmap until N_p sites stand or no pixel is free.
 ///
-/// Source: journal §3.1, Fig. 4, read as decision A1 (b): the pick is repeated until the number is reached,
-/// which at c_d = 0.7 is impossible, so the end of the free pixels also ends it. Picking at random
-/// and discarding what is flagged, then drawing from a list of the clear pixels, is the same
-/// distribution as picking among the clear pixels throughout. With `attempts` exactly N_p picks are made.
+/// Source: journal §3.1, Fig. 4, in reading b of decision A1: the pick is repeated until the number is reached. At c_d
+/// = 0.7 that is impossible, so running out of free pixels also ends it. At first, pixels are picked at random and
+/// flagged ones are discarded; later, pixels are drawn from a list of the clear ones. Both have the same distribution
+/// as picking among the clear pixels all along. With `attempts`, exactly N_p picks are made.
 ///
-/// Cost: O(n·r²/64) bit writes, plus a pass over the bitmap; the list is never larger than the bitmap.
+/// Cost: O(n·r²/64) bit writes and one pass over the bitmap. The list is never larger than the bitmap.
 #[derive(Debug)]
 pub(crate) struct DartThrower {
     sites: Sites,
     bitmap: Bitmap,
     disc: Disc,
     stream: Stream,
-    /// Picks still allowed; only the literal reading of Fig. 4 limits them.
+    /// Number of picks still allowed. `None` unless Fig. 4 is taken literally.
     picks_left: Option<u64>,
-    /// Clear pixels, some of them stale; present from the second phase on.
+    /// The list of clear pixels, present from the second phase on. Some of its entries may have been taken since it was
+    /// made.
     free: Option<ClearPixels>,
-    /// The clear pixels have to be listed, anew if they have been, before darts are thrown on.
+    /// True if the clear pixels have to be listed, or listed again, before more darts are thrown.
     is_list_due: bool,
-    /// They may be; without it [`DartThrower::advance`] returns where they are due.
+    /// Set by the caller to allow listing. While it is false, [`DartThrower::advance`] returns when a list is due.
     pub(crate) may_list: bool,
-    /// Picks that hit nothing since the clear pixels were listed.
+    /// Number of picks that missed since the clear pixels were listed.
     misses: u32,
     batch: Batch,
 }
 
-/// The picks of a batch whose pixels were free when it was drawn.
+/// The picks of one batch whose pixels were free when the batch was drawn.
 #[derive(Debug)]
 struct Batch {
     pixels: [Pixel; BATCH as usize],
@@ -93,10 +98,11 @@ struct Batch {
 }
 
 impl Batch {
-    /// Draws `limit` pixels and keeps the free ones, without a branch on what is a coin toss.
+    /// Draws up to `limit` pixels and keeps the free ones, without branching on whether a pixel is free, which is
+    /// unpredictable.
     #[inline]
     fn sift(&mut self, bitmap: &Bitmap, stream: &mut Stream, limit: u32, mut draw: impl FnMut(&mut Stream) -> Pixel) {
-        // A copy can live in registers.
+        // A local copy can be kept in registers.
         let mut own = stream.clone();
         let mut count = 0;
         for _ in 0..limit.min(BATCH) {
@@ -111,7 +117,8 @@ impl Batch {
 }
 
 impl DartThrower {
-    /// Throws at an image of this size, where about `expected` sites will stand.
+    /// Prepares to throw darts at an image of this size. `expected` is roughly the number of sites and sets the initial
+    /// capacity.
     pub(crate) fn new(
         [width, height]: [u32; 2],
         radius: f64,
@@ -136,10 +143,11 @@ impl DartThrower {
         }
     }
 
-    /// Makes at least one and about `picks` picks. True when the layer is finished.
+    /// Makes about `picks` picks, at least one. Returns true when the layer is finished, and false when more picks are
+    /// needed or a list is due.
     ///
-    /// Picks are drawn and sifted by the batch: what is taken when the batch is drawn stays taken, and looking up
-    /// many scattered flags at once lets the memory accesses overlap.
+    /// Picks are drawn and filtered in batches: a pixel that is taken when the batch is drawn stays taken, and looking
+    /// up many scattered flags at once lets the memory accesses overlap.
     #[inline(never)]
     pub(crate) fn advance(&mut self, mut picks: u32) -> bool {
         while !self.is_finished() {
@@ -163,7 +171,7 @@ impl DartThrower {
                     self.sites.saturated = true;
                     continue;
                 }
-                // Every entry is drawn at most once, so this ends.
+                // Every entry of the list is drawn at most once, so this ends.
                 Some(free) => {
                     let drawn = limit.min(free.len());
                     self.batch.sift(&self.bitmap, &mut self.stream, drawn, |stream| {
@@ -185,7 +193,8 @@ impl DartThrower {
             match &mut self.picks_left {
                 Some(left) => {
                     *left -= u64::from(drawn);
-                    // Below a pixel N_p grows without bound; once every pixel is a site no pick can hit any more.
+                    // For radii below a pixel N_p grows without bound. Once every pixel is a site, no pick can hit any
+                    // more.
                     self.sites.saturated = self.sites.pixels.len() as u64 == self.bitmap.pixels();
                 }
                 None => {
@@ -200,7 +209,7 @@ impl DartThrower {
         true
     }
 
-    /// Places a site where the pixel is free; used by the tests with given picks.
+    /// Places a site if the pixel is free, and returns whether it did. Tests call it with given picks.
     #[inline]
     fn try_place(&mut self, pixel: Pixel) -> bool {
         let [x, y] = pixel.map(u32::from);
@@ -212,12 +221,12 @@ impl DartThrower {
         true
     }
 
-    /// Whether it waits for `may_list`.
+    /// Whether it cannot go on until the caller sets `may_list`.
     pub(crate) fn waits_for_list(&self) -> bool {
         self.is_list_due && !self.may_list
     }
 
-    /// Bytes that the list will take.
+    /// Bytes that the list of clear pixels will take.
     pub(crate) fn clear_bytes(&self) -> f64 {
         self.bitmap.clear_bytes()
     }
@@ -226,7 +235,7 @@ impl DartThrower {
         self.sites.saturated || self.sites.pixels.len() as u64 >= self.sites.target || self.picks_left == Some(0)
     }
 
-    /// 0 … 1, guessed from the sites found: random discs jam at 0.547 of the area (decision A1).
+    /// Progress, 0 … 1, estimated from the number of sites: random discs jam at 0.547 of the area (decision A1).
     pub(crate) fn progress(&self) -> f64 {
         let jammed = target_sites(f64::from(self.sites.width) * f64::from(self.sites.height), 0.547, self.sites.radius);
         let expected = jammed.min(self.sites.target as f64).max(1.0);
@@ -234,7 +243,7 @@ impl DartThrower {
     }
 
     pub(crate) fn finish(self) -> Sites {
-        // What is not needed any more goes first.
+        // The bitmap and the list are freed before the sites are sorted.
         let DartThrower { mut sites, bitmap, free, .. } = self;
         drop((bitmap, free));
         sort_by_bucket(&mut sites);
@@ -242,16 +251,17 @@ impl DartThrower {
     }
 }
 
-/// Sorts the sites into square buckets of about r, row by row, and within a bucket in the order of acceptance.
+/// Sorts the sites into the square buckets of [`Sites::grid`], row by row, and within a bucket in the order of
+/// acceptance.
 ///
-/// A site's index is its place in this order: neighbours on the ground are neighbours in memory, and
-/// every later stage that walks the sites walks the image once.
+/// A site's index is its place in this order. Sites next to each other on the ground are therefore close together in
+/// memory, and a later stage that goes through all sites goes through the image once.
 fn sort_by_bucket(sites: &mut Sites) {
     let grid = sites.grid();
     sites.pixels = grid.order().iter().map(|&index| sites.pixels[index as usize]).collect();
 }
 
-/// Throws at given pixels: which picks were accepted, and how many pixels stay free.
+/// Throws darts at given pixels. Returns the indices of the accepted picks and the number of pixels that stay free.
 pub fn accept_picks(width: u32, height: u32, radius: f64, picks: &[Pixel]) -> (Vec<usize>, u64) {
     let mut thrower = DartThrower::new([width, height], radius, 1.0, true, [0, 0], 0);
     let accepted =

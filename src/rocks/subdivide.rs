@@ -1,6 +1,8 @@
-//! Every triangle of a rock cut into m² equal ones, with weights to carry any value from the corners to the new vertices.
+//! Cuts every triangle of a rock into m² equal ones. Each new vertex is a weighted mean of the rock's corners, so any
+//! value given at the corners can be carried over to it.
 
-/// How a new vertex lies among the corners of the rock: their numbers, and their shares of `segments`.
+/// A vertex as a weighted mean of three corners of the rock: the numbers of the corners and their weights, in units of
+/// 1/`segments`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Blend {
     corners: [u16; 3],
@@ -8,13 +10,13 @@ pub(super) struct Blend {
 }
 
 impl Blend {
-    /// The blend of the corners' values.
+    /// The weighted mean of the values that `values` holds for the corners.
     #[inline]
     pub(super) fn of<T>(&self, values: &[T], segments: usize) -> T
     where
         T: Copy + core::ops::Add<Output = T> + core::ops::Mul<f64, Output = T>,
     {
-        // A power of two: exact.
+        // `segments` is a power of two, so this is exact.
         let unit = 1.0 / segments as f64;
         let [a, b, c] = self.corners.map(|corner| values[usize::from(corner)]);
         let [i, j, k] = self.shares.map(|share| f64::from(share) * unit);
@@ -22,25 +24,28 @@ impl Blend {
     }
 }
 
-/// A rock's triangles, subdivided. Re-used from rock to rock.
+/// The subdivided triangles of one rock. Re-used from rock to rock to avoid allocations.
 ///
-/// The vertices of the rim come first, in order around the cell, m for each of its edges; then the top's; then the rest.
+/// The rim's vertices come first, in order around the cell, m for each of the cell's edges; then the top vertices; then
+/// all others.
 #[derive(Debug, Default)]
 pub(super) struct Subdivision {
     pub(super) segments: usize,
     pub(super) rim: usize,
     pub(super) blends: Vec<Blend>,
     pub(super) triangles: Vec<[u16; 3]>,
-    /// Per pair of corners the first vertex inside their edge, from the lower corner on; a square of `corners`.
+    /// The first vertex inside the edge between two corners, counted from the lower corner on; a square table of
+    /// `corners` × `corners`.
     edges: Vec<u16>,
-    /// The vertices of one triangle, row by row.
+    /// Vertices of the triangle being cut, row by row.
     lattice: Vec<u16>,
 }
 
 const NONE: u16 = u16::MAX;
 
 impl Subdivision {
-    /// Cuts the edges of `triangles` over `rim` rim and as many top vertices into `segments`, a power of two up to 8.
+    /// Cuts `triangles`, which have `rim` rim vertices and as many top vertices. Every edge is cut into `segments`
+    /// parts, a power of two up to 8.
     pub(super) fn cut(&mut self, rim: usize, triangles: &[[u16; 3]], segments: usize) {
         let corners = 2 * rim;
         self.segments = segments;
@@ -69,12 +74,13 @@ impl Subdivision {
         self.blends.push(blend);
     }
 
-    /// The vertex of a corner.
+    /// The number of the vertex at a corner.
     fn corner(&self, corner: usize, rim: usize) -> u16 {
         (if corner < rim { corner * self.segments } else { self.rim + corner - rim }) as u16
     }
 
-    /// The vertex `step` segments from `a` towards `b`.
+    /// The number of the vertex `step` segments from corner `a` towards corner `b`. Creates the edge's vertices if they
+    /// do not exist yet.
     fn on_edge(&mut self, [a, b]: [usize; 2], step: usize, rim: usize) -> u16 {
         if step == 0 || step == self.segments {
             return self.corner(if step == 0 { a } else { b }, rim);
@@ -87,7 +93,8 @@ impl Subdivision {
                 self.push([low, high, low], [self.segments - step, step, 0]);
             }
         }
-        // The rim's last edge runs from its last corner to its first, the one edge stored from the higher corner on.
+        // The rim's last edge runs from its last corner to its first. It is the only edge stored from its higher corner
+        // on.
         let wraps = low == 0 && high + 1 == rim;
         let from_start = if (a == low) != wraps { step } else { self.segments - step };
         self.edges[slot] + from_start as u16 - 1
@@ -129,9 +136,10 @@ impl Subdivision {
     }
 }
 
-/// Vertices and triangles of `rocks` rocks with `top` top vertices in all, every edge cut into `segments`.
+/// Number of vertices and of triangles of `rocks` rocks that have `top` top vertices in all, with every edge cut into
+/// `segments`.
 pub(crate) fn counts(rocks: usize, top: usize, segments: usize) -> [usize; 2] {
-    // Of one rock with n rim vertices: 2n corners, 5n − 3 edges, 3n − 2 triangles (decision A12).
+    // A rock with n rim vertices has 2n corners, 5n − 3 edges and 3n − 2 triangles (decision A12).
     let [corners, edges, triangles] = [2 * top, 5 * top - 3 * rocks, 3 * top - 2 * rocks];
     let inside = segments - 1;
     [corners + edges * inside + triangles * (inside * segments.saturating_sub(2) / 2), triangles * segments * segments]

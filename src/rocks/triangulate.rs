@@ -1,17 +1,18 @@
-//! Delaunay triangulation of one rock: a dozen points, so small arrays and no general library.
+//! Delaunay triangulation of one rock. A rock has about a dozen points, so small arrays serve better than a general
+//! library.
 //!
-//! Of a thousand rocks five have points so close to one circle that wrapping them in single precision is not
-//! certain; those are triangulated again with exact signs. `tests/triangulation.rs` holds both equal to spade.
+//! About five rocks in a thousand have points so close to one circle that wrapping in single precision cannot decide;
+//! they are triangulated again with exact signs. `tests/triangulation.rs` compares both methods with the crate `spade`.
 
 use glam::DVec2;
 use robust::Coord;
 
 use super::wrap::{Apex, WrapSet};
 
-/// No triangle beyond: a rim edge.
+/// Stands for the neighbour across a rim edge, where there is no triangle.
 const RIM: u16 = u16::MAX;
 
-/// Triangulates rocks, re-used from one to the next.
+/// Triangulates rocks, one after the other, re-using its buffers.
 #[derive(Debug, Default)]
 pub(crate) struct Triangulator {
     wrapper: Wrapper,
@@ -19,8 +20,9 @@ pub(crate) struct Triangulator {
 }
 
 impl Triangulator {
-    /// Appends the Delaunay triangles of a convex rim (counter-clockwise) and as many points inside it, drawn by `draw`, as
-    /// indices into rim and points. A draw that rounding puts on the rim or on another point is drawn again.
+    /// Triangulates a convex rim (counter-clockwise) and as many points inside it, which `draw` returns. Appends the
+    /// points to `top` and the Delaunay triangles to `triangles`, as indices into rim and points. A point that rounding
+    /// puts on the rim or on another point is drawn again.
     pub(crate) fn add_rock(
         &mut self,
         rim: &[DVec2],
@@ -47,17 +49,17 @@ impl Triangulator {
     }
 }
 
-/// Delaunay triangulation by gift wrapping: inward from the rim, edge by edge. Nearly always certain, and then fast.
+/// Delaunay triangulation by gift wrapping, from the rim inward, edge by edge. It is fast, and nearly always certain.
 #[derive(Debug)]
 struct Wrapper {
     points: WrapSet,
-    /// Directed edges that want a triangle on their left, unless they have got one by now.
+    /// Directed edges that need a triangle on their left, unless they have got one in the meantime.
     open: [[u8; 2]; 3 * MOST_POINTS],
-    /// Bit q of word p: the edge from p to q has its triangle.
+    /// Bit q of word p is set if the edge from p to q has its triangle.
     done: [u32; MOST_POINTS],
 }
 
-/// Points of one rock; the edges that have a triangle are bits of as many words.
+/// Largest number of points of a rock that is wrapped: the edges from each point are the bits of one word.
 const MOST_POINTS: usize = 32;
 
 impl Default for Wrapper {
@@ -67,15 +69,16 @@ impl Default for Wrapper {
 }
 
 impl Wrapper {
-    /// Appends the triangles. False, and anything appended, where two points are too close to call.
+    /// Appends the triangles and returns true. Returns false if two points are too close to call; anything appended is
+    /// then to be discarded.
     fn wrap(&mut self, rim: &[DVec2], inner: &[DVec2], triangles: &mut Vec<[u16; 3]>) -> bool {
         let (rim_count, count) = (rim.len(), rim.len() + inner.len());
         if count > MOST_POINTS {
             return false;
         }
-        // Relative to a point of the rock, so that single precision has the most digits.
+        // Coordinates are taken relative to a point of the rock, so that single precision keeps the most digits.
         let origin = rim[0];
-        // The largest coordinate; as bits, because positive numbers sort like those, and without a branch.
+        // The largest coordinate, as bits: the bits of positive floats sort like the floats, and need no branch.
         let mut extent = 0_u32;
         self.points.clear();
         for (label, &point) in (0..).zip(rim.iter().chain(inner)) {
@@ -85,8 +88,8 @@ impl Wrapper {
             self.done[label as usize] = 0;
         }
         self.points.seal();
-        // ε/2 of the extent for a coordinate, hence 2ε for a difference, 10ε of its square for a product of two, and 24ε for
-        // two products and their sum.
+        // Bound of the error: ε/2 of the extent for a coordinate, hence 2ε for a difference, 10ε of the extent's square
+        // for a product of two differences, and 24ε for two products and their sum.
         let extent = f32::from_bits(extent);
         let error = 27.0 * f32::EPSILON * extent * extent;
 
@@ -94,7 +97,7 @@ impl Wrapper {
         let mut opened = 0;
         for k in 0..rim_count {
             let next = if k + 1 == rim_count { 0 } else { k + 1 };
-            // Outside of the rim there is nothing to do.
+            // Nothing has to be done outside the rim.
             done[next] |= 1 << k;
             open[opened] = [k as u8, next as u8];
             opened += 1;
@@ -118,50 +121,50 @@ impl Wrapper {
             done[ends[0]] |= 1 << b;
             done[ends[1]] |= 1 << c;
             done[apex] |= 1 << a;
-            // Whether they have one is a coin toss: no branch.
+            // Whether an edge has its triangle is unpredictable, so there is no branch on it.
             for [p, q] in [[c, b], [a, c]] {
                 open[opened] = [p, q];
                 opened += usize::from(done[usize::from(p)] >> q & 1 == 0);
             }
         }
-        // Every inner edge has a triangle on both sides by now. If they are as many as all points take, they cover the rock
-        // without overlap, and then none of the edges runs through another point, which `apex` would have overlooked.
+        // Every inner edge has a triangle on both sides now. If there are as many triangles as the points need, they
+        // cover the rock without overlap, and no edge runs through another point, which `apex` would have overlooked.
         triangles.len() == wanted
     }
 }
 
-/// Delaunay triangulation of a convex rim and points strictly inside it, where wrapping is not sure.
+/// Delaunay triangulation of a convex rim and points strictly inside it, for rocks where wrapping cannot decide.
 ///
-/// Vertices 0 … n − 1 are the rim, counter-clockwise; the points follow in the order of insertion.
-/// Rim edges are never flipped, so with n points inside there are exactly 3n − 2 triangles, also where
-/// rounding has bent the rim inward by less than a lattice step.
+/// Vertices 0 … n − 1 are the rim, counter-clockwise, followed by the points in the order of insertion. Rim edges are
+/// never flipped, so n points inside always give exactly 3n − 2 triangles, even if rounding has bent the rim inward by
+/// less than a lattice step.
 ///
-/// Source: Lawson (1977), *Software for C1 surface interpolation*: split the triangle that holds the new
-/// point, then flip edges until every circumcircle is empty. Signs are exact: a floating-point
-/// filter whose error bound is fixed per rock, and Shewchuk's adaptive predicates ([`robust`]) within it.
+/// Source: Lawson (1977), *Software for C1 surface interpolation*: split the triangle that holds the new point, then
+/// flip edges until every circumcircle is empty. Signs are exact: a floating-point filter with an error bound fixed per
+/// rock decides most of them, and Shewchuk's adaptive predicates ([`robust`]) the rest.
 #[derive(Debug, Default)]
 struct Lawson {
     points: Vec<DVec2>,
-    /// Counter-clockwise.
+    /// Vertices of each triangle, counter-clockwise.
     triangles: Vec<[u16; 3]>,
-    /// `neighbors[t][k]` lies across the edge from vertex k to vertex k + 1 of triangle t.
+    /// `neighbors[t][k]` is the triangle across the edge from vertex k to vertex k + 1 of triangle t.
     neighbors: Vec<[u16; 3]>,
-    /// (triangle, edge) whose far vertex may lie in the triangle's circumcircle.
+    /// Pairs (triangle, edge) for which the vertex beyond the edge may lie in the triangle's circumcircle.
     suspects: Vec<(u16, u8)>,
-    /// A determinant larger than this has the right sign.
+    /// A determinant whose absolute value is larger than this has the right sign.
     orient_error: f64,
     incircle_error: f64,
-    /// Where the walk to the next point starts.
+    /// The triangle at which the walk to the next point starts.
     last: u16,
 }
 
 impl Lawson {
-    /// Starts with the star of `first` over the rim. False where `first` is not strictly inside.
+    /// Starts a triangulation by joining `first` to every rim vertex. Returns false if `first` is not strictly inside.
     fn start(&mut self, rim: &[DVec2], first: DVec2) -> bool {
         let (low, high) = rim.iter().fold((DVec2::MAX, DVec2::MIN), |(lo, hi), &v| (lo.min(v), hi.max(v)));
         let extent = (high - low).max_element();
         let squared = extent * extent;
-        // Shewchuk's bounds (3 + 16ε)ε Σ|products| and (10 + 96ε)ε Σ|products| with every difference at most `extent`.
+        // Shewchuk's bounds (3 + 16ε)ε Σ|products| and (10 + 96ε)ε Σ|products|, with every difference at most `extent`.
         self.orient_error = 1.0e-15 * squared;
         self.incircle_error = 2.0e-14 * squared * squared;
         self.last = 0;
@@ -186,7 +189,8 @@ impl Lawson {
         true
     }
 
-    /// Inserts a point. False, and nothing changed, where it is not strictly inside the rim or is there already.
+    /// Inserts a point. Returns false and changes nothing if the point is not strictly inside the rim or is there
+    /// already.
     fn insert(&mut self, point: DVec2) -> bool {
         let p = self.points.len() as u16;
         self.points.push(point);
@@ -213,7 +217,8 @@ impl Lawson {
         true
     }
 
-    /// Walks to a triangle that holds point `p`, possibly on an inner edge.
+    /// Walks to a triangle that holds point `p`, possibly on an inner edge. Returns `None` if `p` is outside or
+    /// coincides with a vertex.
     fn locate(&self, p: u16) -> Option<u16> {
         let mut t = self.last;
         'walk: loop {
@@ -225,7 +230,7 @@ impl Lawson {
                     return None;
                 }
                 if side < 0.0 {
-                    // In a Delaunay triangulation such a walk cannot return to a triangle it has left.
+                    // In a Delaunay triangulation this walk cannot return to a triangle that it has left.
                     t = beyond;
                     continue 'walk;
                 }
@@ -236,8 +241,8 @@ impl Lawson {
         }
     }
 
-    /// Flips edges until no suspect is left. `all`: every outer edge of a flipped pair becomes a suspect, as the star
-    /// of `start` asks for; after an insertion only those that face the new point can be.
+    /// Flips edges until no suspect is left. With `all`, every outer edge of a flipped pair becomes a suspect, which
+    /// the star of `start` needs; after an insertion, only the edges that face the new point can be.
     fn flip_suspects(&mut self, all: bool) {
         while let Some((t, k)) = self.suspects.pop() {
             let (t, k) = (usize::from(t), usize::from(k));
@@ -245,7 +250,7 @@ impl Lawson {
             if u == RIM {
                 continue;
             }
-            // Triangle t = (a, b, p) and, across its edge k from a to b, u = (b, a, q).
+            // Triangle t is (a, b, p), and u = (b, a, q) is the triangle across its edge k from a to b.
             let (a, b, p) = (self.triangles[t][k], self.triangles[t][(k + 1) % 3], self.triangles[t][(k + 2) % 3]);
             let across = &self.neighbors[usize::from(u)];
             let j = if across[0] == t as u16 {
@@ -275,7 +280,7 @@ impl Lawson {
         }
     }
 
-    /// Triangle `t` had `old` for a neighbour and now has `new`.
+    /// Replaces the neighbour `old` of triangle `t` by `new`.
     #[inline]
     fn relink(&mut self, t: u16, old: u16, new: u16) {
         if t != RIM {
@@ -287,7 +292,7 @@ impl Lawson {
         }
     }
 
-    /// Positive where c lies left of the line from a to b.
+    /// Positive if c lies left of the line from a to b, negative if right of it, 0 if on it.
     #[inline]
     fn orient(&self, a: u16, b: u16, c: u16) -> f64 {
         let [a, b, c] = [a, b, c].map(|v| self.points[usize::from(v)]);
@@ -295,7 +300,7 @@ impl Lawson {
         if det.abs() > self.orient_error { det } else { robust::orient2d(coord(a), coord(b), coord(c)) }
     }
 
-    /// Positive where d lies in the circle through a, b, c (counter-clockwise).
+    /// Positive if d lies inside the circle through a, b, c (counter-clockwise), negative if outside, 0 if on it.
     #[inline]
     fn incircle(&self, a: u16, b: u16, c: u16, d: u16) -> f64 {
         let [a, b, c, d] = [a, b, c, d].map(|v| self.points[usize::from(v)]);
@@ -311,7 +316,8 @@ fn coord(p: DVec2) -> Coord<f64> {
     Coord { x: p.x, y: p.y }
 }
 
-/// Delaunay triangles of a convex rim (counter-clockwise) and points inside it; `None` if a point is not strictly inside.
+/// Returns the Delaunay triangles of a convex rim (counter-clockwise) and the points inside it, as indices into rim and
+/// points; `None` if a point is not strictly inside.
 pub fn triangulate(rim: &[DVec2], inner: &[DVec2]) -> Option<Vec<[u16; 3]>> {
     let mut triangles = Vec::new();
     if Wrapper::default().wrap(rim, inner, &mut triangles) {
@@ -330,14 +336,14 @@ mod tests {
     use super::*;
     use crate::rng::{Purpose, Stream};
 
-    /// n points on an ellipse and n inside, at any place of a large image.
+    /// A rim of n points on an ellipse and n points inside it, somewhere in a large image.
     fn rock(n: usize, stream: &mut Stream) -> (Vec<DVec2>, Vec<DVec2>) {
         let place = 8192.0 * DVec2::new(stream.unit(), stream.unit());
         let axes = 40.0 * DVec2::new(0.3 + 0.7 * stream.unit(), 0.3 + 0.7 * stream.unit());
         let at = |angle: f64, radius: f64| place + radius * axes * DVec2::from_angle(angle);
         let turn = core::f64::consts::TAU / n as f64;
         let rim = (0..n).map(|k| at(turn * (k as f64 + 0.8 * stream.unit()), 1.0)).collect();
-        // Well within the rim, of which not even a triangle may leave the middle out.
+        // The points are well inside the rim: even a rim of three vertices must hold them if it holds the middle.
         let top = (0..n).map(|_| at(10.0 * stream.unit(), 0.4 * stream.unit().sqrt())).collect();
         (rim, top)
     }
@@ -351,7 +357,7 @@ mod tests {
             let (rim, top) = rock(n, &mut stream);
             let mut lawson = Lawson::default();
             if !lawson.start(&rim, top[0]) || !top[1..].iter().all(|&point| lawson.insert(point)) {
-                continue; // the middle is not inside
+                continue; // the rim does not hold the middle
             }
             // Rims of many vertices are nearly circles here; those of real rocks are not.
             let is_usual = u32::from(n <= 8);

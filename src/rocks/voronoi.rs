@@ -1,10 +1,11 @@
 //! Stage 2: one Voronoi diagram per layer, clipped to the image (journal §3.1).
 //!
-//! Every cell is wrapped around its site from a list of possible neighbours ([`CellWrapper`]): the sites within a reach.
-//! A cell none of whose vertices is farther than half the reach is final, for a neighbour is at most twice as far
-//! as a vertex; otherwise the reach is doubled. In a saturated layer every point is nearer than r + √½ px to a site, so
-//! the first reach always does and the cost per cell is constant; darts that stopped at N_p leave a few
-//! larger cells. `tests/voronoi.rs` holds the diagrams equal to those of spade.
+//! A cell is built around its site from a list of possible neighbours ([`CellWrapper`]): all sites within a certain
+//! reach. A neighbour is at most twice as far away as the farthest vertex of the cell, so a cell whose vertices all lie
+//! within half the reach is final; for any other cell the reach is doubled. In a saturated layer every point is nearer
+//! than r + √½ px to a site, so the first reach is always enough and the cost per cell is constant. If the darts
+//! stopped at N_p, a few cells are larger and need more. `tests/voronoi.rs` compares the diagrams with those of the
+//! crate `spade`.
 
 use glam::{DVec2, Vec2};
 
@@ -15,14 +16,16 @@ use super::wrap::WrapSet;
 
 /// The Voronoi diagram of one layer, clipped to the image.
 ///
-/// Cell i owns the vertices `starts[i] .. starts[i + 1]`, counter-clockwise from the lexicographically least one.
+/// Cell i owns the vertices `starts[i] .. starts[i + 1]`, in counter-clockwise order from the lexicographically
+/// smallest one.
 #[derive(Debug, Clone, Default)]
 pub struct Cells {
-    /// n + 1 offsets into the two lists below.
+    /// n + 1 offsets into `vertices` and `neighbors`.
     pub starts: Vec<u32>,
-    /// Cell vertices in px.
+    /// Vertices of all cells, px.
     pub vertices: Vec<DVec2>,
-    /// For every vertex the neighbour across the edge that starts there: a site index, or one of the image's sides.
+    /// For every vertex, the neighbour across the edge that starts there: a site's index, or one of the image's sides
+    /// (see [`SIDES`]).
     pub(crate) neighbors: Vec<u32>,
     pub(crate) grid: Grid,
 }
@@ -38,12 +41,12 @@ impl Cells {
         self.len() == 0
     }
 
-    /// Vertices of cell `i`.
+    /// The vertices of cell `i`, px, counter-clockwise.
     pub fn polygon(&self, i: usize) -> &[DVec2] {
         &self.vertices[self.starts[i] as usize..self.starts[i + 1] as usize]
     }
 
-    /// Vertices as x, y, x, y …, px, rounded to f32.
+    /// All vertices as x, y, x, y …, px, rounded to f32.
     pub fn flat_vertices(&self) -> Vec<f32> {
         self.vertices.iter().flat_map(|v| v.as_vec2().to_array()).collect()
     }
@@ -58,18 +61,19 @@ impl Cells {
     }
 }
 
-/// The sites around a bucket: gathered once for all cells of the bucket, as consecutive sites are.
+/// The sites around one bucket. They are gathered once and used for all cells of the bucket, because consecutive sites
+/// mostly lie in the same bucket.
 #[derive(Debug, Default)]
 struct Surroundings {
     sites: WrapSet,
-    /// Column, row and rings.
+    /// Column and row of the bucket, and the number of rings of buckets gathered around it.
     bucket: Option<[u32; 3]>,
 }
 
 impl Surroundings {
-    /// Gathers at least the sites within `reach` of a site.
+    /// Gathers all sites within `reach` px of a site, and possibly some that are farther away.
     fn look(&mut self, grid: &Grid, sites: &Sites, site: usize, reach: f64) {
-        // A site more than `rings` buckets away is farther than so many bucket sides.
+        // A site more than `rings` buckets away is farther away than `rings` bucket sides.
         let rings = (reach / f64::from(grid.side)).ceil() as u32;
         let [column, row] = sites.pixels[site].map(|c| u32::from(c) / grid.side);
         if self.bucket != Some([column, row, rings]) {
@@ -83,13 +87,13 @@ impl Surroundings {
     }
 }
 
-/// Builds a layer's diagram in pieces.
+/// Builds a layer's diagram, some of its cells per step.
 #[derive(Debug)]
 pub(crate) struct VoronoiBuilder {
     cells: Cells,
     surroundings: Surroundings,
     wrapper: CellWrapper,
-    /// How far to look for neighbours at first, px.
+    /// Distance within which neighbours are looked for at first, px.
     reach: f64,
 }
 
@@ -97,12 +101,12 @@ impl VoronoiBuilder {
     pub(crate) fn new(sites: &Sites) -> Self {
         let count = sites.pixels.len();
         let grid = sites.grid();
-        // Where darts stopped early the sites are sparser than r tells, and so is the grid.
+        // If the darts stopped early, the sites are sparser than r suggests, and the buckets are larger.
         let sparse = if sites.saturated { 0.0 } else { f64::from(grid.side) };
         let reach = sites.neighbor_reach().max(sparse);
         let mut cells = Cells {
             starts: Vec::with_capacity(count + 1),
-            // Fewer than six vertices per cell on average (Euler), and four corners.
+            // Cells have fewer than six vertices on average (Euler's formula); the image's corners add four in all.
             vertices: Vec::with_capacity(6 * count + 4),
             neighbors: Vec::with_capacity(6 * count + 4),
             grid,
@@ -111,7 +115,7 @@ impl VoronoiBuilder {
         VoronoiBuilder { cells, surroundings: Surroundings::default(), wrapper: CellWrapper::default(), reach }
     }
 
-    /// Works on about `count` sites. True when the diagram is finished.
+    /// Builds about `count` more cells. Returns true when the diagram is finished.
     #[inline(never)]
     pub(crate) fn advance(&mut self, sites: &Sites, count: usize) -> bool {
         let from = self.cells.len();
@@ -126,7 +130,7 @@ impl VoronoiBuilder {
         let mut reach = self.reach;
         loop {
             self.surroundings.look(&self.cells.grid, sites, site, reach);
-            // The image's own sides close every cell at the latest.
+            // The loop ends at the latest when the sides of the image close the cell.
             if self.wrapper.wrap(sites, site, &self.surroundings.sites, reach) {
                 break;
             }
@@ -135,14 +139,14 @@ impl VoronoiBuilder {
         let Cells { starts, vertices, neighbors, .. } = &mut self.cells;
         let centre = DVec2::from(sites.pixels[site].map(f64::from)) + 0.5;
         self.wrapper.emit(|[dx, dy], neighbor| {
-            // Exact: a multiple of 2⁻²⁰ below 2¹⁴.
+            // This is exact: the result is a multiple of 2⁻²⁰ below 2¹⁴.
             vertices.push(centre + DVec2::new(dx, dy) / LATTICE);
             neighbors.push(neighbor);
         });
         starts.push(vertices.len() as u32);
     }
 
-    /// 0 … 1.
+    /// Share of the cells that are finished, 0 … 1.
     pub(crate) fn progress(&self, sites: &Sites) -> f64 {
         self.cells.len() as f64 / sites.pixels.len().max(1) as f64
     }
@@ -154,7 +158,7 @@ impl VoronoiBuilder {
     }
 }
 
-/// The diagram of given sites.
+/// Builds the Voronoi diagram of the given sites.
 pub fn voronoi(sites: &Sites) -> Cells {
     let mut builder = VoronoiBuilder::new(sites);
     while !builder.advance(sites, usize::MAX / 2) {}

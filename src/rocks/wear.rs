@@ -1,13 +1,15 @@
-//! The last stages, beyond the papers and off by default: subdivision, weathering, roughness, embedding.
+//! Subdivision, weathering, roughness and embedding of rocks. They go beyond the papers and are off by default.
 //!
-//! Both papers leave wear and weathering to future work. Here a rock is blended from its papers' mesh to a stone as a river or a
-//! quarry leaves it: a convex [`Body`] whose half-spaces are taken from the rock itself (a side for every edge of its cell, a
-//! facet for every top vertex, as far out and as high as Eqs 2 and 3 put it) and a few of its own. Every vertex keeps its place in the
-//! triangulation: the cell is spread over a disc, its rim on the circle and its top vertices at the mean of their neighbours (Tutte
-//! 1963, *How to draw a graph*: so no triangle turns over), the disc over a sphere, and the sphere along its rays onto the body.
+//! Both papers leave wear and weathering to future work. Here a rock is a blend of the papers' mesh and a stone as
+//! found in a river or a quarry. The stone is a convex [`Body`]. Most of its half-spaces are taken from the rock
+//! itself: a side for every edge of its cell, and a facet for every top vertex, as far out and as high as Eqs 2 and 3
+//! put it; a few more are drawn at random. Every vertex keeps its place in the triangulation: the cell is mapped to a
+//! disc with the rim on the circle and the top vertices at the mean of their neighbours (Tutte 1963, *How to draw a
+//! graph*, so no triangle turns over), the disc to a sphere, and the sphere along its rays to the body.
 //!
-//! The rim itself stays on its cell and sinks into the ground; the ring next to it is drawn in below the stone's waist, so that
-//! outlines are the body's, not the cell's, and the surface stays closed against the ground.
+//! The rim stays on its cell and sinks into the ground. The ring of vertices next to it is drawn in below the stone's
+//! waist. Outlines are therefore those of the body and not those of the cell, and the surface stays closed against the
+//! ground.
 
 use glam::{DVec2, DVec3};
 
@@ -18,7 +20,7 @@ use crate::noise::noise;
 use crate::params::Layer;
 use crate::rng::{Purpose, Stream};
 
-/// What the wear of a layer is a function of.
+/// The parameters of a layer that its wear depends on.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Wear {
     pub(crate) weathering: f64,
@@ -33,51 +35,54 @@ impl Wear {
         Wear { weathering, roughness, detail, embedding }
     }
 
-    /// Nothing to do: the papers' mesh as it is.
+    /// Whether nothing has to be done, so that the papers' mesh stays as it is.
     pub(crate) fn is_none(self) -> bool {
         self == Wear { weathering: 0.0, roughness: 0.0, detail: 0, embedding: 0.0 }
     }
 
-    /// Edges of the papers' mesh are cut into so many.
+    /// Number of segments into which each edge of the papers' mesh is cut.
     pub(crate) fn segments(self) -> usize {
         1 << self.detail
     }
 }
 
-/// From the papers' facets (0) to broken stone; above this weathering the stone's own shape is all that is seen.
+/// At this weathering only the shape of the broken stone is left. Below it, the papers' mesh (at 0) is blended in.
 const BROKEN: f64 = 0.2;
 
-/// How much narrower than its cell a stone may be along one axis, and how much smaller altogether, at most.
+/// The largest shares by which a stone may be narrower than its cell along one axis, and smaller altogether.
 const SQUEEZE: f64 = 0.3;
 const SHRINK: f64 = 0.2;
 
-/// Tangent of the largest turn of a stone in its cell: so neighbours do not face each other along straight joints.
+/// Tangent of the largest angle by which a stone is turned in its cell, so that neighbours do not face each other along
+/// straight joints.
 const TURN: f64 = 0.5;
 
-/// Heights of a stone's parts over its own height, before it is embedded: the waist, and from there to the underside.
+/// Heights of a stone's parts, relative to its own height before it is embedded: of the waist above the ground, and
+/// from the waist down to the underside.
 const WAIST: f64 = 0.42;
 const UNDERSIDE: f64 = 0.5;
 
-/// How far below the ground the rim of a worn stone lies, over its height: what is at z = 0 exactly would flicker.
+/// Depth of a worn stone's rim below the ground, relative to its height. At z = 0 exactly it would flicker against the
+/// ground.
 const SINK: f64 = 0.04;
 
-/// Where the noise displaces a stone most, over its radius.
+/// Amplitude of the noise's coarsest octave at roughness 1, as a share of the stone's radius.
 const BUMPS: f64 = 0.16;
 
-/// One rock to be worn.
+/// The rock to be worn.
 pub(super) struct Rock<'a> {
     pub(super) rim: &'a [DVec2],
-    /// p_add before displacement.
+    /// The points p_add before displacement, px.
     pub(super) top: &'a [DVec2],
     pub(super) triangles: &'a [[u16; 3]],
-    /// Per edge of the cell, whether a rock of the same layer stands behind it.
+    /// Returns whether a rock of the same layer stands behind this edge of the cell.
     pub(super) touches: &'a dyn Fn(usize) -> bool,
     pub(super) seed: u32,
     pub(super) layer: u32,
     pub(super) site: u32,
 }
 
-/// Wears rocks, one after the other.
+/// Wears rocks, one after the other, re-using its buffers.
 #[derive(Debug, Default)]
 pub(super) struct Wearer {
     pub(super) subdivision: Subdivision,
@@ -88,7 +93,8 @@ pub(super) struct Wearer {
 }
 
 impl Wearer {
-    /// Replaces the displaced corners in `builder` by the worn rock's vertices; its triangles are then `subdivision.triangles`.
+    /// Replaces the displaced corners in `builder` by the vertices of the worn rock. Its triangles are then
+    /// `subdivision.triangles`.
     pub(super) fn wear(&mut self, wear: Wear, rock: &Rock<'_>, builder: &mut RockBuilder) {
         let rim = rock.rim.len();
         self.subdivision.cut(rim, rock.triangles, wear.segments());
@@ -121,13 +127,13 @@ impl Wearer {
         }
     }
 
-    /// Places the corners on a disc, without turning a triangle over.
+    /// Maps the corners to a disc without turning a triangle over; the result is in `disc`.
     fn spread(&mut self, rock: &Rock<'_>, middle: DVec2) {
         let rim = rock.rim.len();
         self.disc.clear();
         self.disc.extend(rock.rim.iter().map(|v| (*v - middle).normalize_or(DVec2::X)));
         self.disc.resize(2 * rim, DVec2::ZERO);
-        // Converges by a factor of about two a round; what is left would be seen by nobody.
+        // The error falls by a factor of about two per round. What is left after ten is not visible.
         for _ in 0..10 {
             self.sums.clear();
             self.sums.resize(2 * rim, (DVec2::ZERO, 0.0));
@@ -145,7 +151,7 @@ impl Wearer {
         }
     }
 
-    /// 0 in the middle of the disc, 1 on the chords between the rim's corners.
+    /// How far out a point of the disc is: 0 in the middle, 1 on the chords between the rim's corners.
     fn ring(&self, at: DVec2) -> f64 {
         let rim = self.subdivision.rim / self.subdivision.segments;
         let mut most = 0.0_f64;
@@ -157,7 +163,8 @@ impl Wearer {
         most
     }
 
-    /// Builds the stone's body about its middle.
+    /// Builds the body of the stone around its middle and returns how to map the disc onto it. `highest` is the height
+    /// of the rock's highest corner, px.
     fn shape(&mut self, wear: Wear, rock: &Rock<'_>, middle: DVec2, highest: f64) -> Stone {
         let Rock { rim, .. } = *rock;
         let corners = rim.len();
@@ -165,7 +172,7 @@ impl Wearer {
         let worn = ((wear.weathering - BROKEN) / (1.0 - BROKEN)).clamp(0.0, 1.0);
         let mut stream = Stream::new(rock.seed, Purpose::Facets, rock.layer, rock.site);
 
-        // As far as Eq. 2 has moved the top outward, the sides stand outside the cell.
+        // The sides stand outside the cell by as much as Eq. 2 has moved the top outward on average.
         let outward = |p: DVec2| (p - middle).length();
         let moved = top.iter().zip(rock.top).map(|(after, before)| outward(after.truncate()) - outward(*before));
         let step = moved.sum::<f64>() / top.len() as f64;
@@ -185,16 +192,17 @@ impl Wearer {
         let turn = DVec2::new(1.0, TURN * (2.0 * stream.unit() - 1.0)).normalize();
         let mut inner = Vec::with_capacity(corners);
         for (i, &(outward, distance)) in sides.iter().enumerate() {
-            // Where rocks touch they have ground each other down.
+            // Rocks that touch have ground each other down.
             let gap = if (rock.touches)(i) { 0.01 + 0.05 * worn } else { 0.0 };
             let distance = (distance * (1.0 - gap) + step).max(0.25 * distance).max(least);
-            // Broken sides lean, each by its own.
+            // Broken sides lean, each by its own random amount.
             let lean = (0.7 * stream.unit() - 0.2) * (1.0 - 0.7 * worn) * radius / up.max(0.3 * radius);
             let normal = turn.rotate(outward).extend(lean).normalize();
             self.body.push(normal, distance * normal.truncate().length());
             inner.push((outward, distance));
         }
-        // A stone breaks along few planes; of a rounded one the facets of its top vertices are one surface with them.
+        // A stone breaks along few planes. On a rounded stone, the facets of the top vertices merge into one surface
+        // with those planes.
         for vertex in top {
             let at = (vertex.truncate() - middle).clamp_length_max(0.85 * radius);
             let z = (vertex.z - WAIST * height).max(0.2 * up);
@@ -212,7 +220,7 @@ impl Wearer {
         self.body.push((stream.direction() * tilt).extend(1.0).normalize(), up);
         self.body.push(DVec3::NEG_Z, down);
 
-        // Rounding has made it smaller: it grows back until it touches its cell, and to its height.
+        // Rounding has made the body smaller, so it is enlarged until it touches its cell and reaches its height.
         let fit = inner.iter().map(|&(outward, distance)| distance * self.body.gauge(outward.extend(0.0)));
         let share = 1.0 - SHRINK * stream.unit();
         let across = share * fit.fold(1.3_f64, f64::min);
@@ -220,7 +228,7 @@ impl Wearer {
         let axis = stream.direction();
         let squeeze = 1.0 - SQUEEZE * stream.unit();
 
-        // The ring next to the rim ends below the ground, or below the waist at least.
+        // The ring next to the rim ends below the ground, or at least below the waist.
         let [waist, below] = [(WAIST - wear.embedding) * height, 0.03 * height];
         let dip = ((waist + below) / down).clamp(0.12, 0.9);
         Stone {
@@ -237,34 +245,35 @@ impl Wearer {
     }
 }
 
-/// Planes that a stone has broken along besides its top, its sides and the facets of its top vertices.
+/// Number of planes that a stone has broken along, besides its top, its sides and the facets of its top vertices.
 const CUTS: usize = 4;
 
-/// How far the top may tilt, over the slope from the middle to the waist.
+/// Largest tilt of the top, relative to the slope from the middle to the waist.
 const TILT: f64 = 0.9;
 
-/// What is needed to carry the disc onto the body.
+/// Everything that is needed to map the disc onto the body.
 struct Stone {
     centre: DVec3,
-    /// Mean distance of the sides.
+    /// Mean distance of the sides from the middle, px.
     radius: f64,
-    /// From the waist up, and down.
+    /// Height above the waist and depth below it, px.
     semi: [f64; 2],
-    /// Across and up.
+    /// Scale of the body across and upward.
     scale: [f64; 2],
     axis: DVec2,
     squeeze: f64,
-    /// √2·sin(θ/2) at the last ring, θ from the zenith.
+    /// √2·sin(θ/2) at the last ring, with θ measured from the zenith.
     last: f64,
-    /// Where that ring lies on the disc.
+    /// Place of that ring on the disc, 0 … 1.
     first_ring: f64,
     sink: f64,
 }
 
 impl Stone {
-    /// From the middle of the stone to where `at` of the disc comes to lie.
+    /// Returns the place of the disc's point `at` on the stone, relative to the stone's middle. `ring` is how far out
+    /// the point is, see [`Wearer::ring`].
     fn at(&self, body: &Body, at: DVec2, ring: f64) -> DVec3 {
-        // Lambert's azimuthal projection, which keeps areas: no trigonometry, and even triangles.
+        // Lambert's azimuthal projection keeps areas, so triangles stay even, and it needs no trigonometry.
         let t = self.last * (ring / self.first_ring).min(1.0);
         let cos = 1.0 - t * t;
         let sin = t * (2.0 - t * t).max(0.0).sqrt();
@@ -278,7 +287,7 @@ impl Stone {
     }
 }
 
-/// The noise that displaces one rock along the rays from its middle: so it can break nothing open.
+/// The noise that displaces one rock along the rays from its middle. Moving along rays cannot tear the surface open.
 struct Bumps {
     amplitude: f64,
     offset: DVec3,
@@ -291,7 +300,7 @@ impl Bumps {
         Bumps { amplitude: BUMPS * roughness, offset }
     }
 
-    /// The factor for a point in radii from the middle.
+    /// The factor for the distance of a point from the middle. The point is given relative to the middle, in radii.
     fn at(&self, from_middle: DVec3) -> f64 {
         if self.amplitude == 0.0 {
             return 1.0;
@@ -302,13 +311,14 @@ impl Bumps {
     }
 }
 
-/// 0 at 0, 1 from 1 on, smooth at both ends.
+/// A smooth step: 0 up to t = 0, 1 from t = 1 on, with slope 0 at both ends.
 fn blend(t: f64) -> f64 {
     let t = t.clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
 }
 
-/// The centroid of a polygon's outline: inside, whatever the polygon, and without a division by its area.
+/// The centroid of a polygon's outline. It is inside the polygon if that is convex, and needs no division by an area,
+/// which may be 0.
 fn middle(rim: &[DVec2]) -> DVec2 {
     let mut sum = DVec2::ZERO;
     let mut length = 0.0;

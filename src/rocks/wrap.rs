@@ -1,8 +1,8 @@
-//! Gift wrapping in the plane: which point completes the Delaunay triangle on the left of an edge?
+//! Gift wrapping in the plane: finds the point that completes the Delaunay triangle on the left of an edge.
 //!
-//! Voronoi cells are wrapped around their site with it, and the triangulations of rocks from edge to edge. Sets are
-//! small, a dozen points, and which of them wins is as good as random, so that what costs is not arithmetic but
-//! mispredicted branches. Hence a scan of all points, four at a time and without a branch, in single precision with error
+//! It is used to build Voronoi cells around their sites and to triangulate rocks from edge to edge. The sets have about
+//! a dozen points, and which of them wins is practically random, so the cost is in mispredicted branches and not in
+//! arithmetic. Therefore all points are scanned, four at a time, without a branch, in single precision with error
 //! bounds: an answer is either certain or [`Apex::Unsure`], and then the caller decides exactly.
 //!
 //! Source: the "empty circle" form of gift wrapping, as in Dwyer (1991), *Higher-dimensional Voronoi diagrams in linear
@@ -10,34 +10,34 @@
 
 use glam::{Vec2, Vec4};
 
-/// Points per vector.
+/// Number of points per SIMD vector.
 const LANES: usize = 4;
 
-/// Points in single precision, read four at a time, each with a label of the caller's.
+/// A set of points in single precision, read four at a time. Each has a label chosen by the caller.
 #[derive(Debug, Default)]
 pub(crate) struct WrapSet {
-    // Longer than `len`, and by the same number: what lies behind is padding.
+    // Longer than `len`, all three by the same number; the points behind `len` are padding.
     x: Vec<f32>,
     y: Vec<f32>,
     labels: Vec<u32>,
     len: usize,
-    /// Room for the bounds of large sets.
+    /// Buffer for the lower bounds of large sets.
     lowest: Vec<Vec4>,
 }
 
-/// What completes the triangle on the left of an edge.
+/// The answer to which point completes the triangle on the left of an edge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Apex {
-    /// This point, certainly.
+    /// This point, with certainty.
     Point(usize),
-    /// No point lies there.
+    /// No point lies on the left of the edge.
     Missing,
-    /// Two points are too close to call, or a point too close to the edge's line.
+    /// Two points are too close to call, or a point is too close to the edge's line.
     Unsure,
 }
 
 impl WrapSet {
-    /// Empties the set.
+    /// Removes all points.
     pub(crate) fn clear(&mut self) {
         self.len = 0;
     }
@@ -52,7 +52,7 @@ impl WrapSet {
         self.len += 1;
     }
 
-    /// Adds a point for every label.
+    /// Adds one point per label, at the place that `point` returns for it.
     #[inline]
     pub(crate) fn extend(&mut self, labels: &[u32], point: impl Fn(u32) -> Vec2) {
         self.reserve(labels.len());
@@ -65,11 +65,12 @@ impl WrapSet {
         self.len += labels.len();
     }
 
-    /// Adds the points of a sealed set that are within √`reach2` of `origin`, but not at it, relative to it.
+    /// Adds the points of the sealed set `all` that are within √`reach2` of `origin` but not at it, as offsets from
+    /// `origin`.
     #[inline]
     pub(crate) fn extend_near(&mut self, all: &WrapSet, origin: Vec2, reach2: f32) {
         let [ox, oy, reach2] = [origin.x, origin.y, reach2].map(Vec4::splat);
-        // As many as there are bits in a word.
+        // Number of points looked at together: one per bit of a word.
         const WORD: usize = 64;
         for from in (0..all.len).step_by(WORD) {
             let to = (from + WORD).min(all.len.next_multiple_of(LANES));
@@ -93,7 +94,7 @@ impl WrapSet {
         }
     }
 
-    /// Makes room for `more` points and the padding behind them.
+    /// Makes room for `more` points and for the padding behind them.
     #[inline]
     fn reserve(&mut self, more: usize) {
         if self.len + more + LANES > self.x.len() {
@@ -122,7 +123,7 @@ impl WrapSet {
         Vec2::new(self.x[k], self.y[k])
     }
 
-    /// Fills the last vector with points that are nowhere: near nothing and on no side of any edge.
+    /// Fills the last vector with padding: points so far away that they are never chosen.
     pub(crate) fn seal(&mut self) {
         self.reserve(0);
         for k in self.len..self.len.next_multiple_of(LANES) {
@@ -131,17 +132,19 @@ impl WrapSet {
         }
     }
 
-    /// The point c on the left of the edge from a to b whose circumcircle through a and b holds no other such point.
+    /// Finds the point c on the left of the edge from a to b whose circumcircle through a and b holds no other point on
+    /// that side.
     ///
-    /// That is the one whose circumcentre comes first along the edge's bisector, at
-    /// t = (c − a)·(c − b) / ((b − a) × (c − a)), in half lengths of the edge from its middle. `error` bounds the errors
-    /// of numerator and denominator, and with an eighth to spare that of the quotient.
+    /// It is the point whose circumcentre comes first along the edge's bisector, at t = (c − a)·(c − b) / ((b − a) × (c
+    /// − a)), measured in half edge lengths from the edge's middle. `error` must bound the rounding errors of the
+    /// numerator and of the denominator, with an eighth to spare for that of the quotient.
     ///
-    /// a and b may be in the set, and what is computed to be exactly on their line is taken for one of them.
+    /// a and b may be in the set themselves: a point that is computed to lie exactly on their line is taken for one of
+    /// them.
     #[inline(always)]
     pub(crate) fn apex(&mut self, a: Vec2, b: Vec2, error: f32) -> Apex {
-        // A loop of known length is none: no branch at its end, and all of it in registers. Rocks have five to eight vertices, and
-        // as many points.
+        // With a length known at compile time the loop is unrolled: it has no branch at its end and keeps everything in
+        // registers. Rocks have five to eight rim vertices and as many points, so these lengths are the common ones.
         match self.len.div_ceil(LANES) {
             3 => self.apex_among([Vec4::ZERO; 3], a, b, error),
             4 => self.apex_among([Vec4::ZERO; 4], a, b, error),
@@ -149,10 +152,11 @@ impl WrapSet {
         }
     }
 
-    /// The same for an edge from the origin, in a set of whole numbers so small that both products of t are exact.
+    /// Like [`WrapSet::apex`], for an edge from the origin to `b`, in a set of whole numbers so small that both
+    /// products of t are exact.
     #[inline(always)]
     pub(crate) fn apex_of_whole(&mut self, b: Vec2) -> Apex {
-        // In a saturated layer a site has some nine others within reach.
+        // In a saturated layer a site has about nine others within reach.
         match self.len.div_ceil(LANES) {
             2 => self.apex_among_whole([Vec4::ZERO; 2], b),
             3 => self.apex_among_whole([Vec4::ZERO; 3], b),
@@ -168,7 +172,7 @@ impl WrapSet {
         found
     }
 
-    /// `lowest` has a place per vector.
+    /// `lowest` must have one element per vector.
     #[inline(always)]
     fn apex_among(&self, mut lowest: impl AsMut<[Vec4]>, a: Vec2, b: Vec2, error: f32) -> Apex {
         let lowest = lowest.as_mut();
@@ -179,7 +183,8 @@ impl WrapSet {
             let (cax, cay) = (x - ax, y - ay);
             let left = ex * cay - ey * cax;
             let along = cax * (x - bx) + cay * (y - by);
-            // Nearer to the line than can be told, a point stands for all that it might be: t is anything.
+            // A point too close to the line to tell its side might have any t, so its interval is made to cover all of
+            // them.
             let inverse = Vec4::ONE / left.max(margin);
             let t = along * inverse;
             let slack = margin * inverse * (Vec4::ONE + t.abs());
@@ -198,12 +203,12 @@ impl WrapSet {
         for ((x, y), low) in self.vectors(lowest.len()).zip(lowest.iter_mut()) {
             let left = bx * y - by * x;
             let along = x * (x - bx) + y * (y - by);
-            // What is on the left is so by at least one.
+            // A point on the left has a cross product of at least one, because all numbers are whole.
             let t = along / left.max(Vec4::ONE);
             *low = t + Vec4::select(left.cmpgt(Vec4::ZERO), Vec4::ZERO, Vec4::INFINITY);
             least = least.min(*low);
         }
-        // Only the quotients are rounded.
+        // Only the quotients are rounded, so the margin can be small.
         let least = least.min_element();
         only_below(lowest, least + 4.0 * f32::EPSILON * least.abs())
     }
@@ -215,8 +220,8 @@ impl WrapSet {
     }
 }
 
-/// Who has the least t is certain where all others are certainly greater: `bound` is the most that the least t can be, `lowest` the
-/// least that each can be.
+/// The point with the smallest t, if it is certain: `bound` is the most that the smallest t can be, `lowest` holds the
+/// least that each point's t can be, and exactly one of those must be below the bound.
 #[inline(always)]
 fn only_below(lowest: &[Vec4], bound: f32) -> Apex {
     if bound > FAR {
@@ -235,7 +240,7 @@ fn only_below(lowest: &[Vec4], bound: f32) -> Apex {
     if rivals == 1 { Apex::Point(found) } else { Apex::Unsure }
 }
 
-/// Coordinates of padding: so far away that for edges of up to 2¹⁵ its t is more than [`FAR`], which no point's t can be,
-/// and so near that its square is finite.
+/// Coordinates of padding points. They are so far away that for edges of up to 2¹⁵ their t is more than [`FAR`], which
+/// no real point's t can be, and so near that their square is finite.
 const NOWHERE: f32 = 1.0e15;
 const FAR: f32 = 1.0e9;
