@@ -1,9 +1,10 @@
-//! From a sheet to the body that is seen: two sheets and a rim where it is thick, a foot, and the bend of gravity. All of it is an
-//! addition; at 0 a body is the sheet times its size, bit for bit.
+//! Turns a sheet into the visible body: two sheets and a rim if it has a thickness, a foot, and the bend by gravity.
+//! All of this goes beyond the thesis; with the parameters at 0, a body is its sheet times its size, bit for bit.
 //!
-//! A body's vertices are, c of them to a ring: the inner sheet's d rings; with a thickness 2 rings of the rounded rim, from the inner
-//! sheet to the outer, and the outer sheet's d rings; with a foot the stalk's ring and then single vertices: its tip in the log and,
-//! with a thickness, the middle of the floor inside.
+//! The vertices of a body come in rings of c: the d rings of the inner sheet; with a thickness, the 2 rings of the
+//! rounded rim, from the inner sheet to the outer, and the d rings of the outer sheet; with a foot, the ring of the
+//! stalk. Single vertices follow: with a foot, its tip in the log, and with a thickness as well, the middle of the
+//! floor inside.
 
 use glam::DVec3;
 
@@ -14,23 +15,23 @@ use super::spawn::Individual;
 use crate::params::wood_ear::Params;
 use crate::rng::{Purpose, Stream};
 
-/// Rings of the rim between the two sheets: three segments of a half circle.
+/// Number of rings of the rim between the two sheets; they make three segments of a half circle.
 pub(super) const RIM_RINGS: u16 = 2;
 
-/// What all bodies of a colony have in common.
+/// The structure that all bodies of a colony share.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Layout {
-    /// d.
+    /// Number of rings of a sheet, d.
     pub rings: u16,
-    /// c.
+    /// Number of vertices of a ring, c.
     pub meridians: u16,
-    /// Whether there are two sheets.
+    /// Whether a body has a thickness, and with it two sheets.
     pub thick: bool,
-    /// Whether there is a foot.
+    /// Whether a body has a foot.
     pub foot: bool,
-    /// Vertices of a body.
+    /// Number of vertices of a body.
     pub vertices: u16,
-    /// Of one body; counter-clockwise seen from inside the bowl, or from outside of a thick body.
+    /// Triangles of one body: counter-clockwise seen from inside the bowl or, with a thickness, from outside the body.
     pub triangles: Vec<[u16; 3]>,
 }
 
@@ -71,7 +72,8 @@ impl Layout {
     }
 }
 
-/// A vertex as a point of the body's spine and what it stands off from there: moving inward shortens the second (Eq. 3.10).
+/// A vertex as the sum of a point of the body's spine and an offset from it. Moving inward shortens the offset (Eq.
+/// 3.10).
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Rib {
     pub(super) spine: DVec3,
@@ -85,12 +87,13 @@ impl Rib {
     }
 }
 
-/// The vertices of one body in its own frame, cm; all but the stalk are lifted by this much.
+/// Computes the vertices of one body in its own frame, cm, and puts them into `body`. If `lift` is not 0, all but the
+/// stalk's are lifted by it and by the thickness of the flesh.
 pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend, lift: f64, body: &mut Vec<Rib>) {
     let c = usize::from(layout.meridians);
     let d = f64::from(layout.rings);
     body.clear();
-    // Dry flesh is thin.
+    // Dry flesh is thinner than wet flesh.
     let wet = if layout.thick { params.thickness * (0.5 + 0.5 * params.moisture / 100.0) } else { 0.0 };
     let lift = if lift > 0.0 { DVec3::new(0.0, lift + wet, 0.0) } else { DVec3::ZERO };
     let mut add = |p: DVec3, share: f64| body.push(bend.rib(p * sheet.size + lift, share));
@@ -100,7 +103,7 @@ pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend
     }
     if layout.thick {
         let outward = outward(layout, &sheet.points);
-        // The rim is thinner than the foot.
+        // The flesh is thinner at the rim than at the foot.
         let thickness = |v: usize| wet / sheet.size * (1.0 - 0.55 * share(v));
         let rim = sheet.points.len() - c;
         let half = 0.5 * thickness(rim);
@@ -117,7 +120,7 @@ pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend
         }
     }
     if layout.foot {
-        // Into the log, where the surface may fall away below ring 1.
+        // The foot reaches into the log, because the log's surface may fall away below ring 1.
         let depth = 0.12 + 0.15 * params.foot;
         let width = 0.4 + 0.9 * params.foot;
         let sunk = |p: DVec3| p - lift / sheet.size;
@@ -132,7 +135,7 @@ pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend
     }
 }
 
-/// Unit normals of a sheet on its outer side.
+/// Unit normals of a sheet, on its outer side.
 fn outward(layout: &Layout, points: &[DVec3]) -> Vec<DVec3> {
     let [d, c] = [layout.rings, layout.meridians].map(usize::from);
     let at = |e: usize, f: usize| points[e * c + f % c];
@@ -148,25 +151,27 @@ fn outward(layout: &Layout, points: &[DVec3]) -> Vec<DVec3> {
     normals
 }
 
-/// How gravity bends a body, the wetter the more.
+/// How gravity bends a body. Wet bodies bend more.
 ///
-/// The axis becomes an arc that leaves the foot along the normal and turns towards the ground; what stands across it turns with it, and
-/// the rim sags. On the log's flank the bowl so becomes an ear: its lower lip comes close to the bark, the upper one stands out. Straight
-/// up there is no direction to bend to, and only the sag is left.
+/// The axis becomes an arc that leaves the foot along the normal and turns towards the ground. Everything across the
+/// axis turns with it, and the rim sags. On the flank of a log the bowl thereby becomes an ear: its lower lip comes
+/// close to the bark and its upper lip stands out. On top of the log there is no direction to bend towards, so only the
+/// sag is left.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Bend {
-    /// None where nothing droops: then a body is the sheet, bit for bit.
+    /// `None` if nothing droops: the body is then the sheet, bit for bit.
     arc: Option<Arc>,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Arc {
-    /// The direction, in the own frame, square to the axis.
+    /// The direction of the bend, in the body's own frame, perpendicular to the axis.
     down: DVec3,
-    /// By how much the axis has turned at the height of the rim, and that height over it: the arc's radius.
+    /// The angle by which the axis has turned at the height of the rim, and the radius of the arc: that height divided
+    /// by the angle.
     angle: f64,
     radius: f64,
-    /// How far the rim slides and sags.
+    /// By how much the rim slides and sags.
     drift: DVec3,
     sag: DVec3,
 }
@@ -181,7 +186,7 @@ impl Bend {
         let aside = DVec3::new(gravity.x, 0.0, gravity.z);
         let steepness = aside.length();
         let own = 0.75 + 0.25 * Stream::new(params.seed, Purpose::Droop, 0, individual.vertex).unit();
-        // An angle of 0.75 brings the lower lip of an undeformed bowl just above the bark.
+        // An angle of 0.75 brings the lower lip of an undeformed bowl to just above the bark.
         let angle = (0.75 * own * wet * steepness).max(1.0e-9);
         let edge = 1.0 - 1.0 / f64::from(params.rings);
         let down = if steepness > 0.0 { aside / steepness } else { DVec3::X };
@@ -189,13 +194,13 @@ impl Bend {
         Bend { arc: Some(Arc { down, angle, radius: size * edge * edge / angle, drift, sag }) }
     }
 
-    /// Where a point of the own frame comes to lie; `share` is how far it is from the foot to the rim.
+    /// Bends a point given in the body's own frame. `share` is how far the point is from the foot (0) to the rim (1).
     pub(super) fn rib(&self, p: DVec3, share: f64) -> Rib {
         let (mut spine, mut offset) = (DVec3::new(0.0, p.y, 0.0), DVec3::new(p.x, 0.0, p.z));
         if let Some(Arc { down, angle, radius, drift, sag }) = self.arc {
             let turned = (p.y / radius).max(0.0).min(angle);
             let [cos, sin] = radians(turned);
-            // Past the arc's ends the axis goes on straight.
+            // Beyond the ends of the arc the axis continues straight.
             let beyond = p.y - turned * radius;
             spine = DVec3::new(0.0, sin * radius + beyond * cos, 0.0) + ((1.0 - cos) * radius + beyond * sin) * down;
             offset += offset.dot(down) * ((cos - 1.0) * down - DVec3::new(0.0, sin, 0.0));

@@ -1,17 +1,18 @@
-//! Sines and cosines from + − × alone, the same bits everywhere.
+//! Sines and cosines computed with + − × only, so that every platform gives the same bits.
 
 use std::f64::consts::TAU;
 
-/// (cos, sin) of `turns` full turns; exact at whole quarters.
+/// Returns (cos, sin) of `turns` full turns. The result is exact at whole quarters.
 ///
-/// The angle is brought within an eighth of a turn of a quarter; there the Taylor series to the seventeenth power are off by less
-/// than 2⁻⁵⁴.
+/// The angle is reduced to within an eighth of a turn of the nearest quarter. There, the Taylor series up to the
+/// seventeenth power are off by less than 2⁻⁵⁴.
 pub(super) fn turn(turns: f64) -> [f64; 2] {
     let quarter = (4.0 * turns + 0.5).floor();
     let a = (turns - 0.25 * quarter) * TAU;
     let q = a * a;
     let series = |n: f64| {
-        // 1 − q / (n (n + 1)) (1 − q / ((n + 2) (n + 3)) (…)): the cosine with n = 1, the sine over its angle with n = 2.
+        // Evaluates 1 − q / (n (n + 1)) (1 − q / ((n + 2) (n + 3)) (…)): the cosine for n = 1, and the sine divided by
+        // its angle for n = 2.
         (0..8).rev().fold(1.0, |sum, k| {
             let m = n + 2.0 * f64::from(k);
             1.0 - q / (m * (m + 1.0)) * sum
@@ -26,7 +27,7 @@ pub(super) fn turn(turns: f64) -> [f64; 2] {
     }
 }
 
-/// (cos, sin) of an angle in radians.
+/// Returns (cos, sin) of an angle in radians.
 pub(super) fn radians(angle: f64) -> [f64; 2] {
     turn(angle * (1.0 / TAU))
 }

@@ -1,4 +1,4 @@
-//! Whether two bodies pass through each other, decided on the numbers in the buffers.
+//! Decides whether two bodies pass through each other, based on the numbers in the buffers.
 
 use glam::{DVec3, Vec3};
 
@@ -7,17 +7,17 @@ use super::pairs::{Bounds, overlapping};
 use super::pose::Plane;
 use super::work::tally;
 
-/// Triangles to a box within a body.
+/// Number of triangles per box within a body.
 const GROUP: usize = 12;
 
-/// Boxes around a body's parts.
+/// Boxes around groups of a body's triangles.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Boxes {
     groups: Vec<Bounds>,
 }
 
 impl Boxes {
-    /// Boxes of a body; `whole` is the box around all.
+    /// Computes the boxes of a body, and the box around the whole body.
     pub(super) fn of(layout: &Layout, positions: &[f32]) -> (Self, Bounds) {
         tally(30 * layout.triangles.len());
         let mut whole = Bounds::EMPTY;
@@ -36,7 +36,8 @@ fn point(positions: &[f32], v: u16) -> DVec3 {
     Vec3::from_slice(&positions[at..at + 3]).as_dvec3()
 }
 
-/// Whether an edge of one body passes through the inside of a triangle of the other: positions and boxes of both, and the second's box.
+/// Whether an edge of one body passes through the inside of a triangle of the other. `a` and `b` are the positions, the
+/// boxes and the whole box of each body.
 ///
 /// Touching and coplanar faces do not count (decision K11).
 pub(super) fn cross(layout: &Layout, a: (&[f32], &Boxes, &Bounds), b: (&[f32], &Boxes, &Bounds)) -> bool {
@@ -74,7 +75,7 @@ fn groups_cross(layout: &Layout, (a, g): (&[f32], usize), (b, h): (&[f32], usize
     false
 }
 
-/// Whether an edge of either passes through the inside of the other.
+/// Whether an edge of one triangle passes through the inside of the other.
 pub(super) fn triangles_cross(s: [DVec3; 3], t: [DVec3; 3]) -> bool {
     tally(50);
     let sides_of_t = t.map(|p| side(s, p));
@@ -99,9 +100,10 @@ fn pierces(p: DVec3, q: DVec3, side_p: f64, side_q: f64, [a, b, c]: [DVec3; 3]) 
 
 /// The sign of the volume between a triangle and a point: 1, −1 or 0.
 ///
-/// In f64 where that is beyond doubt (bound from Shewchuk 1997, *Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric
-/// Predicates*), else with twice the digits. Numbers of the buffers have 24, their differences here about 33, so the product of three of
-/// them fits: exact, unless a coordinate is within a hair of 0. The `robust` crate would be beyond doubt, and 4 kB more.
+/// It is computed in f64 if the result is certain (bound from Shewchuk 1997, *Adaptive Precision Floating-Point
+/// Arithmetic and Fast Robust Geometric Predicates*), and otherwise with twice the digits. Numbers in the buffers have
+/// 24 bits and their differences here about 33, so a product of three of them fits: the result is exact, unless a
+/// coordinate is extremely close to 0. The crate `robust` would remove even that exception, but takes 4 kB more.
 #[inline]
 fn side([a, b, c]: [DVec3; 3], p: DVec3) -> f64 {
     let [u, v, w] = [a - p, b - p, c - p];
@@ -111,7 +113,7 @@ fn side([a, b, c]: [DVec3; 3], p: DVec3) -> f64 {
     if volume.abs() > 8.0e-16 * permanent { sign(volume) } else { side_by_doubles(u, v, w) }
 }
 
-/// Products of two signs neither overflow nor vanish.
+/// The sign of a number: 1, −1 or 0. Unlike the numbers, products of two signs neither overflow nor vanish.
 #[inline]
 fn sign(x: f64) -> f64 {
     f64::from(i8::from(x > 0.0) - i8::from(x < 0.0))
@@ -134,14 +136,14 @@ fn side_by_doubles(u: DVec3, v: DVec3, w: DVec3) -> f64 {
     sign(if sum[0] == 0.0 { sum[1] } else { sum[0] })
 }
 
-/// a + b and what rounding took from it (Knuth).
+/// a + b and its rounding error (Knuth).
 fn two_sum(a: f64, b: f64) -> [f64; 2] {
     let s = a + b;
     let t = s - a;
     [s, (a - (s - t)) + (b - t)]
 }
 
-/// a · b and what rounding took from it (Dekker, Veltkamp).
+/// a · b and its rounding error (Dekker, Veltkamp).
 fn product(a: f64, b: f64) -> [f64; 2] {
     let split = |x: f64| {
         let t = 134_217_729.0 * x;
@@ -153,7 +155,7 @@ fn product(a: f64, b: f64) -> [f64; 2] {
     [p, ((ah * bh - p) + ah * bl + al * bh) + al * bl]
 }
 
-/// Whether a plane stands between two bodies, by more than rounding could be wrong about.
+/// Whether a plane lies between two bodies by a margin larger than any rounding error.
 fn parts(plane: &Plane, a: &[f32], b: &[f32]) -> bool {
     let heights = |body: &[f32]| {
         body.chunks_exact(3)
@@ -165,7 +167,7 @@ fn parts(plane: &Plane, a: &[f32], b: &[f32]) -> bool {
     lowest - highest > 1.0e-9 * (1.0 + highest.abs())
 }
 
-/// Counts the pairs of a colony that pass through each other, a piece at a time.
+/// Counts the pairs of a colony that pass through each other, some of them per step.
 #[derive(Debug, Default)]
 pub(super) struct Count {
     boxes: Vec<Boxes>,
@@ -173,7 +175,7 @@ pub(super) struct Count {
     pairs: Option<Vec<[u32; 2]>>,
     next: usize,
     pub(super) crossing: Vec<[u32; 2]>,
-    /// Planes that may part a body from others: where one does, no triangle has to be looked at.
+    /// Per body, planes that may separate it from others. If one does, the pair's triangles need not be tested.
     planes: Vec<Vec<Plane>>,
 }
 
@@ -182,7 +184,7 @@ impl Count {
         Count { planes, ..Count::default() }
     }
 
-    /// True when all pairs are counted.
+    /// Works on up to `bodies` bodies or `pairs` pairs. Returns true when all pairs are counted.
     pub(super) fn advance(&mut self, layout: &Layout, positions: &[f32], bodies: usize, pairs: usize) -> bool {
         let step = 3 * usize::from(layout.vertices);
         let Some(all) = &self.pairs else {
@@ -232,7 +234,7 @@ mod tests {
         };
         let mut zeros = 0;
         for k in 0..200_000 {
-            // Few steps: many are coplanar, or nearly so.
+            // With few steps, many points are coplanar or nearly so.
             let steps = [3.0, 1000.0, 1.0e6][k % 3];
             let mut point = || DVec3::new(number(steps), number(steps), number(steps));
             let [a, b, c] = [point(), point(), point()];

@@ -1,7 +1,8 @@
-//! The stages, run in pieces and cached.
+//! The generator: runs the stages in small steps and caches their results.
 //!
-//! Every stage is keyed by what it is a function of, so an edit re-runs from the first stage it touches, and a superseded run
-//! leaves its finished stages behind. The colony is written before its collisions, so that there is something to show at once.
+//! Every result is stored with a key: the inputs that it depends on. An edit re-runs the stages from the first one that
+//! it affects, and a run that is replaced leaves its finished stages behind. The colony is written before its
+//! collisions are solved, so that there is something to show early.
 
 use glam::DVec3;
 
@@ -24,7 +25,7 @@ use super::work::{Part, Work};
 use crate::error::Error;
 use crate::params::wood_ear::{Base, Collisions, Log as LogParams, Params, Stage};
 
-/// What one step works on: one to five milliseconds in wasm.
+/// Amounts of work that one step does, which takes one to five milliseconds in wasm.
 const LOG_VERTICES_PER_STEP: usize = 1 << 13;
 const DARTS_PER_STEP: usize = 1 << 13;
 const GROUND_PER_STEP: usize = 1 << 14;
@@ -32,17 +33,18 @@ const BODY_VERTICES_PER_STEP: usize = 1 << 15;
 const ROUNDS_PER_STEP: u32 = 150;
 const PAIRS_PER_STEP: usize = 100;
 
-/// Grows colonies, keeping the stages of the last one.
+/// Grows colonies. The results of the last run are kept and re-used as far as they are still valid.
 #[derive(Debug, Default)]
 pub struct Generator {
     params: Option<Params>,
-    /// A log of the user's own, and which one it is: a version of the log.
+    /// A log given by the user, and its number, which identifies it in keys.
     pub(super) given: Option<(u32, Box<Surface>)>,
     logs_given: u32,
     pub(super) log_key: Option<LogKey>,
-    /// What individuals stand on: a grown log's coarse mesh, or the feet drawn on the user's.
+    /// The points that individuals stand on: the coarse mesh of a grown log, or the feet drawn on a log given by the
+    /// user.
     log: Log,
-    /// Per foot the number of the triangle it is on, as given; empty for a grown log.
+    /// Per foot, the number of its triangle in the mesh as it was given. Empty for a grown log.
     foot_triangles: Vec<u32>,
     log_mesh: LogMesh,
     log_version: u32,
@@ -52,23 +54,24 @@ pub struct Generator {
     layout: Layout,
     sheets: Vec<Sheet>,
     ground: Option<Ground>,
-    /// The rule whose outcome the mesh holds; none while it holds the colony before collisions.
+    /// The collision rule that the mesh is the result of. `None` while the mesh holds the colony before its collisions
+    /// are solved.
     collide_key: Option<Collisions>,
     mesh: ColonyMesh,
     stats: Stats,
-    /// What is to be done after the preview.
+    /// The estimated work that is left after the preview.
     work: Work,
-    /// What the mesh shows was written by this run or is still right for it.
+    /// True if the mesh was written by this run or is still valid for it.
     preview: bool,
     task: Option<Task>,
     pub(super) memory: Memory,
-    /// Why the run cannot go on.
+    /// The error that ends the run, until [`Generator::step`] returns it.
     refused: Option<Error>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum LogKey {
-    /// Which one, and the spacing of its feet.
+    /// The number of the log given by the user, and the spacing of its feet.
     Given(u32, f64),
     Grown(LogParams),
 }
@@ -81,7 +84,8 @@ struct SpawnKey {
     bases: Vec<Base>,
 }
 
-/// Everything of a body's shape; whatever is not set here by name stays at the table's defaults.
+/// The values of all parameters that a body's shape depends on. A new shape parameter has to be added in
+/// [`DeformKey::new`].
 #[derive(Debug, Clone, PartialEq)]
 struct DeformKey([f64; 12]);
 
@@ -92,12 +96,12 @@ enum Task {
     Feet(Box<Feet>),
     Spawn,
     Ground(Box<Grown>),
-    /// From this individual on.
+    /// Deforms individuals, from this one on.
     Deform(usize),
     Thesis(Box<Thesis>),
     Press(Box<Press>),
     Settle(Box<Settle>),
-    /// Nothing has moved, so only the crossing pairs are left to count.
+    /// Nothing has moved, so only the crossing pairs have to be counted.
     Count(Box<Count>),
 }
 
@@ -130,17 +134,18 @@ impl DeformKey {
 }
 
 impl Generator {
-    /// An empty cache.
+    /// Makes a generator without cached results.
     pub fn new() -> Self {
         Generator::default()
     }
 
-    /// Takes a mesh for the log instead of a grown one, from the next [`Generator::start`] on: 3 numbers a vertex (cm, z up), 3 indices a
-    /// triangle (counter-clockwise seen from outside). Vertices at one place are welded; a closed mesh that is inside out is turned (see
-    /// [`Generator::log_turned`]). Individuals stand anywhere on its surface, as densely as `log.spacing` says, whatever its triangles.
+    /// Sets a mesh that is used as the log from the next [`Generator::start`] on, instead of a grown one: 3 numbers per
+    /// vertex (cm, z up) and 3 indices per triangle (counter-clockwise seen from outside). Vertices at the same place
+    /// are welded, and a closed mesh that is inside out is turned (see [`Generator::log_turned`]). Individuals stand
+    /// anywhere on its surface, as densely as `log.spacing` says, however it is divided into triangles.
     ///
     /// # Errors
-    /// What is wrong with it; then nothing has changed.
+    /// Returns what is wrong with the mesh, and changes nothing.
     pub fn set_log(&mut self, positions: &[f32], indices: &[u32]) -> Result<(), LogError> {
         let surface = user_log(positions, indices)?;
         self.task = None;
@@ -153,27 +158,28 @@ impl Generator {
         Ok(())
     }
 
-    /// Goes back to the grown log, from the next [`Generator::start`] on.
+    /// Returns to the grown log, from the next [`Generator::start`] on.
     pub fn clear_log(&mut self) {
         self.task = None;
         self.given = None;
     }
 
-    /// Whether the log of the user's own was inside out and has been turned.
+    /// Whether the log given by the user was inside out and has been turned.
     pub fn log_turned(&self) -> bool {
         self.given.as_ref().is_some_and(|(_, surface)| surface.is_turned)
     }
 
-    /// Begins a run, dropping the one in progress but not the stages it has finished.
+    /// Begins a run. A run in progress is abandoned, but its finished stages are kept.
     ///
     /// # Errors
-    /// A parameter out of range, or an estimate over `max_bytes`; then nothing has changed.
+    /// Returns an error, and changes nothing, if a parameter is out of range or the estimated memory is above
+    /// `max_bytes`.
     pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
         params.validate()?;
         self.begin(params, max_bytes)
     }
 
-    /// [`Generator::start`] with parameters that have been checked.
+    /// Like [`Generator::start`], for parameters that have been checked already.
     pub(crate) fn begin(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
         self.check_log(&params, max_bytes)?;
         self.params = Some(params);
@@ -183,11 +189,11 @@ impl Generator {
         Ok(())
     }
 
-    /// Does a bounded piece of work. True when the run is finished.
+    /// Does a limited amount of work. Returns true when the run is finished.
     ///
     /// # Errors
-    /// [`Error::OverBudget`], now that the individuals are counted; see [`Generator::estimate`]. The run has ended before any of them was
-    /// made, and the log is kept.
+    /// Returns [`Error::OverBudget`] if the memory estimate exceeds the budget once the individuals are counted; see
+    /// [`Generator::estimate`]. The run has then ended before any individual was made, and the log is kept.
     pub fn step(&mut self) -> Result<bool, Error> {
         if let Some(task) = self.task.take() {
             self.task = self.advance(task);
@@ -195,14 +201,14 @@ impl Generator {
         self.refused.take().map_or(Ok(self.task.is_none()), Err)
     }
 
-    /// Frees the colony, which has to be made again anyway.
+    /// Frees the colony, which has to be made again in any case.
     pub(super) fn forget_colony(&mut self) {
         self.spawn_key = None;
         self.sheets = Vec::new();
         self.mesh = ColonyMesh::default();
     }
 
-    /// The stage that the next step works on; [`Stage::Mesh`] when the run is finished.
+    /// The stage that the next step works on. [`Stage::Mesh`] when the run is finished.
     pub fn stage(&self) -> Stage {
         match self.task {
             Some(Task::Coarse(_) | Task::Fine(_) | Task::Feet(_) | Task::Ground(_)) => Stage::Log,
@@ -213,7 +219,7 @@ impl Generator {
         }
     }
 
-    /// 0 … 1.
+    /// Progress of the run, 0 … 1.
     pub fn progress(&self) -> f64 {
         match &self.task {
             Some(Task::Coarse(sweep)) => 0.05 * sweep.progress(),
@@ -234,63 +240,65 @@ impl Generator {
         0.3 + 0.7 * self.work.done(part, share)
     }
 
-    /// Whether the buffers hold this run's colony, with or without its collisions solved, those with the log too. True at the latest when
-    /// [`Generator::step`] returns true; until then, buffers copied out are a complete colony whose individuals may cross.
+    /// Whether the buffers, including those of the log, hold this run's colony, with or without its collisions solved.
+    /// True at the latest when [`Generator::step`] returns true. If it is true before that, the buffers are a complete
+    /// colony whose individuals may cross.
     pub fn preview_ready(&self) -> bool {
         self.preview
     }
 
-    /// The buffers; see [`Generator::preview_ready`].
+    /// The colony's mesh; see [`Generator::preview_ready`] for when it is valid.
     pub fn mesh(&self) -> &ColonyMesh {
         &self.mesh
     }
 
-    /// The log to be seen. Complete when [`Generator::preview_ready`].
+    /// The visible log. It is complete when [`Generator::preview_ready`] returns true.
     pub fn log_mesh(&self) -> &LogMesh {
         &self.log_mesh
     }
 
-    /// Counts up whenever [`Generator::log_mesh`] changes.
+    /// A number that grows whenever [`Generator::log_mesh`] changes.
     pub fn log_version(&self) -> u32 {
         self.log_version
     }
 
-    /// What individuals stand on: the vertices of the grown log's coarse mesh; on a log of the user's own, the feet drawn over its surface.
+    /// The points that individuals stand on: the vertices of the grown log's coarse mesh, or the feet drawn on a log
+    /// given by the user.
     pub fn log(&self) -> &Log {
         &self.log
     }
 
-    /// Who stands where.
+    /// The individuals, with the places they stand on.
     pub fn spawn(&self) -> &Spawn {
         &self.spawn
     }
 
-    /// The sheets before collisions, in the order of the individuals.
+    /// The individuals' sheets before collisions, in the order of the individuals.
     pub fn sheets(&self) -> &[Sheet] {
         &self.sheets
     }
 
-    /// What all bodies have in common.
+    /// The structure that all bodies share.
     pub fn layout(&self) -> &Layout {
         &self.layout
     }
 
-    /// Where the bases are: vertices of the log, 3 numbers each.
+    /// Positions of the bases, 3 numbers each, cm. Each base stands on the log's vertex nearest to where it was wanted.
     pub fn bases(&self) -> Vec<f64> {
         self.spawn.bases.iter().flat_map(|v| self.log.points[*v as usize].to_array()).collect()
     }
 
-    /// Figures of the run. Complete once [`Generator::step`] has returned true.
+    /// Figures of the run. They are complete once [`Generator::step`] has returned true.
     pub fn stats(&self) -> Stats {
         self.stats
     }
 
-    /// The first piece of work whose result is not in the cache.
+    /// The next piece of work: the first stage whose result is not in the cache. `None` when the run is finished.
     fn next_task(&mut self) -> Option<Task> {
         let params = &self.params.clone()?;
         let key = self.key_of_log(params);
         if self.ground().is_none() {
-            // That of another log, or of one that nothing keeps clear of.
+            // It belongs to another log, or nothing has to keep clear of the log.
             self.ground = None;
         }
         if self.log_key.as_ref() != Some(&key) {
@@ -354,7 +362,7 @@ impl Generator {
         each.map(|(individual, sheet)| Bend::new(params, individual, sheet.size)).collect()
     }
 
-    /// What individuals keep out of, if they are to, and if it is known.
+    /// The obstacle that individuals keep out of. `None` if they need not, or if it has not been made yet.
     fn ground(&self) -> Option<&Ground> {
         let params = self.params.as_ref().filter(|params| params.clear_log)?;
         self.ground.as_ref().filter(|ground| match ground {
@@ -369,7 +377,7 @@ impl Generator {
         Some(Bodies { params, layout: &self.layout, individuals, sheets, ground })
     }
 
-    /// Works on a task for a while; what is to be done next.
+    /// Works on a task for a while. Returns the next task.
     fn advance(&mut self, task: Task) -> Option<Task> {
         match task {
             Task::Coarse(mut sweep) => {
@@ -462,7 +470,8 @@ impl Generator {
         self.next_task()
     }
 
-    /// Deforms individuals and writes them as they are before collisions; the first one left.
+    /// Deforms some individuals, starting at `from`, and writes them as they are before collisions. Returns the number
+    /// of the first one that is left.
     fn deform(&mut self, from: usize) -> Option<usize> {
         let params = self.params.as_ref()?;
         let unit = bowl(params.rings, params.meridians);

@@ -1,8 +1,8 @@
-//! Points found again by where they are: chains through a table of cells.
+//! A hash grid that finds points by their position. The points of a cell form a chain through a table.
 
 use glam::DVec3;
 
-/// A grid without bounds whose cells are cubes of one width. Points are numbered in the order they are added.
+/// An unbounded grid of cubic cells, all of the same width. Points are numbered in the order in which they are added.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Grid {
     width: f64,
@@ -12,20 +12,21 @@ pub(super) struct Grid {
 }
 
 impl Grid {
-    /// For about so many points.
+    /// Makes a grid of cells of this width for about `points` points.
     pub(super) fn new(width: f64, points: usize) -> Self {
         let heads = vec![u32::MAX; (2 * points).next_power_of_two()];
         Grid { width, heads, next: Vec::with_capacity(points), cells: Vec::with_capacity(points) }
     }
 
-    /// Calls `each` with every point in the cell of `p` and in the 26 around it: all that are within one width, and some more.
+    /// Calls `each` with the number of every point in the cell of `p` and in the 26 cells around it. These are all
+    /// points within one width of `p`, and some others.
     pub(super) fn near(&self, p: DVec3, mut each: impl FnMut(u32)) {
         let [x, y, z] = self.cell(p);
         for near in 0..27 {
             let around = [x + near % 3 - 1, y + near / 3 % 3 - 1, z + near / 9 - 1];
             let mut i = self.heads[self.slot(around)];
             while i != u32::MAX {
-                // Other cells may share the slot; each point is found in its own cell alone.
+                // Other cells may share the slot, so points of other cells are skipped.
                 if self.cells[i as usize] == around {
                     each(i);
                 }

@@ -1,4 +1,4 @@
-//! The log as something that individuals keep out of.
+//! The log as an obstacle that individuals keep out of.
 
 use glam::DVec3;
 
@@ -7,10 +7,10 @@ use super::shape::LogShape;
 use super::work::tally;
 use crate::params::wood_ear::Log;
 
-/// cm between the places whose radius is tabulated: as fine as the mesh that is seen.
+/// Distance between the places at which the radius is tabulated, cm: the spacing of the visible mesh.
 const CELL: f64 = 0.8;
 
-/// A grown log, or one of the user's own.
+/// The obstacle: a grown log, or a log given by the user.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Ground {
     Grown(Box<Grown>),
@@ -18,7 +18,8 @@ pub(super) enum Ground {
 }
 
 impl Ground {
-    /// How far a body is lifted off the place it stands on: its outer sheet would lie in the furrows otherwise.
+    /// How far a body is lifted off the place it stands on, cm. Without this, its outer sheet would lie in the furrows
+    /// of the bark.
     pub(super) fn lift(&self) -> f64 {
         match self {
             Ground::Grown(grown) => grown.margin + 0.02,
@@ -26,7 +27,8 @@ impl Ground {
         }
     }
 
-    /// Whether a point is outside the log and, with `earth`, above the earth that a grown log lies on; `up` leads out of the log nearby.
+    /// Whether a point is outside the log and, with `earth`, above the ground that a grown log lies on. `up` is a
+    /// direction that leads out of the log near the point.
     pub(super) fn is_clear(&self, point: DVec3, up: DVec3, earth: bool) -> bool {
         tally(100);
         match self {
@@ -36,16 +38,16 @@ impl Ground {
     }
 }
 
-/// cm that bodies keep from a log of the user's own.
+/// Distance that bodies keep from a log given by the user, cm.
 const GIVEN_MARGIN: f64 = 0.05;
 
-/// Cells that the plane below a log of the user's own is cut into along its longer side, at most.
+/// Largest number of cells along the longer side of the grid under a log given by the user.
 const MOST_CELLS: f64 = 512.0;
 
-/// A closed mesh, its triangles by the cell of the plane they lie over.
+/// A closed mesh given by the user, with its triangles sorted by the cells of a grid in the plane that they lie over.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Given {
-    /// Which log it is.
+    /// The generator's number of the log that this was made from.
     pub(super) number: u32,
     low: DVec3,
     cell: f64,
@@ -65,7 +67,7 @@ impl Given {
         let corners: Vec<[DVec3; 3]> = log.triangles.iter().map(|t| t.map(|v| log.points[v as usize] - low)).collect();
         let mut given =
             Given { number, low, cell, columns, rows, starts: vec![0; columns * rows + 1], over: Vec::new(), corners };
-        // Counted, then filled in from the back.
+        // The triangles per cell are counted first, and then filled in from the back.
         given.visit(|starts, _, cell, _| starts[cell] += 1);
         let mut sum = 0;
         for start in &mut given.starts {
@@ -91,9 +93,9 @@ impl Given {
         }
     }
 
-    /// Whether a point is inside: a ray upward leaves the log an odd number of times.
+    /// Whether a point is inside the log: a ray upward from there leaves the log an odd number of times.
     fn holds(&self, point: DVec3) -> bool {
-        // A little aside, where no edge of a modelled log stands.
+        // The ray is moved aside a little, so that it does not hit an edge of a modelled log.
         let p = point - self.low + DVec3::new(1.3e-7, 2.1e-7, 0.0);
         let [x, y] = [p.x / self.cell, p.y / self.cell];
         if !(x >= 0.0 && y >= 0.0 && x < self.columns as f64 && y < self.rows as f64) {
@@ -113,23 +115,24 @@ impl Given {
     }
 }
 
-/// The grown log's radius as a table, many times faster than its noise.
+/// The radius of a grown log as a table, which is many times faster than computing its noise.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Grown {
     shape: LogShape,
     log: Log,
-    /// The mesh that is seen is flat between its vertices: it stands out from the table by less than this, cm.
+    /// The visible mesh is flat between its vertices, so it may stand out from the table. This is an upper bound of how
+    /// far, cm.
     margin: f64,
     rows: usize,
     columns: usize,
-    /// Row by row along the log, each once around it.
+    /// The radii, cm: row by row along the log, each row once around it.
     radii: Vec<f32>,
 }
 
 impl Grown {
     pub(super) fn new(log: Log) -> Self {
         let shape = LogShape::new(log);
-        // The ends reach out by as much as they are broken.
+        // Broken ends extend beyond the log's length.
         let rows = ((log.length + 2.0 * log.radius) / CELL) as usize + 2;
         let columns = 4 * ((std::f64::consts::TAU * log.radius / CELL / 4.0) as usize + 2);
         Grown {
@@ -142,12 +145,12 @@ impl Grown {
         }
     }
 
-    /// Whether it is the ground of this log.
+    /// Whether this is the complete table of this log.
     pub(super) fn is_of(&self, log: &Log) -> bool {
         self.log == *log && self.radii.len() == self.rows * self.columns
     }
 
-    /// Fills in about so many places. True when all are.
+    /// Computes up to `places` more places. Returns true when all are computed.
     pub(super) fn advance(&mut self, places: usize) -> bool {
         let to = (self.radii.len() + places).min(self.rows * self.columns);
         for place in self.radii.len()..to {
@@ -162,8 +165,8 @@ impl Grown {
         done
     }
 
-    /// Every place takes the highest of its neighbourhood: furrows are narrower than the mesh that is seen can show, and wood ears lie
-    /// on the ridges.
+    /// Replaces every radius by the largest one of its neighbourhood. Furrows are narrower than the visible mesh can
+    /// show, and wood ears lie on the ridges.
     fn fill_furrows(&mut self) {
         for stride in [1, self.columns] {
             let radii = &self.radii;
@@ -192,7 +195,7 @@ impl Grown {
         self.shape.depth(point, |along, direction| self.radius(along, direction)) < -self.margin
     }
 
-    /// Between the four nearest places.
+    /// The radius at a place along the axis and a direction, interpolated between the four nearest places of the table.
     fn radius(&self, along: f64, direction: [f64; 2]) -> f64 {
         let row = ((along + self.reach()) / CELL).max(0.0).min((self.rows - 2) as f64);
         let column = turned(direction) * self.columns as f64 / 4.0;
@@ -207,7 +210,8 @@ impl Grown {
     }
 }
 
-/// A direction as a number 0 … 4 that grows with its angle: where its ray leaves the square with corners on the axes.
+/// Converts a direction to a number 0 … 4 that grows with its angle: where its ray leaves the square that has its
+/// corners on the axes.
 fn turned([cos, sin]: [f64; 2]) -> f64 {
     let a = sin / (cos.abs() + sin.abs());
     match (cos >= 0.0, sin >= 0.0) {
@@ -217,7 +221,7 @@ fn turned([cos, sin]: [f64; 2]) -> f64 {
     }
 }
 
-/// The direction of such a number.
+/// Converts such a number back to a direction.
 fn direction(turned: f64) -> [f64; 2] {
     let quarter = turned.floor();
     let a = turned - quarter;

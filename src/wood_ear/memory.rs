@@ -1,4 +1,5 @@
-//! The memory a run needs: of the log before it begins, of the colony as soon as its individuals are counted.
+//! Estimates the memory that a run needs: of the log before the run begins, and of the colony as soon as its
+//! individuals are counted.
 
 use super::body::Layout;
 use super::feet::wanted;
@@ -9,27 +10,27 @@ use super::work::pairs_each;
 use crate::error::Error;
 use crate::params::wood_ear::{Collisions, Params};
 
-/// A wasm instance before its first run: stack and static data.
+/// Bytes of a wasm instance before its first run: stack and static data.
 const INSTANCE: f64 = 1.2e6;
 
-/// What a heap takes over what lies in it, after several runs: a memory of wasm never shrinks.
+/// Size of the heap relative to its contents after several runs. The memory of a wasm instance never shrinks.
 const HOLES: f64 = 1.12;
 
-/// Vertices and corners are numbered in 32 bits, whatever the budget.
+/// Largest number of corners of triangles: they are numbered with 32 bits, whatever the budget.
 const MOST_CORNERS: f64 = 2_147_483_648.0;
 
-/// Bytes of a log or a colony.
+/// Memory of a log or a colony, bytes.
 #[derive(Debug, Clone, Copy, Default)]
 struct Need {
-    /// Kept after the run.
+    /// Bytes kept after the run.
     kept: f64,
-    /// Beside it, while it is made.
+    /// Bytes needed in addition while it is made.
     beside: f64,
-    /// Copied out.
+    /// Bytes of the copies handed to the caller.
     copies: f64,
 }
 
-/// What a run has been told it needs.
+/// The state of a run's memory estimate, bytes.
 #[derive(Debug, Default)]
 pub(super) struct Memory {
     budget: f64,
@@ -37,16 +38,18 @@ pub(super) struct Memory {
     estimate: f64,
     log: Need,
     colony: Need,
-    /// The most that is there at once in the run, and while a mesh of the user's own was read since the run before.
+    /// The most that is held at once: in the run (`peak`), and while a log given by the user was read since the
+    /// previous run (`read`).
     peak: f64,
     read: f64,
 }
 
-/// The vertices of a log that is seen are kept as f32, with what they are made of and where; those that feet are found on as f64.
+/// Bytes per vertex of the visible log, which is kept as f32 with its kinds and coordinates (`SEEN`), and of the mesh
+/// that individuals stand on, which is kept as f64 (`STOOD_ON`).
 const SEEN: f64 = 57.0;
 const STOOD_ON: f64 = 81.0;
 
-/// A mesh of the user's own, while it is read and afterwards.
+/// Memory of a log given by the user, while it is read and afterwards.
 fn given(surface: &Surface) -> Need {
     let vertices = surface.given as f64;
     let [kept, triangles] = [surface.log.points.len() as f64, surface.log.triangles.len() as f64];
@@ -79,7 +82,7 @@ fn log(params: &Params, surface: Option<&Surface>) -> Need {
     need
 }
 
-/// `collides`: the rule is not only to be kept.
+/// Memory of a colony. `collides` says that the collisions have to be solved and are not only kept from before.
 fn colony(params: &Params, individuals: f64, collides: bool) -> Need {
     let layout = Layout::new(params);
     let [v, t] = [f64::from(layout.vertices), layout.triangles.len() as f64];
@@ -105,17 +108,18 @@ fn colony(params: &Params, individuals: f64, collides: bool) -> Need {
 }
 
 impl Generator {
-    /// Bytes that the run needs at its peak, output included, as far as that is known: the larger of what was estimated at the start and of
-    /// what was, once its individuals were counted.
+    /// Bytes that the run needs at its peak, output included, as far as that is known: the larger of the estimate made
+    /// at the start and the one made when the individuals were counted.
     pub fn estimate(&self) -> u64 {
         self.memory.estimate as u64
     }
 
-    /// Before a run with these parameters begins.
+    /// Estimates the memory of the log before a run begins. Returns [`Error::OverBudget`] if it exceeds the budget; if
+    /// the old colony is in the way, it is freed.
     pub(super) fn check_log(&mut self, params: &Params, budget: u64) -> Result<(), Error> {
         let surface = self.given.as_ref().map(|(_, surface)| &**surface);
         let log = log(params, surface);
-        // A mesh of the user's own is there already; feet are drawn on it.
+        // A log given by the user is held already; only feet are drawn on it.
         let kept = surface.map_or(0.0, |surface| given(surface).kept);
         let is_stale = self.log_key.as_ref() != Some(&self.key_of_log(params));
         let making = if is_stale { log.kept - kept + log.beside } else { 0.0 };
@@ -133,7 +137,8 @@ impl Generator {
         Ok(())
     }
 
-    /// Before the individuals that are counted by now are made.
+    /// Estimates the memory of the colony once its individuals are counted and before they are made. Returns
+    /// [`Error::OverBudget`] if it exceeds the budget.
     pub(super) fn check_colony(&mut self, params: &Params, collides: bool) -> Result<(), Error> {
         let Memory { budget, log, peak, .. } = self.memory;
         let colony = colony(params, self.spawn.individuals.len() as f64, collides);
@@ -145,7 +150,7 @@ impl Generator {
         Ok(())
     }
 
-    /// After a mesh of the user's own has been read, while the log before it was still there.
+    /// Records that a log given by the user was read while the previous log was still held.
     pub(super) fn note_given(&mut self, surface: &Surface) {
         let need = given(surface);
         self.memory.read = self.memory.held() + need.kept + need.beside;
@@ -153,7 +158,7 @@ impl Generator {
 }
 
 impl Memory {
-    /// Bytes of what is there from the run before, and the most that they took since.
+    /// Bytes that are held from the previous run, or the most that were held since.
     fn held(&self) -> f64 {
         self.read.max(self.log.kept + self.colony.kept)
     }

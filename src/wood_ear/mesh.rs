@@ -1,15 +1,15 @@
-//! The colony as flat buffers, and the only place of it where f64 becomes f32.
+//! The colony's flat buffers. This is the only place in the colony's code where f64 becomes f32.
 
 use glam::{DVec3, Vec3};
 
 use super::body::Layout;
 use super::work::tally;
 
-/// A colony as one indexed mesh; every individual has the same number of vertices and triangles.
+/// A colony as one indexed mesh. All individuals have the same number of vertices and triangles.
 ///
-/// Individual k owns `indices[individual_starts[k] .. individual_starts[k + 1]]` and the vertices
-/// `vertex_starts[k] .. vertex_starts[k + 1]`; vertex v stands at `positions[3·v .. 3·v + 3]`, cm, z up. With d rings of c vertices,
-/// vertex number i within an individual is:
+/// Individual k owns `indices[individual_starts[k] .. individual_starts[k + 1]]` and the vertices `vertex_starts[k] ..
+/// vertex_starts[k + 1]`. Vertex v stands at `positions[3·v .. 3·v + 3]`, cm, z up. With d rings of c vertices, vertex
+/// number i within an individual is:
 ///
 /// | i | what |
 /// |---|---|
@@ -18,7 +18,7 @@ use super::work::tally;
 /// | (d + 2)·c + (e − 1)·c + f − 1 | only with a thickness: the outer sheet |
 /// | then c, 1 and, with a thickness, 1 | only with a foot: the stalk's ring, its tip in the log, the floor inside |
 ///
-/// Triangles are counter-clockwise seen from inside the bowl, or from outside of the closed body where there is a thickness.
+/// Triangles are counter-clockwise seen from inside the bowl or, with a thickness, from outside the closed body.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct ColonyMesh {
     /// 3 per vertex, cm.
@@ -31,11 +31,12 @@ pub struct ColonyMesh {
     pub individual_starts: Vec<u32>,
     /// individuals + 1 offsets into the vertices.
     pub vertex_starts: Vec<u32>,
-    /// Per individual the vertex of the log it stands on; on a log of the user's own the triangle, by its number in what was given.
+    /// Per individual, the vertex of the log that it stands on; on a log given by the user, the number of the triangle
+    /// in the mesh as it was given.
     pub foot: Vec<u32>,
-    /// Per individual its size, the rim radius before drying, cm.
+    /// Per individual, its size: the rim radius before drying, cm.
     pub size: Vec<f32>,
-    /// Per individual the base it belongs to.
+    /// Per individual, the index of the base it belongs to.
     pub base: Vec<u8>,
 }
 
@@ -50,10 +51,11 @@ impl ColonyMesh {
         self.indices.len() / 3
     }
 
-    /// Makes room for exactly so many individuals, with all that does not depend on their shape.
+    /// Makes room for exactly this many individuals, and fills in everything that does not depend on their shapes:
+    /// indices and offsets.
     pub(super) fn resize(&mut self, individuals: usize, layout: &Layout) {
         fn fit<T: Copy>(buffer: &mut Vec<T>, len: usize, value: T) {
-            // Room that is not needed any more is given back.
+            // Much larger buffers are freed instead of being kept.
             if buffer.capacity() > len + len / 8 {
                 *buffer = Vec::new();
             }
@@ -80,7 +82,7 @@ impl ColonyMesh {
     }
 }
 
-/// The normals of one body from its positions.
+/// Computes the normals of one body from its positions. `sums` is scratch space.
 pub(super) fn shade(layout: &Layout, positions: &[f32], normals: &mut [f32], sums: &mut Vec<DVec3>) {
     let at = |v: u16| Vec3::from_slice(&positions[3 * usize::from(v)..]).as_dvec3();
     tally(20 * layout.triangles.len());
@@ -98,14 +100,14 @@ pub(super) fn shade(layout: &Layout, positions: &[f32], normals: &mut [f32], sum
     }
 }
 
-/// Writes points as f32.
+/// Writes points as f32, three numbers each.
 pub(super) fn write(slots: &mut [f32], points: impl Iterator<Item = DVec3>) {
     for (slot, point) in slots.chunks_exact_mut(3).zip(points) {
         slot.copy_from_slice(&point.as_vec3().to_array());
     }
 }
 
-/// The log as flat buffers.
+/// The log's flat buffers.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct LogMesh {
     /// 3 per vertex, cm, z up.
@@ -114,9 +116,10 @@ pub struct LogMesh {
     pub normals: Vec<f32>,
     /// 3 per triangle, counter-clockwise seen from outside.
     pub indices: Vec<u32>,
-    /// Per vertex what it is made of: 0 bark, 1 end grain, 2 a splinter. All 0 for a log of the user's own.
+    /// Per vertex, what it is made of: 0 bark, 1 end grain, 2 a splinter. All 0 on a log given by the user.
     pub kinds: Vec<u8>,
-    /// 2 per vertex, cm: place along the log's axis, and distance from it (growth rings). All 0 for a log of the user's own.
+    /// 2 per vertex, cm: place along the log's axis, and distance from it (for growth rings). All 0 on a log given by
+    /// the user.
     pub coords: Vec<f32>,
 }
 

@@ -1,16 +1,18 @@
 //! Wood-ear colonies on a fallen log: log → spawn → deform → collide → mesh.
 //!
-//! The method is that of Nishimura's bachelor thesis on kikurage growing in colonies on a fallen log (fiscal 2012); where it is
-//! silent or inconsistent the deciding item says so (*decision K1* …).
+//! The method is that of Nishimura's bachelor thesis on kikurage growing in colonies on a fallen log (fiscal 2012).
+//! Where the thesis is silent or inconsistent, the code cites a decision (*decision K1* …); docs/decisions.md explains
+//! them all.
 //!
-//! 1. **log** – grown here, or feet drawn over a mesh of the user's own ([`Log`]; K12);
-//! 2. **spawn** – vertices of the log within range carry an individual ([`spawn()`]; §3.2, K6);
+//! 1. **log** – a log is grown, or points to stand on are drawn over a mesh given by the user ([`Log`]; K12);
+//! 2. **spawn** – some vertices of the log within range carry an individual ([`spawn()`]; §3.2, K6);
 //! 3. **deform** – bowl, drying, wrinkles ([`bowl()`], [`deform()`]; Eqs 3.1 to 3.5, K1 to K5, K7);
-//! 4. **collide** – meridians step inward (Eqs 3.6 to 3.10, K8 to K11), or bodies press flat against planes;
+//! 4. **collide** – meridians step inward (Eqs 3.6 to 3.10, K8 to K11), or bodies press flat against planes between
+//!    them;
 //! 5. **mesh** – flat buffers ([`ColonyMesh`], [`LogMesh`]).
 //!
-//! Beyond the thesis, and off by default: droop, thickness, foot, keeping clear of the log, and the collisions `pressed`. Off, they leave the
-//! thesis's mesh as it is, bit for bit.
+//! Droop, thickness, foot, keeping clear of the log, and the collision rule `pressed` go beyond the thesis and are off
+//! by default. While they are off, the mesh is that of the thesis, bit for bit.
 //!
 //! ```
 //! use rock_field::params::wood_ear::preset;
@@ -22,7 +24,7 @@
 //! generator.start(params, u64::MAX)?;
 //! while !generator.step()? {}
 //!
-//! // Individual k owns these indices, three per triangle, and vertex i of it is on ring i / c + 1 of its inner sheet.
+//! // Individual k owns these indices, three per triangle. Its vertex i is on ring i / c + 1 of its inner sheet.
 //! let mesh = generator.mesh();
 //! let one = mesh.individual_starts[0] as usize..mesh.individual_starts[1] as usize;
 //! assert!(mesh.indices[one].iter().all(|&v| v < mesh.vertex_starts[1]));
@@ -31,9 +33,10 @@
 //!
 //! # Limits
 //!
-//! With `thesis` a few pairs may stay crossed: a later pair can disturb an earlier one (K9). With a thickness the thesis's rule looks at the inner
-//! sheets alone. `pressed` leaves none crossing, but does not look at a body's own parts: a strongly wrinkled, thick sheet may touch
-//! itself. A log of the user's own has to be closed to be kept clear of.
+//! With `thesis` a few pairs may stay crossed, because a later pair can disturb an earlier one (K9). With a thickness,
+//! the thesis's rule looks at the inner sheets only. `pressed` leaves no pair crossing, but it does not test a body
+//! against itself: a strongly wrinkled, thick sheet may touch itself. A log given by the user has to be closed if
+//! individuals are to be kept out of it.
 
 mod body;
 mod bowl;

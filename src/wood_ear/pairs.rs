@@ -1,10 +1,11 @@
-//! Which individuals could touch: boxes on a grid. No pair is lost (decision K10).
+//! Finds the pairs of individuals that could touch, by comparing boxes on a grid. No touching pair is missed (decision
+//! K10).
 
 use glam::DVec3;
 
 use super::grid::Grid;
 
-/// An axis-aligned box; empty where `min` is above `max`.
+/// An axis-aligned box. It is empty if `min` is greater than `max`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Bounds {
     pub(super) min: DVec3,
@@ -29,9 +30,10 @@ impl Bounds {
     }
 }
 
-/// Every pair i < j whose boxes overlap, in ascending order of j.
+/// Returns every pair i < j whose boxes overlap, in ascending order of j.
 ///
-/// The grid's cells are as wide as the widest box, so the middles of overlapping boxes lie in the same or in neighbouring cells.
+/// The grid's cells are as wide as the widest box, so the middles of two overlapping boxes lie in the same cell or in
+/// neighbouring ones.
 pub(super) fn overlapping(bounds: &[Bounds]) -> Vec<[u32; 2]> {
     let width = bounds.iter().fold(1.0e-3_f64, |most, b| most.max((b.max - b.min).max_element()));
     let mut grid = Grid::new(width, bounds.len());

@@ -1,4 +1,5 @@
-//! Where a body's vertices come to stand in the world: within the planes it shares with its neighbours, and outside the log.
+//! Puts a body's vertices into the world, within the planes that the body shares with its neighbours and outside the
+//! log.
 
 use glam::DVec3;
 
@@ -9,19 +10,20 @@ use super::spawn::Individual;
 use super::work::tally;
 use crate::params::wood_ear::Params;
 
-/// A half-space n·p ≤ offset that a body keeps to, for the sake of a neighbour.
+/// A half-space n·p ≤ offset that a body stays in, to leave room for a neighbour.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Plane {
     pub(super) normal: DVec3,
     pub(super) offset: f64,
-    /// The neighbour.
+    /// Number of the neighbour.
     pub(super) partner: u32,
 }
 
-/// The spine keeps this share of the foot's distance from every plane: with 0, what leans over would end in a needle at the plane.
+/// The spine keeps this share of the foot's distance from every plane. With 0, a body that leans over would end in a
+/// needle at the plane.
 const AXIS_KEEPS: f64 = 0.3;
 
-/// Poses bodies, re-using its buffers.
+/// Poses bodies, one after the other, re-using its buffers.
 #[derive(Debug, Default)]
 pub(super) struct Poser {
     ribs: Vec<Rib>,
@@ -30,10 +32,12 @@ pub(super) struct Poser {
 }
 
 impl Poser {
-    /// The body in the world, in `points`; kept out of the log only where it is `last`, which takes longer than all the rest.
+    /// Poses a body; its vertices in the world are then in `points`. It is kept out of the log only if `last` is true,
+    /// because that takes longer than everything else.
     ///
-    /// A vertex stands off from a point of the body's spine. Where the spine leaves a half-space, it is drawn towards the foot; where a
-    /// vertex does, it moves along its rib towards the spine. A half-space is convex and holds the foot, so both always end inside.
+    /// Every vertex is a point of the body's spine plus an offset, its rib. If the spine leaves a half-space, it is
+    /// drawn towards the foot; if a vertex does, it moves along its rib towards the spine. Half-spaces are convex and
+    /// hold the foot, so both always end inside.
     pub(super) fn pose(
         &mut self,
         params: &Params,
@@ -64,14 +68,14 @@ impl Poser {
         let c = usize::from(layout.meridians);
         let sheet = usize::from(layout.rings) * c;
         let outer = if layout.thick { sheet + usize::from(RIM_RINGS) * c } else { 0 };
-        // Both sheets move alike, or they would pass through each other.
+        // Both sheets move by the same amount, or they would pass through each other.
         let twin = |v: usize| if layout.thick && v < sheet { Some(v + outer) } else { None };
         for rib in &mut self.ribs {
             *rib = Rib { spine: turned(rib.spine), offset: turned(rib.offset) };
         }
         for v in 0..self.ribs.len() {
             if layout.thick && (outer..outer + sheet).contains(&v) {
-                // Done with its twin.
+                // The vertex has been moved together with its twin on the inner sheet.
                 continue;
             }
             let keep = |w: usize| keep_spine(foot, self.ribs[w].spine, planes);
@@ -88,7 +92,7 @@ impl Poser {
                 (self.lengths[v], self.lengths[w]) = (least, least);
             }
         }
-        // Flesh bends around no sharp corner: a vertex follows its neighbours inward.
+        // Flesh does not bend around sharp corners, so a vertex follows its neighbours inward.
         for ring in (0..sheet).step_by(c) {
             let sharp: Vec<f64> = self.lengths[ring..ring + c].to_vec();
             for f in 0..c {
@@ -109,7 +113,7 @@ impl Poser {
         self.points.extend(self.ribs.iter().zip(&self.lengths).map(|(rib, length)| rib.spine + *length * rib.offset));
     }
 
-    /// Draws what is in the log towards a point of the spine above it.
+    /// Draws the vertices that are inside the log towards a point of the spine above it.
     fn clear(
         &mut self,
         layout: &Layout,
@@ -131,14 +135,14 @@ impl Poser {
                 ground.is_clear(at, individual.axes[1], earth).then_some((at, earth))
             })
         };
-        // What grows into the earth is kept out of the log alone.
+        // If no such point is above the earth, the body is kept out of the log only.
         let Some((haven, earth)) = haven(true).or_else(|| haven(false)) else { return };
         let outer = sheets + usize::from(RIM_RINGS) * c;
         for v in (0..visible).chain(floor..self.points.len().max(floor)) {
             let share = way_out(|p| ground.is_clear(p, individual.axes[1], earth), self.points[v], haven);
             if share > 0.0 {
                 self.points[v] = self.points[v].lerp(haven, share);
-                // The inner sheet goes along, or the outer one would come through it.
+                // The inner sheet is moved too, or the outer one would pass through it.
                 if layout.thick && v >= outer && v < outer + sheets {
                     let inner = self.points[v - outer].lerp(haven, share);
                     if ground.is_clear(inner, individual.axes[1], earth) {
@@ -150,7 +154,8 @@ impl Poser {
     }
 }
 
-/// The share of its way to a clear point that a point has to go to be clear too.
+/// The share of the way to the clear point `haven` that a point has to move to be clear itself, 0 … 1, found by
+/// bisection.
 fn way_out(is_clear: impl Fn(DVec3) -> bool, from: DVec3, haven: DVec3) -> f64 {
     if is_clear(from) {
         return 0.0;
@@ -167,7 +172,7 @@ fn way_out(is_clear: impl Fn(DVec3) -> bool, from: DVec3, haven: DVec3) -> f64 {
     outside
 }
 
-/// The share of its way from the foot that a point of the spine keeps; given relative to the foot.
+/// The share of its distance from the foot that a point of the spine keeps, 0 … 1. `spine` is relative to the foot.
 fn keep_spine(foot: DVec3, spine: DVec3, planes: &[Plane]) -> f64 {
     planes.iter().fold(1.0_f64, |share, plane| {
         let room = plane.offset - plane.normal.dot(foot);
@@ -176,7 +181,7 @@ fn keep_spine(foot: DVec3, spine: DVec3, planes: &[Plane]) -> f64 {
     })
 }
 
-/// The share of its rib that a vertex keeps.
+/// The share of its rib that a vertex keeps, 0 … 1.
 fn keep_offset(rib: Rib, planes: &[Plane]) -> f64 {
     planes.iter().fold(1.0_f64, |share, plane| {
         let room = plane.offset - plane.normal.dot(rib.spine);

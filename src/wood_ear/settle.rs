@@ -1,4 +1,4 @@
-//! After the collisions: the new buffers beside those of the preview, and the figures of the run.
+//! The last step of a run: prepares the new buffers beside those of the preview, and computes the run's figures.
 
 use glam::{DVec3, Vec3};
 
@@ -12,37 +12,37 @@ use super::work::Part;
 /// Figures of a finished run.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct Stats {
-    /// Individuals.
+    /// Number of individuals.
     pub individuals: u32,
-    /// Triangles of the colony.
+    /// Number of triangles of the colony.
     pub triangles: u32,
-    /// Pairs of individuals that pass through each other in the buffers, counted after the run.
+    /// Number of pairs of individuals that pass through each other in the buffers, counted after the run.
     pub crossing_pairs: u32,
-    /// Sweeps over all pairs.
+    /// Number of sweeps over all pairs.
     pub sweeps: u32,
-    /// Rounds of the pair that took the most; with `pressed`, pairs that were parted by a plane.
+    /// Number of rounds that the slowest pair took; with `pressed`, the number of pairs separated by a plane.
     pub rounds: u32,
-    /// Mean rim radius after the collisions over that before: the median of the individuals.
+    /// Mean rim radius after the collisions relative to before: the median over the individuals.
     pub kept_median: f64,
-    /// The tenth percentile of the same.
+    /// The tenth percentile of the same ratio.
     pub kept_p10: f64,
 }
 
 impl Stats {
-    /// Of a colony that no rule has touched yet.
+    /// The figures of a colony before its collisions are solved.
     pub(super) fn of(mesh: &ColonyMesh) -> Self {
         let [individuals, triangles] = [mesh.individuals(), mesh.triangles()].map(|n| n as u32);
         Stats { individuals, triangles, kept_median: 1.0, kept_p10: 1.0, ..Stats::default() }
     }
 }
 
-/// Steps of the histogram that percentiles are read from.
+/// Number of bins of the histogram that percentiles are read from.
 const BINS: usize = 4096;
 
-/// Writes what has moved, counts what crosses, and puts it all in place at once.
+/// Writes the bodies that have moved, counts the pairs that cross, and replaces the buffers of the preview all at once.
 #[derive(Debug)]
 pub(super) struct Settle {
-    /// Empty where the positions are final already.
+    /// The changed sheets. Empty if the positions are final already.
     sheets: Vec<Sheet>,
     moved: Vec<bool>,
     positions: Vec<f32>,
@@ -55,12 +55,12 @@ pub(super) struct Settle {
 }
 
 impl Settle {
-    /// Sheets that have changed and still have to become bodies.
+    /// Starts with changed sheets that still have to become bodies. `moved` says which of them have changed.
     pub(super) fn sheets(mesh: &ColonyMesh, sheets: Vec<Sheet>, moved: Vec<bool>) -> Self {
         Settle { sheets, ..Settle::positions(mesh.positions.clone(), moved, Vec::new()) }
     }
 
-    /// Bodies as they are to be.
+    /// Starts with the final positions of all bodies. `moved` says which of them have changed.
     pub(super) fn positions(positions: Vec<f32>, moved: Vec<bool>, planes: Vec<Vec<Plane>>) -> Self {
         Settle {
             sheets: Vec::new(),
@@ -75,7 +75,7 @@ impl Settle {
         }
     }
 
-    /// True when [`Settle::finish`] can follow.
+    /// Works on up to `bodies` bodies or `pairs` pairs. Returns true when [`Settle::finish`] may be called.
     pub(super) fn advance(&mut self, of: Bodies, before: &ColonyMesh, bodies: usize, pairs: usize) -> bool {
         let step = 3 * usize::from(of.layout.vertices);
         if self.normals.is_empty() {
@@ -106,7 +106,7 @@ impl Settle {
         false
     }
 
-    /// What it works on, and the share of that which is done.
+    /// The part of the run being worked on, and the share of it that is done.
     pub(super) fn progress(&self) -> (Part, f64) {
         if self.next < self.moved.len() {
             return (Part::Bodies, self.next as f64 / self.moved.len() as f64);
@@ -133,7 +133,7 @@ impl Settle {
     }
 }
 
-/// Mean distance of a ring from its middle.
+/// Mean distance of a ring's vertices from their middle.
 fn rim_radius(ring: &[f32]) -> f64 {
     let points = || ring.chunks_exact(3).map(|p| Vec3::from_slice(p).as_dvec3());
     let count = (ring.len() / 3) as f64;

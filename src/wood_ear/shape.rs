@@ -1,7 +1,8 @@
-//! The shape of a grown log as functions, so that a coarse and a fine mesh of it agree.
+//! The shape of a grown log, given as functions, so that its coarse and its fine mesh agree.
 //!
-//! The thesis leaves the log open (decision K12). This one lies along x with its underside a little in the ground; it is
-//! bowed in the plane, tapered, a little oval and uneven, with long furrows in its bark, a few knots, and broken ends.
+//! The thesis does not specify the log (decision K12). This one lies along x with its underside a little below the
+//! ground. It is bowed in the plane, tapered, slightly oval and uneven, with long furrows in its bark, a few knots, and
+//! broken ends.
 
 use glam::DVec3;
 
@@ -18,13 +19,13 @@ const SUNK: f64 = 0.1;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct LogShape {
     log: Log,
-    /// Where in the noise it lies, per use.
+    /// The log's place in the noise, one for each use of it.
     places: [DVec3; 5],
-    /// Place along the axis, direction, height over radius.
+    /// Per knot: place along the axis (cm), direction (cos, sin), and height relative to the radius.
     knots: [(f64, [f64; 2], f64); KNOTS],
 }
 
-/// What a place of the log is made of.
+/// The kind of surface at a place of the log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 #[repr(u8)]
 pub enum Wood {
@@ -43,22 +44,22 @@ impl LogShape {
         let places = [(); 5].map(|()| DVec3::new(unit(), unit(), unit()) * 1000.0);
         let knots = [(); KNOTS].map(|()| {
             let along = (0.8 * unit() - 0.4) * log.length;
-            // Not underneath, where nobody sees them.
+            // Knots are not placed underneath, where they could not be seen.
             let direction = turn(0.6 * unit() - 0.05);
             (along, direction, 0.12 + 0.14 * unit())
         });
         LogShape { log, places, knots }
     }
 
-    /// The bow: how far the axis lies to +y at x, and how steeply it runs there.
+    /// The bow of the log: how far the axis lies towards +y at `x` (cm), and its slope there.
     fn bow(&self, x: f64) -> [f64; 2] {
-        // A parabola with a slight S in it; its mean is 0, and nowhere it is steeper than ½.
+        // A parabola with a slight S-curve. Its mean is 0, and its slope never exceeds ½.
         let t = x / self.log.length;
         let depth = self.log.bend * self.log.length * 0.07;
         [depth * (4.0 * t * t - 1.0 / 3.0 + 4.0 * t * t * t - t), self.log.bend * 0.07 * (8.0 * t + 12.0 * t * t - 1.0)]
     }
 
-    /// Point of the axis and the direction across it, in the plane.
+    /// A point of the axis, and the direction across the axis within the plane.
     fn frame(&self, along: f64) -> [DVec3; 2] {
         let [y, slope] = self.bow(along);
         let scale = 1.0 / (1.0 + slope * slope).sqrt();
@@ -66,17 +67,18 @@ impl LogShape {
         [centre, DVec3::new(-slope * scale, scale, 0.0)]
     }
 
-    /// Distance of the surface from the axis.
+    /// Distance of the surface from the axis, cm, at a place along it (cm) in a direction (cos, sin).
     pub(super) fn radius(&self, along: f64, [cos, sin]: [f64; 2]) -> f64 {
         let Log { length, radius, bark, .. } = self.log;
         let taper = 1.0 - 0.1 * along / length;
         let [x, y] = [cos * radius, sin * radius];
-        // Unevenness of the stem, wider than the hand.
+        // Broad unevenness of the stem.
         let swell = noise(self.places[0] + DVec3::new(along / (2.5 * radius), x / radius, y / radius));
         let mut height =
             radius * taper * (1.0 + 0.025 * (cos * cos - sin * sin)) * (1.0 + 0.05 * swell * bark.min(0.5) * 2.0);
         if bark > 0.0 {
-            // Furrows along the trunk, some 3 cm apart: plates where the noise is away from 0, valleys where it crosses.
+            // Furrows along the trunk, about 3 cm apart: plates where the noise is away from 0, valleys where it
+            // crosses 0.
             let wander = 1.2 * noise(self.places[4] + DVec3::new(along / 9.0, x / 5.0, y / 5.0));
             let n = noise(self.places[1] + DVec3::new(along / 13.0, (x + wander) / 3.1, (y - wander) / 3.1));
             let plate = (n.abs() * 2.8).min(1.0);
@@ -95,7 +97,8 @@ impl LogShape {
         height
     }
 
-    /// How far an end reaches beyond half the length, at a place of its cross-section within the unit disc.
+    /// How far an end extends beyond half the length, cm, at a place of its cross-section, which is given within the
+    /// unit disc.
     fn jag(&self, positive: bool, [c, s]: [f64; 2]) -> f64 {
         let Log { radius, bark, .. } = self.log;
         if bark == 0.0 {
@@ -109,7 +112,8 @@ impl LogShape {
         bark * radius * (0.22 * broken + 0.07 * torn + 0.3 * splinter * splinter)
     }
 
-    /// A point of the bark: `along` −½ … ½ of the length. The ends of the bark follow the break.
+    /// A point of the bark at `along` = −½ … ½ of the length, and its place along and distance from the axis. The edge
+    /// of the bark follows the broken end.
     pub(super) fn bark(&self, along: f64, direction: [f64; 2]) -> (DVec3, [f64; 2]) {
         let length = self.log.length;
         let reach = (0.25 * length).min(1.6 * self.log.radius);
@@ -119,7 +123,8 @@ impl LogShape {
         self.place(at, direction, 1.0)
     }
 
-    /// A point of a broken end, at this share of the radius.
+    /// A point of a broken end at this share of the radius: the point, its place along and distance from the axis, and
+    /// its kind.
     pub(super) fn end(&self, positive: bool, [cos, sin]: [f64; 2], share: f64) -> (DVec3, [f64; 2], Wood) {
         let jag = self.jag(positive, [cos * share, sin * share]);
         let reach = 0.5 * self.log.length + jag;
@@ -128,17 +133,19 @@ impl LogShape {
         (point, coords, wood)
     }
 
-    /// The point, and its place along and its distance from the axis.
+    /// The point at a place along the axis and a share of the radius, together with its place along and its distance
+    /// from the axis, cm.
     fn place(&self, along: f64, direction: [f64; 2], share: f64) -> (DVec3, [f64; 2]) {
         let [centre, across] = self.frame(along);
         let distance = share * self.radius(along, direction);
         (centre + distance * (direction[0] * across + direction[1] * DVec3::Z), [along, distance])
     }
 
-    /// How far a point is inside the log, cm; negative outside, where it is no more than a bound.
+    /// Depth of a point inside the log, cm. It is negative outside, where its absolute value is only a lower bound of
+    /// the distance. `radius_at` returns the log's radius at a place along the axis in a direction.
     pub(super) fn depth(&self, point: DVec3, radius_at: impl Fn(f64, [f64; 2]) -> f64) -> f64 {
         let mut along = point.x;
-        // Newton's method, for the place whose cross-section the point lies in.
+        // Newton's method finds the cross-section that the point lies in.
         for _ in 0..2 {
             let [y, slope] = self.bow(along);
             let curve = self.log.bend * 0.07 * (8.0 + 24.0 * along / self.log.length) / self.log.length;
@@ -151,7 +158,7 @@ impl LogShape {
         let [centre, across] = self.frame(along);
         let [u, v] = [(point - centre).dot(across), point.z - centre.z];
         let distance = (u * u + v * v).sqrt();
-        // What taper, swell, bark and knots reach at most.
+        // The largest radius that taper, swell, bark and knots can produce.
         let bare = radius * 1.05 * 1.025 * (1.0 + 0.05 * (2.0 * bark).min(1.0)) + 0.36 * bark * radius.sqrt();
         let knotted = self.knots.iter().any(|(at, ..)| (along - at).abs() < 0.2 * radius + 1.0);
         let reach = if knotted { bare + 0.26 * bark * radius } else { bare };
@@ -168,7 +175,7 @@ impl LogShape {
             return surface - distance;
         }
         let end = 0.5 * length + self.jag(along > 0.0, [direction[0] * share, direction[1] * share]);
-        // Splinters are narrow: the mesh that is seen is off by more here.
+        // Splinters are narrow, so the visible mesh is less exact here.
         (surface - distance).min(end + 0.1 * bark * radius - along.abs())
     }
 }

@@ -1,4 +1,4 @@
-//! Which vertices of the log carry an individual, and how it stands there \[3.2\].
+//! Decides which vertices of the log carry an individual, and how it stands there \[3.2\].
 
 use glam::DVec3;
 
@@ -7,37 +7,38 @@ use super::log::Log;
 use crate::params::wood_ear::Params;
 use crate::rng::{Purpose, Stream};
 
-/// One individual's place: +y of its own frame is the vertex normal, the origin its foot.
+/// The place of one individual. In its own frame, the origin is its foot and +y is the normal of the log's vertex.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Individual {
-    /// Vertex of the log it stands on, or foot on one of the user's own; its random streams hang on it.
+    /// The vertex of the log that it stands on; on a log given by the user, the number of the foot. Its random streams
+    /// depend on this number.
     pub vertex: u32,
-    /// The nearest base within range.
+    /// Index of the nearest base within range.
     pub base: u8,
-    /// Foot, cm.
+    /// Position of the foot, cm.
     pub foot: DVec3,
-    /// Its own x, y and z in the world, orthonormal and right-handed.
+    /// The x, y and z axes of its own frame in the world: orthonormal and right-handed.
     pub axes: [DVec3; 3],
 }
 
 impl Individual {
-    /// From its own frame to the world.
+    /// Converts a point from the individual's own frame to the world.
     pub(super) fn to_world(self, p: DVec3) -> DVec3 {
         let [x, y, z] = self.axes;
         p.x * x + p.y * y + p.z * z + self.foot
     }
 }
 
-/// Vertices that carry individuals, ascending.
+/// The individuals of a colony, in ascending order of their vertices.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Spawn {
-    /// One per vertex at most.
+    /// At most one per vertex of the log.
     pub individuals: Vec<Individual>,
-    /// Per base the nearest vertex of the log, the lower one of equals.
+    /// Per base, the nearest vertex of the log; of equally near ones, the lowest.
     pub bases: Vec<u32>,
 }
 
-/// The vertex nearest to a point, the lowest of equals.
+/// The log's vertex nearest to a point; of equally near ones, the lowest.
 pub(super) fn nearest(log: &Log, point: DVec3) -> u32 {
     let mut best = (f64::INFINITY, 0);
     for (vertex, at) in (0..).zip(&log.points) {
@@ -49,9 +50,10 @@ pub(super) fn nearest(log: &Log, point: DVec3) -> u32 {
     best.1
 }
 
-/// Every vertex of the log within `range` of a base carries an individual with probability density / 100 (decision K6).
+/// Lets every vertex of the log within `range` of a base carry an individual with probability density / 100 (decision
+/// K6).
 ///
-/// Each vertex draws from its own stream: a greater density or range adds individuals and moves none.
+/// Each vertex draws from its own random stream, so a greater density or range adds individuals and moves none.
 pub fn spawn(params: &Params, log: &Log) -> Spawn {
     let bases: Vec<u32> = params.bases.iter().map(|base| nearest(log, DVec3::from_array(base.position))).collect();
     let mut individuals = Vec::new();
@@ -65,7 +67,8 @@ pub fn spawn(params: &Params, log: &Log) -> Spawn {
         }
         let Some((_, base)) = found else { continue };
         if Stream::new(params.seed, Purpose::Spawn, 0, vertex).unit() < params.density / 100.0 {
-            // The thesis does not mention it, but without a turn of its own each would face the same way (decision K6).
+            // The thesis does not mention it, but without a random turn all individuals would face the same way
+            // (decision K6).
             let [cos, sin] = turn(Stream::new(params.seed, Purpose::Twist, 0, vertex).unit());
             let [t, u] = tangents(normal);
             let x = cos * t + sin * u;
@@ -75,7 +78,7 @@ pub fn spawn(params: &Params, log: &Log) -> Spawn {
     Spawn { individuals, bases }
 }
 
-/// Two directions that are orthonormal with a unit normal.
+/// Two unit directions that are perpendicular to a unit normal and to each other.
 fn tangents(normal: DVec3) -> [DVec3; 2] {
     let aside = if normal.z.abs() < 0.7 { DVec3::Z } else { DVec3::X };
     let t = aside.cross(normal).normalize_or(DVec3::Y);

@@ -1,9 +1,9 @@
 //! Collisions as the thesis solves them (Eqs 3.6 to 3.10, decisions K8 to K11).
 //!
-//! Per pair and round, every segment of one sheet against every triangle of the other, in both directions; where one pierces the
-//! other, the meridians of Q (the segment's farther vertex) and of A (the triangle's farthest) step inward; until a round finds
-//! nothing. What is left out here is only what cannot change the outcome: parts whose boxes are apart, and tests whose both
-//! meridians are known to step already.
+//! In each round, every segment of one sheet of a pair is tested against every triangle of the other, in both
+//! directions. If a segment pierces a triangle, the meridians of Q (the segment's farther vertex) and of A (the
+//! triangle's farthest vertex) step inward. The rounds end when nothing is pierced. Only tests that cannot change the
+//! outcome are skipped: those of parts whose boxes are apart, and those where both meridians are already known to step.
 
 use glam::DVec3;
 
@@ -13,42 +13,43 @@ use super::pairs::{Bounds, overlapping};
 use super::spawn::Individual;
 use super::work::{Part, swept, tally};
 
-/// Eq. 3.10's one unit, in units of the size: 1/d² of the raw rim radius at the d = 10 of the thesis (decision K1).
+/// The step of Eq. 3.10, one unit, relative to the individual's size: 1/d² of the raw rim radius at the thesis's d = 10
+/// (decision K1).
 const STEP: f64 = 0.01;
-/// No radius falls below it, or meridians would pass the axis (decision K9).
+/// Smallest radius of a vertex, relative to the size. Below it, meridians would pass through the axis (decision K9).
 const LEAST: f64 = 0.01;
-/// Rounds of one pair, and sweeps over all pairs (decision K9).
+/// Largest number of rounds per pair, and of sweeps over all pairs (decision K9).
 const MOST_ROUNDS: u32 = 200;
 const MOST_SWEEPS: u32 = 10;
 
-/// One sheet in the world, with what its rounds need.
+/// One sheet in the world, with everything the rounds need.
 #[derive(Debug, Clone)]
 struct Model {
-    /// Ring by ring.
+    /// The vertices, ring by ring.
     points: Vec<DVec3>,
-    /// Squared distance of every vertex from the foot.
+    /// The squared distance of every vertex from the foot.
     reach: Vec<f64>,
-    /// Boxes of quads, meridian by meridian, and of whole strips between meridians f and f + 1.
+    /// Boxes around the quads, meridian by meridian, and around the whole strips between meridians f and f + 1.
     quads: Vec<Bounds>,
     strips: Vec<Bounds>,
     whole: Bounds,
-    /// Changes with the shape.
+    /// Counts up whenever the shape changes.
     version: u32,
 }
 
-/// Runs the sweeps in pieces.
+/// Runs the sweeps over all pairs, some rounds per step.
 #[derive(Debug)]
 pub(super) struct Thesis {
     rings: usize,
     meridians: usize,
     models: Vec<Model>,
-    /// As they are by now.
+    /// The sheets in their current shape.
     sheets: Vec<Sheet>,
     bends: Vec<Bend>,
-    /// Of all that a sheet can become; empty once the pairs are known.
+    /// Per sheet, a box around every shape it may take. Emptied once the pairs are known.
     bounds: Vec<Bounds>,
     pairs: Vec<[u32; 2]>,
-    /// Versions of both at which a pair was last found free.
+    /// Per pair, the versions of its two models when it was last found free.
     free: Vec<[u32; 2]>,
     next: usize,
     moved: bool,
@@ -75,7 +76,7 @@ impl Thesis {
         }
     }
 
-    /// Makes the model of the next individual.
+    /// Adds the model of the next individual.
     fn add(&mut self, individual: &Individual, sheet: &Sheet) {
         let (d, c) = (self.rings, self.meridians);
         let bend = self.bends[self.models.len()];
@@ -96,7 +97,8 @@ impl Thesis {
             model.bound(f, d, c);
         }
         model.enclose();
-        // Stepping inward leads towards the axis: with its points the box holds all that the sheet can become.
+        // Stepping inward leads towards the axis, so a box that includes the points of the axis holds every shape the
+        // sheet may take.
         let axis = sheet.points.iter().enumerate().map(|(v, p)| {
             let on_axis = DVec3::new(0.0, p.y, 0.0);
             individual.to_world(bend.rib(on_axis * sheet.size, (v / c + 1) as f64 / d as f64).point())
@@ -106,7 +108,7 @@ impl Thesis {
         self.sheets.push(sheet.clone());
     }
 
-    /// Works on pairs for about so many rounds. True when a sweep moved nothing, or after the last one.
+    /// Works on pairs for about `rounds` rounds. Returns true after a sweep that moved nothing, or after the last one.
     pub(super) fn advance(&mut self, individuals: &[Individual], sheets: &[Sheet], rounds: u32) -> bool {
         if self.models.len() < individuals.len() {
             let to = (self.models.len() + rounds as usize / 4).min(individuals.len());
@@ -146,7 +148,7 @@ impl Thesis {
         false
     }
 
-    /// What it works on, and the share of that which is done.
+    /// The part of the run being worked on, and the share of it that is done.
     pub(super) fn progress(&self) -> (Part, f64) {
         if self.pairs.is_empty() {
             return (Part::Models, self.models.len() as f64 / self.bends.len().max(1) as f64);
@@ -154,16 +156,16 @@ impl Thesis {
         (Part::Pairs, swept(self.sweeps, self.next as f64 / self.pairs.len() as f64))
     }
 
-    /// The sheets, and which of them are not as they were.
+    /// Returns the sheets, and which of them have changed.
     pub(super) fn finish(self) -> (Vec<Sheet>, Vec<bool>) {
         let moved = self.models.iter().map(|model| model.version > 1).collect();
         (self.sheets, moved)
     }
 
-    /// Frees a pair; the rounds that moved something.
+    /// Works on a pair until it is free or out of rounds. Returns the number of rounds that moved something.
     fn solve(&mut self, [a, b]: [usize; 2], individuals: &[Individual]) -> u32 {
         let (c, d) = (self.meridians, self.rings);
-        // a < b: pairs are ascending.
+        // Pairs are ascending, so a < b.
         let (before, after) = self.models.split_at_mut(b);
         let (first, second) = (&mut before[a], &mut after[0]);
         let (mut hits_a, mut hits_b) = (vec![false; c], vec![false; c]);
@@ -200,7 +202,8 @@ impl Thesis {
     }
 }
 
-/// Eq. 3.10 in the own frame, for all vertices of a meridian. False where none could move.
+/// Applies Eq. 3.10 to all vertices of a meridian, in the individual's own frame. Returns false if none of them could
+/// move.
 fn step_inward(points: &mut [DVec3], f: usize, c: usize) -> bool {
     let mut moved = false;
     for p in points.iter_mut().skip(f).step_by(c) {
@@ -216,7 +219,7 @@ fn step_inward(points: &mut [DVec3], f: usize, c: usize) -> bool {
 }
 
 impl Model {
-    /// Puts the vertices of a meridian where they are in the world.
+    /// Computes where the vertices of a meridian are in the world.
     fn place(&mut self, f: usize, d: usize, c: usize, individual: &Individual, sheet: &Sheet, bend: &Bend) {
         for e in 0..d {
             let v = e * c + f;
@@ -226,7 +229,7 @@ impl Model {
         }
     }
 
-    /// The boxes between meridians f and f + 1.
+    /// Computes the boxes between meridians f and f + 1.
     fn bound(&mut self, f: usize, d: usize, c: usize) {
         let g = (f + 1) % c;
         let mut strip = Bounds::EMPTY;
@@ -251,7 +254,7 @@ impl Model {
     }
 }
 
-/// One round: marks the meridians that a hit of either direction moves.
+/// One round: marks the meridians of both sheets that a hit in either direction moves.
 fn find(a: &Model, b: &Model, hits_a: &mut [bool], hits_b: &mut [bool], d: usize, c: usize) {
     for f in 0..c {
         if !a.strips[f].overlaps(&b.whole) {
@@ -281,7 +284,7 @@ fn find(a: &Model, b: &Model, hits_a: &mut [bool], hits_b: &mut [bool], d: usize
     }
 }
 
-/// The segments of one quad against the triangles of another.
+/// Tests the segments of one quad against the triangles of another, and marks the meridians that a hit moves.
 fn pierce(
     (a, [e, f]): (&Model, [usize; 2]),
     (b, [h, g]): (&Model, [usize; 2]),
@@ -296,7 +299,8 @@ fn pierce(
     };
     let [p00, p10, p11, p01] = corners(e, f);
     let [q00, q10, q11, q01] = corners(h, g);
-    // A quad owns its lower ring edge, its first meridian edge and its diagonal; the last quad of a meridian the rim's edge too.
+    // Each quad owns the lower of its ring edges, its first meridian edge and its diagonal. The last quad of a meridian
+    // also owns the edge on the rim.
     let segments = [[p00, p01], [p00, p10], [p00, p11], [p10, p11]];
     let count = if e + 2 == d { 4 } else { 3 };
     for triangle in [[q00, q10, q11], [q00, q11, q01]] {
@@ -335,7 +339,8 @@ fn pierce(
     }
 }
 
-/// Whether vertex s is farther from the foot than t; of equals the one of the larger e, then f (decision K5).
+/// Whether vertex s is farther from the foot than t. Of two equally far ones, the one with the larger e, then with the
+/// larger f, counts as farther (decision K5).
 fn farther(model: &Model, s: usize, t: usize) -> bool {
     let [of_s, of_t] = [model.reach[s], model.reach[t]];
     of_s > of_t || (of_s == of_t && s > t)

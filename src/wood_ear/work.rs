@@ -1,39 +1,42 @@
-//! How much of a run is done once its preview is there: what its parts cost beside one another, so that progress grows evenly with time.
+//! Estimates how much of a run is done after its preview, from what its parts cost relative to each other, so that
+//! progress grows evenly with time.
 
 use crate::params::wood_ear::{Collisions, Params};
 
-/// What is left after the preview, in the order it is done.
+/// The parts of a run that are left after the preview, in the order in which they are done.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Part {
-    /// Models of the individuals.
+    /// The individuals' models or boxes are made.
     Models,
-    /// Pairs, until none crosses.
+    /// Pairs are solved until none crosses.
     Pairs,
-    /// Bodies after their collisions.
+    /// Bodies are posed and shaded after their collisions.
     Bodies,
-    /// The pairs that cross in the buffers.
+    /// The pairs that cross in the buffers are counted.
     Count,
 }
 
-/// Cost of every [`Part`], in ms on a desktop computer; only their ratios matter.
+/// The cost of every [`Part`], in ms on a desktop computer. Only their ratios matter.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Work([f64; 4]);
 
-/// Costs of an individual: its model with the boxes around it by the thesis's rule and by ours, its body posed, shaded and boxed, the same where only boxes are new, and posing
-/// it outside the log.
+/// Costs of an individual: its model with its boxes (the thesis's rule); its boxes alone (our rule); its body posed,
+/// shaded and boxed; its body shaded and boxed, if it is posed already; and posing it outside the log.
 const MODEL: f64 = 0.03;
 const BOXES: f64 = 0.016;
 const BODY: f64 = 0.04;
 const SHADED: f64 = 0.027;
 const CLEARED: f64 = 0.11;
-/// Costs of a pair: looked at once; solved by the thesis's rule, for each pair of an individual, since sheets that overlap deeper take more
-/// rounds; and by ours, where some pairs have both bodies posed again.
+/// Costs of a pair: testing it once; solving it by the thesis's rule, for each pair of the individual, because sheets
+/// that overlap deeper take more rounds; and solving it by our rule. `PARTED` is the share of pairs whose two bodies
+/// our rule poses again.
 const TESTED: f64 = 0.004;
 const SOLVED: f64 = 0.0125;
 const PRESSED: f64 = 0.022;
 const PARTED: f64 = 0.15;
 
-/// Pairs of an individual whose boxes overlap: neighbours that are nearer than a wood ear is wide, each pair once.
+/// Expected number of pairs of an individual whose boxes overlap, each pair counted once: its neighbours within the
+/// width of a wood ear.
 pub(super) fn pairs_each(params: &Params, individuals: f64) -> f64 {
     let near = 16.0 * params.size * params.size * params.density / (87.0 * params.log.spacing * params.log.spacing);
     0.5 * near.min(individuals)
@@ -48,14 +51,14 @@ impl Work {
         let (model, pair, body, tested) = match params.collisions {
             Collisions::Off => (0.0, 0.0, BODY + cleared, TESTED),
             Collisions::Thesis => (MODEL, SOLVED * each, BODY + cleared, TESTED),
-            // Where a plane parts a pair, nothing is left to be tested.
+            // A pair that is separated by a plane needs no further test.
             Collisions::Pressed => (BOXES + cleared, PRESSED + 2.0 * PARTED * cleared, SHADED, 0.0),
         };
-        // Never 0: a share of it is taken even where there is no individual.
+        // This is never 0, because a share of it is computed even if there are no individuals.
         Work([individuals * model, pairs * pair, individuals * body + f64::MIN_POSITIVE, pairs * tested])
     }
 
-    /// The share of all work, 0 … 1, that is done when so much of a part is.
+    /// The share of all work, 0 … 1, that is done when `share` of `part` is done.
     pub(super) fn done(&self, part: Part, share: f64) -> f64 {
         let at = part as usize;
         let before: f64 = self.0[..at].iter().sum();
@@ -63,15 +66,16 @@ impl Work {
     }
 }
 
-/// Share of the pairs' work that their first sweep is; those that follow look again at what has moved.
+/// Share of the pairs' work that is done in the first sweep. Later sweeps only look again at bodies that have moved.
 const FIRST_SWEEP: f64 = 0.98;
 
-/// How much of the pairs' work is done after so many whole sweeps, and within the next.
+/// The share of the pairs' work that is done after `sweeps` whole sweeps and the share `within` of the next one.
 pub(super) fn swept(sweeps: u32, within: f64) -> f64 {
     1.0 - (1.0 - FIRST_SWEEP * within) * (1.0 - FIRST_SWEEP).powi(sweeps as i32)
 }
 
-/// Counts operations in tests, weighted by the ns they take, so that progress can be held against them without a clock.
+/// Counts operations in tests, weighted by the nanoseconds they take, so that progress can be compared with them
+/// without a clock.
 #[inline(always)]
 pub(super) fn tally(_nanoseconds: usize) {
     #[cfg(test)]
@@ -90,8 +94,9 @@ mod tests {
         pub(super) static TALLY: Cell<u64> = const { Cell::new(0) };
     }
 
-    /// What is said at a moment of a run: operations since its stage began and still to come, those of the whole stage and what follows it, and
-    /// what is foretold to come at the pace of the stage so far, as www/generator/estimate.ts does.
+    /// What a run reports at one moment: its stage; the operations since the stage began, still to come, and in all
+    /// from the stage's start on; and the operations still to come as foretold from the pace of the stage so far, in
+    /// the way of www/generator/estimate.ts.
     struct Told {
         stage: Stage,
         done: f64,
@@ -121,7 +126,7 @@ mod tests {
         told.collect()
     }
 
-    /// Colonies in small, as dense as the default, the maximum and the slowest there is.
+    /// Small colonies with the densities of the default, of the maximum and of the slowest settings.
     fn settings() -> Vec<Params> {
         let mut all = Vec::new();
         for collisions in [Collisions::Thesis, Collisions::Pressed] {
@@ -152,7 +157,8 @@ mod tests {
     fn check(params: &Params) {
         let mut worst = (0.0, String::new());
         for Told { stage, done, left, all, foretold } in run(params) {
-            // Up to a tenth it may be twice off; at the end a twentieth of all is a second or two.
+            // In the first tenth of the work the forecast may be off by a factor of two, later by half. A difference of
+            // less than a twentieth of all work is a second or two, and is accepted.
             let bound: f64 = if done < 0.1 * all { 2.0 } else { 1.5 };
             if stage != Stage::Collide || done < 0.05 * all || (foretold - left).abs() < 0.05 * all {
                 continue;
