@@ -1,13 +1,13 @@
-//! One flag per pixel, one bit per flag.
+//! Flags of pixels, one bit each.
 //!
-//! The bits lie in vertical strips 64 px wide: the word of pixel (x, y) is `(x / 64) · height + y`. A disc
-//! or a cell touches one or two strips, and in each of them consecutive words, so that stamping a disc of
-//! radius 10 writes about 160 contiguous bytes instead of one cache line per row.
+//! The bits are arranged in vertical strips 64 px wide: the word of pixel (x, y) is `(x / 64) · height + y`. A disc or
+//! a cell touches one or two strips, and consecutive words in each of them. Stamping a disc of radius 10 therefore
+//! writes about 160 contiguous bytes instead of one cache line per row.
 
-/// Pixels per word.
+/// Number of pixels per word.
 const STRIP: u32 = 64;
 
-/// Flags of a `width` × `height` image, all clear at first.
+/// The flags of a `width` × `height` image. All are clear at first.
 #[derive(Debug, Clone)]
 pub(crate) struct Bitmap {
     width: u32,
@@ -21,7 +21,7 @@ impl Bitmap {
         Bitmap { width, height, words: vec![0; strips * height as usize] }
     }
 
-    /// W·H.
+    /// Number of pixels of the image, W·H.
     pub(crate) fn pixels(&self) -> u64 {
         u64::from(self.width) * u64::from(self.height)
     }
@@ -33,7 +33,7 @@ impl Bitmap {
         (self.words[word] >> (x % STRIP)) & 1 != 0
     }
 
-    /// Flags the pixels x0 … x1 (inclusive, within the image) of row y.
+    /// Flags the pixels x0 … x1 of row y (inclusive, and within the image).
     #[inline]
     pub(crate) fn fill_span(&mut self, y: u32, x0: u32, x1: u32) {
         for strip in x0 / STRIP..=x1 / STRIP {
@@ -42,14 +42,14 @@ impl Bitmap {
         }
     }
 
-    /// Whether any of the pixels x0 … x1 (inclusive, within the image) of row y is flagged.
+    /// Whether any of the pixels x0 … x1 of row y is flagged (inclusive, and within the image).
     #[inline]
     pub(crate) fn any_in_span(&self, y: u32, x0: u32, x1: u32) -> bool {
         let is_taken = |strip: u32| {
             let word = strip as usize * self.height as usize + y as usize;
             self.words[word] & strip_mask(strip, x0, x1) != 0
         };
-        // Most spans lie in one strip or two.
+        // Most spans lie in one or two strips.
         let (first, last) = (x0 / STRIP, x1 / STRIP);
         is_taken(first) || (first < last && (first + 1..=last).any(is_taken))
     }
@@ -87,7 +87,7 @@ impl Bitmap {
         }
     }
 
-    /// Flags, in a strip, the rows' patterns moved by `shift` bits.
+    /// Flags pixels of one strip: the patterns of the rows, moved by `shift` bits.
     #[inline]
     fn stamp_rows(&mut self, strip: u32, y_min: u32, y_max: u32, rows: &[u64], shift: i32) {
         let column = strip as usize * self.height as usize;
@@ -114,19 +114,19 @@ impl Bitmap {
         }
     }
 
-    /// The clear pixels, in the order of the words.
+    /// Returns the clear pixels as they are now, in the order of the words.
     pub(crate) fn clear_pixels(&self) -> ClearPixels {
         ClearPixels::new(self)
     }
 
-    /// Bytes that finding them takes, from now on.
+    /// Bytes that [`Bitmap::clear_pixels`] will take if it is called now.
     #[inline(never)]
     pub(crate) fn clear_bytes(&self) -> f64 {
         let clear = self.count_clear();
         if self.lists(clear) { 4.0 * f64::from(clear) } else { FOUND * self.pixels() as f64 }
     }
 
-    /// Whether a list of so many clear pixels is no larger than the bitmap.
+    /// Whether a list of `clear` pixels is no larger than the bitmap.
     fn lists(&self, clear: u32) -> bool {
         clear as usize <= 2 * self.words.len()
     }
@@ -137,7 +137,8 @@ impl Bitmap {
         columns.map(|(strip, column)| clear(column, self.inside(strip))).sum()
     }
 
-    /// The clear pixel with so many clear ones before it.
+    /// Returns the clear pixel that has `rank` clear ones before it. `before` holds the clear pixels before every
+    /// [`BLOCK`] words.
     #[cold]
     #[inline(never)]
     fn clear_pixel(&self, before: &[u32], rank: u32) -> [u16; 2] {
@@ -156,7 +157,7 @@ impl Bitmap {
         [((at / height) as u32 * STRIP + clear.trailing_zeros()) as u16, (at % height) as u16]
     }
 
-    /// The bits of strip `strip` that lie within the image.
+    /// The bits of a strip that lie within the image.
     fn inside(&self, strip: usize) -> u64 {
         !0_u64 >> (STRIP - STRIP.min(self.width - strip as u32 * STRIP))
     }
@@ -168,31 +169,33 @@ impl Bitmap {
     }
 }
 
-/// The clear pixels of a bitmap as a list that pixels are taken out of, as `Vec::swap_remove` takes them.
+/// The clear pixels of a bitmap, as a list from which pixels are taken in the way of `Vec::swap_remove`.
 ///
-/// A list takes 4 bytes a pixel, and of a large disc's image most pixels may be clear. Where it would be larger than the bitmap, a copy
-/// of the bitmap stands for it: entry i is the i-th clear pixel, but for the few that have been moved.
+/// A list takes 4 bytes per pixel, and in the image of a large disc most pixels may be clear. If a list would be larger
+/// than the bitmap, a copy of the bitmap is used instead: entry i is the i-th clear pixel, except for the few entries
+/// that have been moved.
 #[derive(Debug)]
 pub(crate) enum ClearPixels {
-    /// All of them.
+    /// A list of the pixels.
     Listed(Vec<[u16; 2]>),
-    /// As they are found in a bitmap.
+    /// Pixels that are looked up in a bitmap.
     Found {
-        /// As it was when the pixels were counted, with everything beside the image flagged.
+        /// The bitmap as it was when the pixels were counted, with everything beside the image flagged.
         bitmap: Bitmap,
-        /// Clear pixels before every [`BLOCK`] words.
+        /// Number of clear pixels before every [`BLOCK`] words.
         before: Vec<u32>,
-        /// Entries left.
+        /// Number of entries that are left.
         len: u32,
-        /// What stands in an entry that was taken: the entry that was the last one then.
+        /// The entries that replace those that were taken: in each case the one that was the last at that time.
         moved: Moved,
     },
 }
 
-/// Words that are counted together.
+/// Number of words that are counted together.
 const BLOCK: usize = 32;
 
-/// Bytes per pixel of the image that [`ClearPixels::Found`] takes: the bitmap, the counts, and what is moved until it is made anew.
+/// Bytes per pixel of the image that [`ClearPixels::Found`] takes: the bitmap, the counts, and the moved entries until
+/// the list is made again.
 const FOUND: f64 = 0.15;
 
 fn clear(words: &[u64], inside: u64) -> u32 {
@@ -229,7 +232,7 @@ impl ClearPixels {
         }
     }
 
-    /// Takes out entry `index`; the last one takes its place.
+    /// Removes entry `index` and returns its pixel. The last entry takes its place.
     #[inline]
     pub(crate) fn swap_remove(&mut self, index: u32) -> [u16; 2] {
         match self {
@@ -244,10 +247,11 @@ impl ClearPixels {
     }
 }
 
-/// Entries that do not hold their own number, in a table with open addressing. None of them is ever taken out.
+/// The entries that do not hold their own number, in a hash table with open addressing. Nothing is ever removed from
+/// it.
 #[derive(Debug, Default)]
 pub(crate) struct Moved {
-    /// Pairs of an entry and what it holds, at least half of them free.
+    /// Pairs of an entry and what it holds. At least half of the slots are free.
     table: Vec<[u32; 2]>,
     used: usize,
 }
@@ -272,7 +276,7 @@ impl Moved {
         if found == FREE { entry } else { held }
     }
 
-    /// Puts something else into an entry; what it held.
+    /// Stores `new` in an entry and returns what the entry held before.
     fn replace(&mut self, entry: u32, new: u32) -> u32 {
         if 2 * (self.used + 1) > self.table.len() {
             let room = (4 * self.used).max(1024).next_power_of_two();
@@ -291,7 +295,7 @@ impl Moved {
     }
 }
 
-/// Bits of the pixels x0 … x1 that fall in a strip.
+/// The bits of a strip that stand for the pixels x0 … x1.
 #[inline]
 fn strip_mask(strip: u32, x0: u32, x1: u32) -> u64 {
     let first = strip * STRIP;
@@ -300,20 +304,21 @@ fn strip_mask(strip: u32, x0: u32, x1: u32) -> u64 {
     (!0_u64 << lo) & (!0_u64 >> (STRIP - 1 - hi))
 }
 
-/// The pixels nearer than a radius to a pixel's centre (open disc, decision A4).
+/// The pixels nearer to a pixel's centre than a radius, which form an open disc (decision A4 in docs/decisions.md).
 #[derive(Debug, Clone)]
 pub(crate) struct Disc {
-    /// Half width of every row, from the lowest to the highest.
+    /// The half width of every row, px, from the lowest to the highest.
     half_widths: Vec<u32>,
-    /// The rows of a small disc as bits around bit 32; of a larger one, nothing.
+    /// The rows of a small disc as bits around bit 32. Empty for a larger disc.
     patterns: Vec<u64>,
 }
 
 impl Disc {
-    /// `limit`: rows and columns farther away are never stamped, so a radius beyond the image costs no memory.
+    /// Makes a disc of this radius, px. Rows and columns farther away than `limit` are never stamped, so a radius
+    /// larger than the image costs no memory.
     pub(crate) fn new(radius: f64, limit: u32) -> Self {
         let squared = radius * radius;
-        // The farthest row still nearer than the radius.
+        // The farthest row that is nearer than the radius.
         let mut reach = (radius as u32).min(limit);
         while reach > 0 && f64::from(reach) * f64::from(reach) >= squared {
             reach -= 1;
@@ -336,7 +341,7 @@ impl Disc {
         Disc { half_widths: upper, patterns }
     }
 
-    /// Rows above and below the centre.
+    /// Number of rows above the centre, and below it.
     fn reach(&self) -> u32 {
         self.half_widths.len() as u32 / 2
     }

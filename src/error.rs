@@ -1,9 +1,9 @@
-//! The one error enum. Every variant carries what a user interface needs to put the message
-//! beside the right control: the parameter's key, the value and the bounds.
+//! The error enum of the generators. Every variant carries what a user interface needs to put the message beside the
+//! right control: the parameter's key, the value and the bounds.
 
 use std::fmt;
 
-/// What a caller asked for and cannot have. Nothing was changed or allocated.
+/// Why a request was refused. Nothing was changed or allocated.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum Error {
@@ -20,7 +20,7 @@ pub enum Error {
         /// Largest legal value.
         max: f64,
     },
-    /// A value that has to be whole and is not.
+    /// A value that has to be a whole number, but is not.
     NotAnInteger {
         /// Key of the parameter.
         key: &'static str,
@@ -48,9 +48,9 @@ pub enum Error {
         /// Numbers expected.
         expected: usize,
     },
-    /// The estimate of [`crate::memory_estimate`] is over the budget.
+    /// The memory estimate (see [`crate::memory_estimate`]) is above the budget.
     OverBudget {
-        /// The parameter to change: the one that saves most.
+        /// The parameter whose change would save most memory.
         key: &'static str,
         /// Bytes the run would need at its peak.
         estimate: u64,
@@ -60,7 +60,7 @@ pub enum Error {
 }
 
 impl Error {
-    /// Machine-readable name, stable across versions.
+    /// Machine-readable name of the error, stable across versions.
     pub fn code(&self) -> &'static str {
         match self {
             Error::OutOfRange { .. } => "OutOfRange",
@@ -72,7 +72,7 @@ impl Error {
         }
     }
 
-    /// Key of the parameter at fault.
+    /// Key of the parameter that caused the error.
     pub fn key(&self) -> &'static str {
         match self {
             Error::OutOfRange { key, .. } | Error::NotAnInteger { key, .. } | Error::OverBudget { key, .. } => key,
@@ -82,7 +82,7 @@ impl Error {
         }
     }
 
-    /// Index of the layer at fault.
+    /// Index of the layer that caused the error, if it was one layer.
     pub fn layer(&self) -> Option<usize> {
         match *self {
             Error::OutOfRange { layer, .. } | Error::NotAnInteger { layer, .. } => layer,
@@ -90,7 +90,7 @@ impl Error {
         }
     }
 
-    /// Value, smallest and largest legal value; NaN where there is none.
+    /// The value, the smallest and the largest legal value. NaN if there is none.
     pub fn numbers(&self) -> [f64; 3] {
         match *self {
             Error::OutOfRange { value, min, max, .. } => [value, min, max],
@@ -104,10 +104,11 @@ impl Error {
 }
 
 impl Error {
-    /// The message for people; `number` writes a number. JavaScript has a way to write numbers, and Rust's takes 20 kB of a wasm file.
+    /// The message for people. `number` converts a number to text: JavaScript has a way to do that, whereas Rust's
+    /// takes 20 kB of a wasm file.
     pub(crate) fn message(&self, number: &dyn Fn(f64) -> String) -> String {
         let key = self.key();
-        // These keys are the wood ears' alone.
+        // Only the wood ears have these keys.
         let is_colony = matches!(key, "density" | "logSpacing" | "x" | "y" | "z" | "range");
         let [whole, part] = if is_colony { ["this colony", " of base "] } else { ["this field", " of layer "] };
         let place = self.layer().map(|index| [part, &number(index as f64)].concat()).unwrap_or_default();
@@ -129,7 +130,7 @@ impl Error {
     }
 }
 
-/// A text, in ASCII, with the words in the places of its `@` and the numbers in those of its `#`.
+/// Fills in a text (ASCII): each `@` is replaced by the next of `words`, each `#` by the next of `numbers`.
 pub(crate) fn fill(text: &str, words: &[&str], numbers: &[f64], number: &dyn Fn(f64) -> String) -> String {
     let mut filled = String::new();
     let (mut words, mut numbers) = (words.iter(), numbers.iter());

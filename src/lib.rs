@@ -1,15 +1,16 @@
 //! Ground covered with rocks of various sizes, as a pure function of its parameters.
 //!
-//! The method is that of Sakurai & Miyata, *A Procedural Modeling of Various-Sized Rocks on the Ground*
-//! (journal version 2011; conference version, NICOGRAPH 2010). Per layer, that is per disc radius:
+//! The method is that of Sakurai & Miyata, *A Procedural Modeling of Various-Sized Rocks on the Ground* (journal
+//! version 2011; conference version, NICOGRAPH 2010). Each layer has its own disc radius. For each layer:
 //!
 //! 1. **sites** – dart throwing on a bitmap, until no pixel is free ([`rocks::Sites`]; §3.1, Fig. 4, Eq. 1);
-//! 2. **cells** – their Voronoi diagram, clipped to the image ([`rocks::Cells`]; §3.1);
-//! 3. **selection** – cells whose pixels are all free, largest layer first ([`rocks::Selection`]; §3.2, Fig. 7);
+//! 2. **cells** – the sites' Voronoi diagram, clipped to the image ([`rocks::Cells`]; §3.1);
+//! 3. **selection** – cells all of whose pixels are free, coarsest layer first ([`rocks::Selection`]; §3.2, Fig. 7);
 //! 4. **shape** – as many random points in a cell as it has vertices, and their Delaunay triangulation
 //!    ([`rocks::Shapes`]; §3.3, Fig. 10);
-//! 5. **mesh** – the points moved outward and up (Eqs 2, 3), in flat buffers ([`Mesh`]); beyond the papers, and off by default, cut
-//!    finer, worn, roughened and embedded (`weathering`, `roughness`, `detail`, `embedding` of a [`params::Layer`]).
+//! 5. **mesh** – the points moved outward and up (Eqs 2, 3), written to flat buffers ([`Mesh`]). Beyond the papers, and
+//!    off by default, rocks can be subdivided, worn, roughened and embedded (`weathering`, `roughness`, `detail`,
+//!    `embedding` of a [`params::Layer`]).
 //!
 //! ```
 //! use rock_field::params::preset;
@@ -25,23 +26,26 @@
 //! # Ok::<(), rock_field::Error>(())
 //! ```
 //!
-//! [`rocks::Generator`] does the same in bounded steps and keeps every stage, so that an edit re-runs only what it touches.
+//! [`rocks::Generator`] does the same in small steps and keeps the result of every stage, so that an edit re-runs only
+//! the stages that it affects.
 //!
-//! Beside the rocks, [`wood_ear`] grows colonies of wood ears (kikurage) on a fallen log, by the method of Nishimura's bachelor thesis
-//! (fiscal 2012): log → spawn → deform → collide → mesh. It shares the conventions below; one cm is one px.
+//! Besides rocks, [`wood_ear`] grows colonies of wood ears (kikurage) on a fallen log, by the method of Nishimura's
+//! bachelor thesis (fiscal 2012): log → spawn → deform → collide → mesh. It shares the conventions below; one cm is one
+//! px.
 //!
 //! # Conventions
 //!
-//! *Plane*: x right, y up, in pixels, `f64`; pixel (column, row) has its centre at (column + 0.5, row + 0.5), the origin
-//! is the image's corner, row 0 is the bottom row seen from above. *World*: right-handed, z up, plane (x, y) = world
-//! (x, y), the ground at z = 0. Polygons and triangles are counter-clockwise seen from above, indices `u32`.
-//! Errors name the parameter's key, its value and its bounds; degenerate but legal input has a result, never an error.
+//! *Plane*: x points right and y up, in pixels, as `f64`. Pixel (column, row) has its centre at (column + 0.5, row +
+//! 0.5); the origin is the image's corner, and row 0 is the bottom row seen from above. *World*: right-handed, z up,
+//! with the plane's x and y and the ground at z = 0. Polygons and triangles are counter-clockwise seen from above, and
+//! indices are `u32`. Errors name the parameter's key, its value and its bounds. Degenerate but legal input gives a
+//! result, never an error.
 //!
 //! # What a seed promises
 //!
-//! Equal parameters give equal bytes on every platform: one named portable generator per (seed, purpose, layer, item),
-//! f64 with + − × ÷ √ only, exact predicates, no iteration over hash maps. A change that gives other
-//! rocks for the same parameters is listed in the changelog.
+//! Equal parameters give equal bytes on every platform: there is one portable random generator per (seed, purpose,
+//! layer, item), f64 arithmetic uses only + − × ÷ √, predicates are exact, and hash maps are never iterated over. If a
+//! change gives other rocks for the same parameters, the changelog says so.
 //!
 //! # Features
 //!
@@ -55,11 +59,13 @@
 //!
 //! # Deviations and limits
 //!
-//! Where the papers are silent or ask for the impossible, the deciding item says so (*decision A1* …). The main ones:
-//! dart throwing ends when no pixel is free, which at c_d = 0.7 it always does (A1); j1 and j2 lie in \[0, 1\] (A10); the
-//! surface is open, without a bottom (A13); rocks of neighbouring cells may pass through each other when their tops
-//! are moved outward (A14). Wear is an addition: both papers leave it to future work. A worn rock is a convex body made from the
-//! papers' rock, its rim stays on its cell and sinks below the ground; all four parameters at 0 are the papers' mesh, bit for bit. Images have sides of 1 to 8192 px, fields up to eight layers.
+//! Where the papers are silent or ask for the impossible, the code cites a decision (*decision A1* …);
+//! `docs/decisions.md` explains them all. The main ones: dart throwing ends when no pixel is free, which at c_d = 0.7
+//! it always does (A1); j1 and j2 lie in \[0, 1\] (A10); the surface is open, without a bottom (A13); rocks of
+//! neighbouring cells may pass through each other if their tops are moved outward (A14). Wear is an addition, since
+//! both papers leave it to future work. A worn rock is a convex body made from the papers' rock; its rim stays on its
+//! cell and sinks below the ground. With all four parameters at 0, the mesh is that of the papers, bit for bit. Images
+//! have sides of 1 to 8192 px, and fields have up to eight layers.
 
 mod bindings;
 mod bitmap;

@@ -1,8 +1,10 @@
-//! Baseline (a) of the bench: the papers' loops, taken literally. Compiled with the feature `bench` alone, never shipped.
+//! Baseline (a) of the bench: the papers' loops, taken literally. Compiled only with the feature `bench`, and never
+//! shipped. Numbers such as A1 refer to docs/decisions.md.
 //!
-//! One byte per flag; picks repeated until the number is reached or no pixel is free (Fig. 4); Voronoi diagrams and
-//! the triangulation of every rock by [`spade`]; every pixel of a cell's bounding box tested (Fig. 7). It
-//! reads what journal Fig. 1 uses of the parameters: saturated darts, clipped cells, area fractions, shared swings.
+//! Every flag is a byte, and picks are repeated until the number is reached or no pixel is free (Fig. 4). The crate
+//! [`spade`] makes the Voronoi diagrams and triangulates every rock. Every pixel of a cell's bounding box is tested
+//! (Fig. 7). Only the parameters that journal Fig. 1 uses are read: saturated darts, clipped cells, area fractions,
+//! shared swings.
 
 use glam::DVec2;
 use spade::{DelaunayTriangulation, Point2, Triangulation};
@@ -11,7 +13,7 @@ use crate::params::{Layer, Params};
 use crate::rng::{Purpose, Stream};
 use crate::rocks::{displace, target_sites};
 
-/// The rocks of a field, as in [`crate::Mesh`] but without normals.
+/// The rocks of a field, like [`crate::Mesh`] but without normals.
 #[derive(Debug, Default)]
 pub(crate) struct LiteralField {
     pub(crate) positions: Vec<f32>,
@@ -19,7 +21,7 @@ pub(crate) struct LiteralField {
     pub(crate) rock_starts: Vec<u32>,
 }
 
-/// The four stages, one after the other.
+/// Runs the four stages, one after the other.
 pub(crate) fn generate(params: &Params) -> LiteralField {
     let layers: Vec<Layer> = params.layers.iter().map(|layer| params.layer_in_px(layer)).collect();
     let cells: Vec<Vec<Vec<DVec2>>> = layers.iter().map(|layer| diagram(params, &sites(params, layer))).collect();
@@ -34,7 +36,7 @@ pub(crate) fn generate(params: &Params) -> LiteralField {
     field
 }
 
-/// Fig. 4, with the pick repeated (decision A1).
+/// Throws darts as in Fig. 4, with the pick repeated (decision A1).
 fn sites(params: &Params, layer: &Layer) -> Vec<DVec2> {
     let (width, height) = (params.image_width, params.image_height);
     let target = target_sites(params.pixels() as f64, params.packing, layer.radius) as usize;
@@ -64,10 +66,10 @@ fn sites(params: &Params, layer: &Layer) -> Vec<DVec2> {
     sites
 }
 
-/// The Voronoi cells clipped to the image, counter-clockwise.
+/// Returns the Voronoi cells, clipped to the image, counter-clockwise.
 fn diagram(params: &Params, sites: &[DVec2]) -> Vec<Vec<DVec2>> {
     let (width, height) = (f64::from(params.image_width), f64::from(params.image_height));
-    // Four sites far away make every cell finite and change nothing within the image.
+    // Four sites far away make every cell finite, without changing anything within the image.
     let far = 8.0 * (width + height);
     let ring = [(-far, -far), (far, -far), (-far, far), (far, far)].map(|(x, y)| DVec2::new(x, y));
     let points = sites.iter().chain(&ring).map(|p| Point2::new(p.x, p.y)).collect();
@@ -91,7 +93,7 @@ fn diagram(params: &Params, sites: &[DVec2]) -> Vec<Vec<DVec2>> {
         .collect()
 }
 
-/// The part of a convex polygon where `depth` is not negative.
+/// Returns the part of a convex polygon where `depth` is not negative.
 fn clip(polygon: &[DVec2], depth: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
     let mut kept = Vec::with_capacity(polygon.len() + 1);
     for (k, &here) in polygon.iter().enumerate() {
@@ -101,7 +103,7 @@ fn clip(polygon: &[DVec2], depth: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
             kept.push(here);
         }
         if (a < 0.0) != (b < 0.0) {
-            // From inside to outside, so that both cells at an edge cut it at the same point.
+            // Computed from inside to outside, so that both cells at an edge cut it at the same point.
             let (inside, outside, d, e) = if a < 0.0 { (next, here, b, a) } else { (here, next, a, b) };
             kept.push(inside + (outside - inside) * (d / (d - e)));
         }
@@ -109,7 +111,8 @@ fn clip(polygon: &[DVec2], depth: impl Fn(DVec2) -> f64) -> Vec<DVec2> {
     kept
 }
 
-/// Fig. 7: per layer the selected cells in the order granted, coarsest layer first (decision A7).
+/// Selects cells as in Fig. 7. Returns, per layer, the selected cells in the order in which they were granted; the
+/// coarsest layer goes first (decision A7).
 fn select(params: &Params, layers: &[Layer], cells: &[Vec<Vec<DVec2>>]) -> Vec<Vec<u32>> {
     let mut flags = vec![0_u8; params.pixels() as usize];
     let mut pixels = Vec::new();
@@ -137,7 +140,7 @@ fn select(params: &Params, layers: &[Layer], cells: &[Vec<Vec<DVec2>>]) -> Vec<V
     selected
 }
 
-/// Whether no pixel of a cell is flagged; then `pixels` are the cell's, at least one.
+/// Whether no pixel of a cell is flagged and it has at least one. If so, `pixels` then holds the cell's pixels.
 fn is_free(params: &Params, cell: &[DVec2], flags: &[u8], pixels: &mut Vec<u32>) -> bool {
     pixels.clear();
     let (low, high) = cell.iter().fold((DVec2::MAX, DVec2::MIN), |(lo, hi), &v| (lo.min(v), hi.max(v)));
@@ -156,7 +159,7 @@ fn is_free(params: &Params, cell: &[DVec2], flags: &[u8], pixels: &mut Vec<u32>)
     !pixels.is_empty()
 }
 
-/// Whether a cell owns a pixel's centre; one on an edge belongs to the cell on one side only (decision A9).
+/// Whether a cell owns a pixel's centre. A centre on an edge belongs to the cell on one side only (decision A9).
 fn owns(cell: &[DVec2], centre: DVec2) -> bool {
     let mut from = cell[cell.len() - 1];
     cell.iter().all(|&to| {
@@ -170,7 +173,7 @@ fn owns(cell: &[DVec2], centre: DVec2) -> bool {
 }
 
 impl LiteralField {
-    /// Fig. 10 and Eqs 2, 3 for one rock.
+    /// Makes one rock, as in Fig. 10 and Eqs 2 and 3.
     fn add_rock(
         &mut self,
         triangulation: &mut DelaunayTriangulation<Point2<f64>>,
@@ -183,7 +186,7 @@ impl LiteralField {
         let top: Vec<DVec2> = rim.iter().map(|_| draw(rim, &mut stream)).collect();
         triangulation.clear();
         for p in rim.iter().chain(&top) {
-            // Finite and distinct but for chances below 1e-9.
+            // The points are finite, and the chance that two coincide is below 1e-9.
             let _ = triangulation.insert(Point2::new(p.x, p.y));
         }
         let base = (self.positions.len() / 3) as u32;
@@ -202,7 +205,7 @@ impl LiteralField {
     }
 }
 
-/// A point uniform in a convex polygon: a triangle of the fan by its area, then a point of it.
+/// Draws a point uniformly from a convex polygon: chooses a triangle of its fan by area, then a point of the triangle.
 fn draw(polygon: &[DVec2], stream: &mut Stream) -> DVec2 {
     let fan = || polygon[1..].windows(2).map(|pair| (pair[0] - polygon[0], pair[1] - polygon[0]));
     let mut rest = stream.unit() * fan().map(|(u, v)| u.perp_dot(v)).sum::<f64>();

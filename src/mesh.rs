@@ -1,19 +1,19 @@
-//! The flat buffers of a field, and the only place where f64 becomes f32.
+//! The flat buffers of a field. This is the only place in the rocks' code where f64 becomes f32.
 
 use glam::{DVec2, DVec3};
 
 /// The rocks of a field as one indexed mesh.
 ///
-/// Rock k owns `indices[rock_starts[k] .. rock_starts[k + 1]]` and the vertices
-/// `vertex_starts[k] .. vertex_starts[k + 1]`: n rim vertices at z = 0, then n top vertices. Vertex v stands at
-/// `positions[3·v .. 3·v + 3]`, px, z up. Triangles are counter-clockwise seen from above before displacement. Of a rock that
-/// is cut finer there are 2^detail times as many rim vertices; of one that is weathered or embedded they lie below the ground.
+/// Rock k owns `indices[rock_starts[k] .. rock_starts[k + 1]]` and the vertices `vertex_starts[k] .. vertex_starts[k +
+/// 1]`: first n rim vertices at z = 0, then n top vertices. Vertex v stands at `positions[3·v .. 3·v + 3]`, px, z up.
+/// Triangles are counter-clockwise seen from above before displacement. A rock that is subdivided has 2^detail times as
+/// many rim vertices, and the rim of a rock that is weathered or embedded lies below the ground.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
     /// 3 per vertex, px.
     pub positions: Vec<f32>,
-    /// 3 per vertex, unit: area-weighted over the adjacent faces, (0, 0, 1) where they cancel. Where weathering has put the faces at
-    /// the rim below the ground, they count for the rim alone.
+    /// 3 per vertex, unit length: the area-weighted mean over the adjacent faces, or (0, 0, 1) if they cancel. If
+    /// weathering has put the faces at the rim below the ground, those count for the rim vertices only.
     pub normals: Vec<f32>,
     /// 3 per triangle.
     pub indices: Vec<u32>,
@@ -21,11 +21,11 @@ pub struct Mesh {
     pub rock_starts: Vec<u32>,
     /// rocks + 1 offsets into the vertices.
     pub vertex_starts: Vec<u32>,
-    /// Per rock the layer it belongs to.
+    /// Per rock, the index of the layer it belongs to.
     pub rock_layer: Vec<u8>,
 }
 
-/// Where a rock, a layer or a field begins in the buffers, or how much room it takes.
+/// Numbers of rocks, vertices and triangles: where something begins in the buffers, or how much room it takes.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(crate) struct Extent {
     pub(crate) rocks: usize,
@@ -44,14 +44,14 @@ impl Mesh {
         self.indices.len() / 3
     }
 
-    /// What positions, normals and indices take, filled or not.
+    /// Bytes allocated for positions, normals and indices, whether they are filled or not.
     pub(crate) fn bytes(&self) -> [usize; 3] {
         [self.positions.capacity(), self.normals.capacity(), self.indices.capacity()].map(|n| 4 * n)
     }
 
-    /// Makes room for exactly `total`; what is written stays where it is.
+    /// Makes room for exactly `total`. What is written already stays where it is.
     pub(crate) fn resize(&mut self, total: Extent) {
-        // Grown to the exact size: doubling would put the peak of a large field far above what it needs.
+        // Buffers grow to the exact size, because doubling would make the peak of a large field far larger than needed.
         fn fit<T: Copy>(buffer: &mut Vec<T>, len: usize, value: T) {
             buffer.reserve_exact(len.saturating_sub(buffer.len()));
             buffer.resize(len, value);
@@ -66,7 +66,7 @@ impl Mesh {
         self.vertex_starts[total.rocks] = total.vertices as u32;
     }
 
-    /// Writes one rock at `at` and moves `at` behind it.
+    /// Writes one rock at `at`, and moves `at` to the end of it.
     pub(crate) fn write_rock(&mut self, at: &mut Extent, layer: u8, rock: &RockBuilder, triangles: &[[u16; 3]]) {
         let count = rock.points.len();
         self.rock_layer[at.rocks] = layer;
@@ -90,7 +90,7 @@ impl Mesh {
     }
 }
 
-/// One rock's vertices and summed face normals, re-used from rock to rock.
+/// The vertices and summed face normals of one rock. Re-used from rock to rock.
 #[derive(Debug, Default)]
 pub(crate) struct RockBuilder {
     pub(crate) points: Vec<DVec3>,
@@ -98,15 +98,15 @@ pub(crate) struct RockBuilder {
 }
 
 impl RockBuilder {
-    /// Starts a rock with its rim on the ground.
+    /// Starts a rock, with its rim on the ground.
     pub(crate) fn start(&mut self, rim: &[DVec2]) {
         self.points.clear();
         self.points.extend(rim.iter().map(|v| v.extend(0.0)));
     }
 
-    /// Sums the face normals at the vertices, weighted by area: that is, unnormalised cross products.
+    /// Sums the face normals at the vertices, weighted by area: these are the cross products before normalisation.
     ///
-    /// A face at the rim of a worn rock lies below the ground and is no part of what is seen: its normal counts only at the first
+    /// A face at the rim of a worn rock lies below the ground and is not visible. Its normal counts only at the first
     /// `buried` vertices.
     pub(crate) fn finish(&mut self, triangles: &[[u16; 3]], buried: usize) {
         self.normals.clear();

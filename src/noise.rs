@@ -1,9 +1,9 @@
-//! Value noise in space, the same bits everywhere.
+//! Value noise in space, with the same bits on every platform.
 
 use glam::DVec3;
 
-/// Smooth noise −1 … 1 with features of about one unit: random values on the integer lattice, blended by quintics (Perlin 2002,
-/// *Improving noise*, for the blend).
+/// Returns smooth noise, −1 … 1, with features about one unit wide: random values on the integer lattice, blended by
+/// quintics (the blend is from Perlin 2002, *Improving noise*).
 pub(crate) fn noise(at: DVec3) -> f64 {
     let cell = at.floor();
     let f = at - cell;

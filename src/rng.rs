@@ -1,52 +1,53 @@
 //! Random streams: one named portable generator per (seed, purpose, layer, item).
 //!
-//! Every draw of the field comes from the stream of its own purpose and item, so that moving one
-//! slider leaves every other random choice alone (decision A21), and rock 17 does not depend on
-//! rock 16. The generator is xoshiro256++ (Blackman & Vigna), whose output `rand` guarantees;
-//! the mapping from integers to numbers is ours, so that no library's distribution code can change a field.
+//! Every random number comes from the stream of its own purpose and item. Moving one slider therefore leaves every
+//! other random choice alone (decision A21 in docs/decisions.md), and rock 17 does not depend on rock 16. The generator
+//! is xoshiro256++ (Blackman & Vigna), whose output `rand` guarantees. The mapping from integers to other numbers is
+//! our own, so that no change in a library can change a field.
 
 use glam::DVec2;
 use rand::rngs::Xoshiro256PlusPlus;
 use rand::{Rng, SeedableRng};
 
-/// What a stream is for. The numbers are part of what a seed promises: never reuse one.
+/// What a stream is for. The numbers are part of what a seed promises, so they must never be reused.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Purpose {
-    /// Pixels that darts are thrown at; item 0.
+    /// The pixels that darts are thrown at. The item is 0.
     Darts = 1,
-    /// Order in which a layer's cells are visited; item 0.
+    /// The order in which a layer's cells are visited. The item is 0.
     VisitingOrder = 2,
-    /// p_add of a rock; item = site.
+    /// The points p_add of a rock. The item is the site.
     TopPoints = 3,
-    /// j1 of Eqs 2 and 3; item = site.
+    /// j1 of Eqs 2 and 3. The item is the site.
     RockSwing = 4,
-    /// j2 of Eqs 2 and 3, drawn in the order of the top vertices; item = site.
+    /// j2 of Eqs 2 and 3, drawn in the order of the top vertices. The item is the site.
     VertexSwing = 5,
-    /// j1 of Eq. 3 where it is drawn apart (decision A11); item = site.
+    /// j1 of Eq. 3 if it is drawn separately (decision A11). The item is the site.
     RockSwingHeight = 6,
-    /// j2 of Eq. 3 where it is drawn apart; item = site.
+    /// j2 of Eq. 3 if it is drawn separately. The item is the site.
     VertexSwingHeight = 7,
-    /// Facets, leaning sides and squeeze of a worn rock; item = site.
+    /// Facets, leaning sides and squeeze of a worn rock. The item is the site.
     Facets = 8,
-    /// Where in the noise a rough rock lies; item = site.
+    /// Place of a rough rock in the noise. The item is the site.
     Bumps = 9,
-    /// Whether a vertex of the log carries a wood ear; item = vertex (or foot, see [`Purpose::Feet`]), as in the next six.
+    /// Whether a vertex of the log carries a wood ear. Here and in the next six, the item is the vertex (or the foot,
+    /// see [`Purpose::Feet`]).
     Spawn = 10,
-    /// Turn of a wood ear about its axis.
+    /// The turn of a wood ear about its axis.
     Twist = 11,
-    /// U of decision K7.
+    /// The number U of decision K7, which decides a wood ear's size.
     EarSize = 12,
-    /// Where in the noise a wood ear dries (Eq. 3.2).
+    /// Place of a wood ear in the noise by which it dries (Eq. 3.2).
     Drying = 13,
-    /// Where in the noise a wood ear wrinkles (Eq. 3.4).
+    /// Place of a wood ear in the noise by which it wrinkles (Eq. 3.4).
     Wrinkling = 14,
-    /// How much of the wrinkling it has (decision K3).
+    /// How strongly a wood ear wrinkles (decision K3).
     WrinkleShare = 15,
-    /// How far it droops.
+    /// How far a wood ear droops.
     Droop = 16,
-    /// Where in the noise the bark and the broken ends of a log lie, and its knots; item 0.
+    /// Places of a log's bark and broken ends in the noise, and the log's knots. The item is 0.
     Bark = 17,
-    /// Where on a mesh of the user's own wood ears can stand; item 0.
+    /// The places on a log given by the user where wood ears can stand. The item is 0.
     Feet = 18,
 }
 
@@ -61,19 +62,20 @@ impl Stream {
         Stream(Xoshiro256PlusPlus::seed_from_u64(key))
     }
 
-    /// Uniform in [0, 1): the upper 53 bits.
+    /// Draws a number uniform in [0, 1), from the upper 53 bits.
     #[inline]
     pub(crate) fn unit(&mut self) -> f64 {
         (self.0.next_u64() >> 11) as f64 * (1.0 / (1_u64 << 53) as f64)
     }
 
-    /// A direction in the plane, near enough to uniform: towards a point of a square.
+    /// Draws a direction in the plane: towards a random point of a square, which is close enough to uniform.
     pub(crate) fn direction(&mut self) -> DVec2 {
         let [x, y] = [2.0 * self.unit() - 1.0, 2.0 * self.unit() - 1.0];
         DVec2::new(x, y).normalize_or(DVec2::X)
     }
 
-    /// Uniform in 0 … n − 1, without bias (Lemire 2019, *Fast random integer generation in an interval*).
+    /// Draws an integer uniform in 0 … n − 1, without bias (Lemire 2019, *Fast random integer generation in an
+    /// interval*).
     #[inline]
     pub(crate) fn below(&mut self, n: u32) -> u32 {
         let mut product = u64::from(self.0.next_u32()) * u64::from(n);
@@ -86,7 +88,8 @@ impl Stream {
         (product >> 32) as u32
     }
 
-    /// A pixel (column, row), from the two halves of one number; off uniform by less than 2⁻¹⁹ for sides up to 8192.
+    /// Draws a pixel (column, row), from the two halves of one number. For sides up to 8192, the probabilities are off
+    /// by less than 2⁻¹⁹.
     #[inline]
     pub(crate) fn pixel(&mut self, width: u32, height: u32) -> [u16; 2] {
         let bits = self.0.next_u64();
@@ -96,7 +99,7 @@ impl Stream {
     }
 }
 
-/// SplitMix64's finaliser (Steele, Lea & Flood 2014): every input bit reaches every output bit.
+/// The finaliser of SplitMix64 (Steele, Lea & Flood 2014). Every input bit affects every output bit.
 fn mix(mut z: u64) -> u64 {
     z = z.wrapping_add(0x9e37_79b9_7f4a_7c15);
     z = (z ^ (z >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);

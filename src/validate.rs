@@ -1,9 +1,9 @@
-//! Oracles: what the output of every stage has to satisfy, as functions.
+//! Oracles: functions that check what the output of every stage has to satisfy.
 //!
-//! Each `check_…` takes a stage's f64 output and recomputes what it can in another way than the stage does: distances in
-//! integers, areas by compensated sums, pixel owners by comparing squared distances, positions from Eqs 2 and 3. The
-//! first thing found wrong comes back as a [`Violation`] that holds all the numbers. Tests and debug builds use them; they cost
-//! about as much as the stages themselves.
+//! Each `check_…` takes the f64 output of a stage and recomputes what it can in a way different from the stage's:
+//! distances in integers, areas by compensated sums, owners of pixels by comparing squared distances, positions from
+//! Eqs 2 and 3. The first error found is returned as a [`Violation`] that holds all the numbers. Tests and debug builds
+//! use these functions; they cost about as much as the stages themselves.
 
 mod buckets;
 mod cells;
@@ -26,12 +26,12 @@ pub use sites::check_sites;
 use crate::params::{Darts, Params};
 use crate::rocks::{Field, target_sites};
 
-/// Something a stage promised and did not keep.
+/// A property that the output of a stage should have and does not have.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Violation(String);
 
 impl Violation {
-    /// The same, with the place it was found at in front.
+    /// Returns the violation with the place where it was found in front of it.
     fn within(self, place: impl fmt::Display) -> Self {
         Violation(format!("{place}: {}", self.0))
     }
@@ -49,12 +49,12 @@ fn ensure(holds: bool, message: impl FnOnce() -> String) -> Result<(), Violation
     if holds { Ok(()) } else { Err(Violation(message())) }
 }
 
-/// Checks every stage of a field and that it is the field of `params`.
+/// Checks every stage of a field, and that the field was made from `params`.
 ///
 /// Cost: O(pixels · layers) time and memory, besides the size of the field.
 ///
 /// # Errors
-/// The first violation, with the layer it is in.
+/// Returns the first violation, and the layer it is in.
 pub fn check_field(params: &Params, field: &Field) -> Result<(), Violation> {
     ensure(field.layers.len() == params.layers.len(), || {
         format!("{} layers instead of {}", field.layers.len(), params.layers.len())

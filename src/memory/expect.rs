@@ -1,10 +1,10 @@
-//! How many sites and rocks the layers of a field will have, from its parameters alone.
+//! Estimates from the parameters alone how many sites and rocks the layers of a field will have.
 
 use super::Counts;
 use crate::params::{Border, Darts, Layer, Params};
 use crate::rocks::{target_sites, worn_counts};
 
-/// As many sites as are likely, and as many rocks as are sure to find room.
+/// Returns, per layer, the number of sites that is likely, and the number of rocks that will certainly fit.
 pub(super) fn expect(params: &Params) -> Vec<Counts> {
     let layers: Vec<(Layer, f64)> = params
         .layers
@@ -19,7 +19,7 @@ pub(super) fn expect(params: &Params) -> Vec<Counts> {
     let order = coarsest_first(layers.len(), |k| layers[k].1);
     let mut rocks = vec![0.0; layers.len()];
     let mut free = 1.0_f64;
-    // Length of the border around what is taken, per pixel of the image.
+    // Length of the border around taken pixels, per pixel of the image.
     let mut border = 0.0;
     for k in order {
         let (layer, sites) = &layers[k];
@@ -27,7 +27,8 @@ pub(super) fn expect(params: &Params) -> Vec<Counts> {
         if wanted == 0.0 || *sites == 0.0 {
             continue;
         }
-        // Cells across the border of coarser rocks are lost; what is not reached is left for finer layers.
+        // Cells that cross the border of coarser rocks are lost. Ground that a layer does not fill is left for finer
+        // layers.
         let crossed = layer.radius * border / free.max(f64::MIN_POSITIVE);
         let inner = if params.border == Border::Drop { inner_share(params, *sites) } else { 1.0 };
         // The last cell is taken whole.
@@ -45,7 +46,8 @@ pub(super) fn expect(params: &Params) -> Vec<Counts> {
     layers.iter().zip(rocks).map(|(layer, rocks)| counts(layer, rocks)).collect()
 }
 
-/// Layers by ascending number of sites, equal ones in input order. They are few: the sort of the standard library takes 3 kB of the wasm file.
+/// The layers' indices by ascending number of sites, equal ones in input order. An insertion sort is enough for a few
+/// layers, whereas the sort of the standard library takes 3 kB of the wasm file.
 pub(crate) fn coarsest_first(layers: usize, sites: impl Fn(usize) -> f64) -> Vec<usize> {
     let mut order = Vec::with_capacity(layers);
     for k in 0..layers {
@@ -62,45 +64,48 @@ fn inner_share(params: &Params, sites: f64) -> f64 {
     ((1.0 - 2.0 * width / w).max(0.0)) * ((1.0 - 2.0 * width / h).max(0.0))
 }
 
-/// Of the free ground, e^(−lost · r · border / free) is in cells that no border of coarser rocks crosses: as in a Poisson process
-/// of borders. Fitted to Table 1's presets, which lose least (1.26 to 1.9), and to grounds of seven layers (2.1 to 2.2).
+/// A share of e^(−lost · r · border / free) of the free ground lies in cells that no border of coarser rocks crosses,
+/// as in a Poisson process of borders. Fitted to the presets of Table 1, which lose least (1.26 to 1.9), and to grounds
+/// of seven layers (2.1 to 2.2).
 const LOST: f64 = 1.4;
 const LOST_AT_LEAST: f64 = 1.2;
 
-/// The number of sites, rather more than fewer.
+/// The expected number of sites, rather too many than too few.
 pub(crate) fn expected_sites(params: &Params, radius: f64) -> f64 {
     let pixels = params.pixels() as f64;
     let target = target_sites(pixels, params.packing, radius).floor();
-    // Distances on the grid are square roots of whole numbers, so r acts like the next of them.
+    // Distances on the grid are square roots of whole numbers, so r has the same effect as the next one of them.
     let apart = next_distance(radius);
     let [w, h] = [params.image_width, params.image_height].map(|side| f64::from(side) + BORDER * apart);
     let sites = match params.darts {
         Darts::Saturate if apart > 1.0 => target_sites(w * h, JAMMED, apart).ceil(),
         Darts::Saturate => target,
         Darts::Attempts => {
-            // τ throws per place leave about τ / (1 + 2τ) of the places taken: 0.29 at τ = 0.7 (decision A1).
+            // τ throws per place fill about τ / (1 + 2τ) of the places: 0.29 at τ = 0.7 (decision A1).
             let tau = target / target_sites(w * h, 1.0, apart).max(1.0);
-            // Below a pixel nothing but a site itself is in the way.
+            // For radii below a pixel, a pixel is taken only by a site of its own.
             if apart > 1.0 { target / (1.0 + 2.0 * tau) * 1.1 } else { pixels * (1.0 - (-target / pixels).exp()) }
         }
     };
     sites.min(target).min(pixels)
 }
 
-/// Whether darts may go on until clear pixels have to be found: not where N_p of them stand long before.
+/// Whether darts may go on until clear pixels have to be found. That is not the case if N_p of them are placed long
+/// before.
 pub(super) fn may_jam(params: &Params, radius: f64) -> bool {
     let dense = Params { packing: 1.0, ..params.clone() };
     let target = target_sites(params.pixels() as f64, params.packing, radius).floor();
     params.darts == Darts::Saturate && target >= 0.8 * expected_sites(&dense, radius)
 }
 
-/// Random discs jam at 0.547 of the area (decision A1); small ones, on a grid, a little denser.
+/// Coverage at which darts jam. Random discs jam at 0.547 of the area (decision A1); small ones on a grid are a little
+/// denser.
 const JAMMED: f64 = 0.57;
 
-/// Discs of sites near the border lie partly outside: the image acts like one larger by this many radii.
+/// Discs of sites near the border lie partly outside, so the image acts like one that is larger by this many radii.
 const BORDER: f64 = 0.6;
 
-/// The smallest distance between two pixels that is at least r.
+/// The smallest distance between two pixels that is at least `radius`, px.
 fn next_distance(radius: f64) -> f64 {
     if radius > 4.0 {
         return radius;

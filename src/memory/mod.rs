@@ -1,4 +1,4 @@
-//! The memory a run needs: estimated before anything is allocated, and again whenever more of its numbers are known.
+//! Estimates the memory that a run needs: before anything is allocated, and again whenever more about the run is known.
 
 mod expect;
 
@@ -7,19 +7,19 @@ use crate::params::{Darts, Params};
 
 pub(crate) use expect::{coarsest_first, expected_sites};
 
-/// An estimate of the peak, with the parameter that would lower it most.
+/// An estimate of a run's peak memory, and the parameter that would lower it most.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct MemoryEstimate {
     /// Bytes at the peak of a run, output included.
     pub bytes: u64,
-    /// The parameter to change: what saves most of halving the image's longer side and
-    /// doubling the radius of one layer.
+    /// The parameter that would save most: either the image's longer side, by halving it, or the radius of one layer,
+    /// by doubling it.
     pub key: &'static str,
 }
 
 impl MemoryEstimate {
     /// # Errors
-    /// [`Error::OverBudget`] where the estimate exceeds the budget.
+    /// Returns [`Error::OverBudget`] if the estimate exceeds the budget.
     pub fn check(self, budget: u64) -> Result<(), Error> {
         if self.bytes > budget {
             return Err(Error::OverBudget { key: self.key, estimate: self.bytes, budget });
@@ -28,29 +28,31 @@ impl MemoryEstimate {
     }
 }
 
-/// Estimates the peak memory of a run from its parameters alone: the generator's own, and the buffers once more as they are copied
-/// out to JavaScript.
+/// Estimates the peak memory of a run from its parameters alone: the generator's own memory, and a second copy of the
+/// buffers, because they are copied to JavaScript.
 ///
-/// For fields as they are usually asked for this lies between the real peak and twice it (`tests/memory.rs`). How many rocks find room
-/// between coarser ones is only expected here, though, and where few cells decide about much ground it comes otherwise. A run therefore
-/// estimates again before its stages allocate, with the numbers it has by then and what it holds already: when clear pixels have
-/// to be found, when the sites are known, and when the rocks are. [`crate::rocks::Generator::estimate`] is the largest of these. It lies between the real peak and twice it for
-/// any parameters, on a fresh generator as on one that has run before, unless both are below 4 MiB (`tests/memory_random.rs`). A run whose
-/// estimate exceeds the budget ends in [`Error::OverBudget`] before the stage in question has allocated anything.
+/// For usual fields the estimate lies between the real peak and twice the peak (`tests/memory.rs`). But the number of
+/// rocks that fit between coarser ones is only an expected value, and if a few cells decide about much ground, the real
+/// number may be different. A run therefore repeats the estimate before its stages allocate, with the numbers known by
+/// then and the memory already held: before clear pixels are listed, when the sites are known, and when the rocks are
+/// known. [`crate::rocks::Generator::estimate`] is the largest of these estimates. It lies between the real peak and
+/// twice the peak for any parameters, whether the generator is fresh or has run before, unless both are below 4 MiB
+/// (`tests/memory_random.rs`). If an estimate exceeds the budget, the run ends with [`Error::OverBudget`] before the
+/// stage in question has allocated anything.
 pub fn memory_estimate(params: &Params) -> MemoryEstimate {
     estimate_before(params, true)
 }
 
-/// Refuses what is sure to exceed the budget before a run has begun, whatever is in its cache. `open` ground has nothing on it that
-/// could keep the rocks away.
+/// Refuses, before a run begins, what would exceed the budget whatever is cached. `open` says that nothing stands on
+/// the ground that could keep rocks away.
 ///
 /// # Errors
-/// [`Error::OverBudget`]
+/// Returns [`Error::OverBudget`] if the estimate exceeds the budget.
 pub(crate) fn check_before(params: &Params, open: bool, budget: u64) -> Result<(), Error> {
     estimate_before(params, open && is_usual(params)).check(budget)
 }
 
-/// Whether the rocks of a field come out as expected: their layers are few, dense, and larger than pixels.
+/// Whether the expected number of rocks can be relied on: the layers are few, dense, and coarser than pixels.
 fn is_usual(params: &Params) -> bool {
     let side = params.image_width.min(params.image_height);
     let is_coarse = |layer| params.layer_in_px(layer).radius >= 2.0;
@@ -58,7 +60,7 @@ fn is_usual(params: &Params) -> bool {
     is_dense && side >= 100 && params.layers.len() <= 4 && params.layers.iter().all(is_coarse)
 }
 
-/// Without rocks where there may be none.
+/// Estimates the memory of a whole run, with its rocks if `rocks` is true, and otherwise without them.
 fn estimate_before(params: &Params, rocks: bool) -> MemoryEstimate {
     let bytes = |params: &Params| {
         let mut counts = expect::expect(params);
@@ -71,7 +73,7 @@ fn estimate_before(params: &Params, rocks: bool) -> MemoryEstimate {
         Need::of(0.0, params, &layers, [0.0; 3], Bitmaps { clear, selects: true }).bytes(0.0)
     };
     let [width, height] = [params.image_width, params.image_height];
-    // Halving the longer side.
+    // First candidate: half the longer side.
     let (key, changed) = if height > width {
         ("imageHeight", Params { image_height: height.div_ceil(2), ..params.clone() })
     } else {
@@ -89,29 +91,29 @@ fn estimate_before(params: &Params, rocks: bool) -> MemoryEstimate {
     MemoryEstimate { bytes: bytes(params), key: best.1 }
 }
 
-/// A wasm instance before its first run: stack and static data.
+/// Bytes of a wasm instance before its first run: stack and static data.
 const INSTANCE: f64 = 1.2e6;
 
-/// What a heap takes over what lies in it, after several runs: a memory of wasm never shrinks.
+/// Size of the heap relative to its contents after several runs. The memory of a wasm instance never shrinks.
 const HOLES: f64 = 1.12;
 
-/// Bytes per pixel of a flag, and of what finds the clear ones among them ([`crate::bitmap::ClearPixels`]).
+/// Bytes per pixel, of a flag and of what is needed to find the clear pixels ([`crate::bitmap::ClearPixels`]).
 const FLAG: f64 = 1.0 / 8.0;
 const CLEAR: f64 = 0.15;
 
-/// Most vertices that the cells of one layer have on average (Euler).
+/// Largest average number of vertices of a layer's cells (Euler's formula).
 const MOST_CORNERS: f64 = 6.0;
 
-/// Numbers of one layer, counted or expected.
+/// Sizes of one layer's results, either counted or expected.
 #[derive(Debug, Clone, Copy, Default)]
 pub(crate) struct Counts {
     pub(crate) sites: f64,
-    /// Vertices of all cells.
+    /// Number of vertices of all cells.
     pub(crate) corners: f64,
     pub(crate) rocks: f64,
-    /// Vertices of the rocks' cells.
+    /// Number of vertices of the cells on which rocks stand.
     pub(crate) rims: f64,
-    /// Of all rocks, in the buffers.
+    /// Number of vertices of all rocks in the buffers.
     pub(crate) vertices: f64,
     pub(crate) triangles: f64,
 }
@@ -122,7 +124,7 @@ impl Counts {
     }
 }
 
-/// What a layer still has to have made for it.
+/// The sizes of a layer's results, and which of them still have to be made.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Load {
     pub(crate) counts: Counts,
@@ -137,28 +139,28 @@ impl Load {
     }
 }
 
-/// What a run does with its pixels.
+/// What a run uses bitmaps for.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Bitmaps {
-    /// Bytes to find the clear ones, where darts go on until that is necessary. Where few sites fill the image, chance decides how many are
-    /// clear then, if any; a run says so when it comes to that.
+    /// Bytes needed to find the clear pixels, if darts go on until that is necessary. If few sites fill the image,
+    /// chance decides whether that happens and how many pixels are clear; the run reports it then.
     pub(crate) clear: f64,
-    /// Cells are selected, and flagged.
+    /// Whether cells are selected and flagged.
     pub(crate) selects: bool,
 }
 
 /// Bytes that the rest of a run needs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Need {
-    /// At its peak, before the buffers are copied out.
+    /// At the peak, before the buffers are copied out.
     peak: f64,
     /// At the peak of the stages before the number of rocks is known.
     pub(crate) until_selection: f64,
-    /// Of the copies.
+    /// Of the copies of the buffers.
     copies: f64,
 }
 
-/// The peak is the largest of the stages' peaks, each with what the stages before it have left:
+/// The peak is the largest of the peaks of all stages, each together with what the stages before it keep:
 ///
 /// | | kept | beside it, while the stage runs |
 /// |---|---|---|
@@ -170,7 +172,8 @@ pub(crate) struct Need {
 /// | its 2c vertices and 3c − 2 triangles in the buffers, more of them with detail | 24 a vertex, 12 a triangle, 9 | what a buffer had before it grew |
 /// | copied out | 8 + 4 + c·8 a site, 4 + the buffers a rock | c·8 a site |
 impl Need {
-    /// `held` bytes are in the cache already; `buffers` of them hold positions, normals and indices.
+    /// Computes what is needed. `held` bytes are in the cache already; `buffers` holds how many of them positions,
+    /// normals and indices take.
     #[inline(never)]
     pub(crate) fn of(held: f64, params: &Params, layers: &[Load], buffers: [f64; 3], bitmaps: Bitmaps) -> Self {
         let pixels = params.pixels() as f64;
@@ -191,7 +194,7 @@ impl Need {
         let until_selection = peak;
         for Load { counts: Counts { sites, rocks, rims, .. }, .. } in layers.iter().filter(|load| load.shapes) {
             let shapes = rocks * 12.0 + 16.0 * rims + (3.0 * rims - 2.0 * rocks) * 6.0;
-            // The lists have room for a little more than six corners a rock.
+            // The lists have room for slightly more than six corners per rock.
             let room = rocks * 12.0 + 6.125 * rocks * 34.0;
             peak = peak.max(kept + shapes.max(room) + sites * 4.0);
             kept += shapes;
@@ -210,7 +213,7 @@ impl Need {
         Need { peak, until_selection, copies: copies + 24.0 * vertices + 12.0 * triangles }
     }
 
-    /// All of it together, where so many bytes have been taken before.
+    /// The whole estimate, bytes, if the peak has been `before` bytes so far.
     pub(crate) fn bytes(&self, before: f64) -> u64 {
         (INSTANCE + HOLES * self.peak.max(before) + self.copies) as u64
     }

@@ -1,4 +1,4 @@
-//! The parameters as a flat list of numbers: the one form that crosses the wasm boundary.
+//! The parameters as a flat list of numbers, which is the only form in which they cross the wasm boundary.
 //!
 //! `[field rows in table order…, number of items, then per item: its id where it has one, item rows in table order…]`
 
@@ -6,32 +6,32 @@ use super::spec::{Kind, ParamSpec, Range, Scope};
 use super::{Layer, MAX_LAYERS, Notation, PARAMS, Params, Stage};
 use crate::error::Error;
 
-/// Parameters that a table describes: values of the whole, and a list of items.
+/// Parameters that a table describes: values of the whole, and values of each item of a list.
 pub(super) trait Flat: Sized + 'static {
     type Item: 'static;
     type Stage: 'static;
     const ROWS: &'static [ParamSpec<Self, Self::Item, Self::Stage>];
-    /// Numbers in front of an item's rows: its id.
+    /// How many numbers precede an item's rows: 1 if it has an id, 0 otherwise.
     const HEAD: usize;
 
-    /// What every value is set over, with room for this many items.
+    /// Parameters with all values zeroed, which the table's rows then fill in, with room for this many items.
     ///
     /// # Errors
-    /// A number of items there cannot be.
+    /// Returns an error if there cannot be this many items.
     fn empty(items: f64) -> Result<Self, Error>;
 
-    /// The units its items are in.
+    /// The units of the items' lengths.
     fn notation(&self) -> Notation;
 
     fn items(&self) -> &[Self::Item];
 
-    /// What an item's numbers begin with.
+    /// The number that precedes an item's rows, if there is one.
     fn head(item: &Self::Item) -> Option<f64>;
 
-    /// An item to set the values of, appended.
+    /// Appends an item and returns it, so that its values can be set.
     ///
     /// # Errors
-    /// A bad head.
+    /// Returns an error if `head` is not valid.
     fn append(&mut self, head: &[f64]) -> Result<&mut Self::Item, Error>;
 }
 
@@ -120,17 +120,19 @@ impl Flat for Params {
 }
 
 impl Params {
-    /// All values in table order; see [`Params::from_flat`].
+    /// Returns all values in table order; see [`Params::from_flat`].
     pub fn to_flat(&self) -> Vec<f64> {
         to_flat(self)
     }
 
-    /// Reads `[field rows…, number of layers, per layer: id, layer rows…]`, rows in the order of [`PARAMS`].
+    /// Reads parameters from `[field rows…, number of layers, per layer: id, layer rows…]`, with the rows in the order
+    /// of [`PARAMS`].
     ///
-    /// A choice is the index of its word; an optional number is NaN for "none".
+    /// A choice is given as the index of its word, and an optional number without a value as NaN.
     ///
     /// # Errors
-    /// The first value out of range, with its key, value and bounds; a wrong length; a repeated layer id.
+    /// Returns the first value that is out of range, with its key, value and bounds, or an error if the length is wrong
+    /// or a layer id occurs twice.
     pub fn from_flat(flat: &[f64]) -> Result<Params, Error> {
         from_flat(flat)
     }
@@ -148,7 +150,7 @@ fn check(key: &'static str, kind: Kind, range: Range, layer: Option<usize>, valu
     if kind.is_optional() && value.is_nan() {
         return Ok(value);
     }
-    // Written so that NaN fails too.
+    // Written so that NaN is refused too.
     if !(value >= range.min && value <= range.max) {
         return Err(Error::OutOfRange { key, layer, value, min: range.min, max: range.max });
     }

@@ -1,7 +1,8 @@
-//! The parameters of rocks: one table ([`PARAMS`]), the struct it describes, and the presets; those of wood ears are in [`wood_ear`].
+//! The parameters of rocks: one table ([`PARAMS`]), the struct that it describes, and the presets. Those of wood ears
+//! are in [`wood_ear`]. Numbers such as A5 refer to docs/decisions.md.
 //!
-//! Whatever lists parameters anywhere (sliders, links, TypeScript types, JSON Schema, README) is
-//! generated from the table; `tests/params.rs` regenerates it and fails on a difference.
+//! Everything that lists parameters (sliders, links, TypeScript types, JSON Schema, README) is generated from the
+//! table; `tests/params.rs` generates it again and fails on a difference.
 
 mod flat;
 mod presets;
@@ -23,154 +24,154 @@ pub type Scope = spec::Scope<Params, Layer>;
 /// Most layers a field can have.
 pub const MAX_LAYERS: usize = 8;
 
-/// Units of the lengths (decisions A5).
+/// The units of a layer's lengths (decision A5).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Notation {
-    /// The journal's: radius, taper and height in px.
+    /// Those of the journal: radius, taper and height in px.
     #[default]
     Px,
-    /// The conference's: radius and taper in image width / 100, height in multiples of the radius.
+    /// Those of the conference version: radius and taper in image width / 100, height in multiples of the radius.
     Relative,
 }
 
-/// How long Fig. 4 throws darts (decision A1).
+/// How often Fig. 4 throws darts (decision A1).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Darts {
-    /// Until N_p sites stand or no free pixel is left.
+    /// Until N_p sites stand or no pixel is free.
     #[default]
     Saturate,
-    /// Exactly N_p throws, as the pseudo-code is written.
+    /// Exactly N_p times, as the pseudo-code is written.
     Attempts,
 }
 
-/// What becomes of cells that touch the image's border (decision A6).
+/// What is done with cells that touch the image's border (decision A6).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Border {
-    /// Clipped to the image and kept as candidates.
+    /// They are clipped to the image and kept as candidates.
     #[default]
     Clip,
-    /// Refused.
+    /// They are never selected.
     Drop,
 }
 
-/// Whether Eqs 2 and 3 use the same j1, j2 (decision A11).
+/// Whether Eqs 2 and 3 use the same j1 and j2 (decision A11).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Swing {
-    /// The same numbers: wide rocks are the tall ones.
+    /// They use the same numbers, so wide rocks are the tall ones.
     #[default]
     Shared,
-    /// Two independent draws.
+    /// Each equation draws its own numbers.
     Separate,
 }
 
-/// What a layer's rocks are made of; only how they are drawn depends on it.
+/// What a layer's rocks are made of. It affects only how they are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Material {
-    /// Every rock its own: what a river carries together.
+    /// Each rock has its own material, as in the mix that a river carries.
     #[default]
     Mixed,
-    /// Interlocking grains of three minerals.
+    /// Granite: interlocking grains of three minerals.
     Granite,
-    /// Dark, fine, a little porous.
+    /// Basalt: dark, fine-grained, slightly porous.
     Basalt,
-    /// Bedded, each rock tilted its own way.
+    /// Sandstone: in beds, which are tilted differently in each rock.
     Sandstone,
-    /// Pale and smooth.
+    /// Limestone: pale and smooth.
     Limestone,
-    /// Blue-grey, thinly cleaved.
+    /// Slate: blue-grey, in thin layers.
     Slate,
 }
 
-/// What lies between and around the rocks; only the picture depends on it.
+/// What lies between and around the rocks. It affects only the picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Ground {
-    /// Dark crumbs of earth.
+    /// Soil: dark crumbs of earth.
     #[default]
     Soil,
-    /// Pale fine grains.
+    /// Sand: fine, pale grains.
     Sand,
-    /// Pebbles too small to be rocks of their own.
+    /// Gravel: pebbles that are too small to be rocks of their own.
     Gravel,
 }
 
-/// How a field is lit and worn to the eye: drawn, never generated, and in no hash.
+/// How a field is lit and weathered. It affects only the picture, not the generated field, and is not part of any hash.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Look {
     /// How far the rocks differ in colour and value, 0 … 1.
     pub variation: f64,
-    /// 0 dry … 1 wet: darker and glossy.
+    /// 0 is dry, 1 is wet: darker and glossy.
     pub wetness: f64,
-    /// Share of the moss that could grow, 0 … 1.
+    /// Amount of moss, as a share of the most that could grow, 0 … 1.
     pub moss: f64,
-    /// Dust on what faces up, 0 … 1.
+    /// Amount of dust on surfaces that face up, 0 … 1.
     pub dust: f64,
-    /// Between and around the rocks.
+    /// The ground between and around the rocks.
     pub ground: Ground,
-    /// Degrees, counted as the camera's azimuth: at 0 the sun stands towards −y, at 90 towards +x.
+    /// Degrees, counted like the camera's azimuth: at 0 the sun stands towards −y, at 90 towards +x.
     pub sun_azimuth: f64,
     /// Degrees above the horizon.
     pub sun_elevation: f64,
 }
 
-/// One layer, in the notation of its [`Params`].
+/// One layer. Its lengths are in the notation of its [`Params`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct Layer {
-    /// Stable identity: the layer's random streams hang on it, not on its place in the list.
+    /// Stable identity of the layer. Its random streams depend on this number and not on its place in the list.
     pub id: u32,
-    /// Disc radius r: no two sites are closer.
+    /// Disc radius r: no two sites are closer than this.
     pub radius: f64,
-    /// A_s: share of the whole image the layer may fill.
+    /// A_s: the share of the whole image that the layer may fill, 0 … 1.
     pub area_fraction: f64,
-    /// Number of cells instead of an area.
+    /// Number of cells to select, instead of an area.
     pub cell_count: Option<u32>,
     /// c_w1, c_w2, c_w3 of Eq. 2.
     pub taper: [f64; 3],
     /// c_h1, c_h2, c_h3 of Eq. 3.
     pub height: [f64; 3],
-    /// 0 the papers' mesh, 0.2 freshly broken stone … 1 rounded by a river.
+    /// 0 is the papers' mesh, 0.2 freshly broken stone, 1 stone rounded by a river.
     pub weathering: f64,
-    /// Share of the noise that displaces the surface.
+    /// Strength of the noise that displaces the surface, 0 … 1.
     pub roughness: f64,
-    /// How often every triangle is cut into four.
+    /// How many times every triangle is cut into four.
     pub detail: u32,
-    /// Share of a rock's height that lies below the ground.
+    /// Share of a rock's height that lies below the ground, 0 … 1.
     pub embedding: f64,
     /// What the rocks are made of.
     pub material: Material,
 }
 
-/// Everything a field is a function of.
+/// All parameters of a field.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Params {
-    /// The integer that starts the generator.
+    /// The seed of all random numbers.
     pub seed: u32,
-    /// W, px.
+    /// Image width W, px.
     pub image_width: u32,
-    /// H, px.
+    /// Image height H, px.
     pub image_height: u32,
-    /// c_d of Eq. 1.
+    /// Packing coefficient c_d of Eq. 1.
     pub packing: f64,
     /// Units of the layers' lengths.
     pub notation: Notation,
-    /// Reading of Fig. 4.
+    /// How often Fig. 4 throws darts.
     pub darts: Darts,
-    /// Border cells.
+    /// What is done with cells at the border.
     pub border: Border,
-    /// Shared or separate j1, j2.
+    /// Whether Eqs 2 and 3 share j1 and j2.
     pub swing: Swing,
     /// How the field is drawn.
     pub look: Look,
-    /// Layers in input order, at most [`MAX_LAYERS`].
+    /// The layers in input order, at most [`MAX_LAYERS`] of them.
     pub layers: Vec<Layer>,
 }
 
 impl Params {
-    /// W·H.
+    /// Number of pixels of the image, W·H.
     pub fn pixels(&self) -> u64 {
         u64::from(self.image_width) * u64::from(self.image_height)
     }
 
-    /// The layer with its lengths converted to px (decision A5).
+    /// Returns the layer with its lengths converted to px (decision A5).
     pub fn layer_in_px(&self, layer: &Layer) -> Layer {
         match self.notation {
             Notation::Px => layer.clone(),
@@ -190,7 +191,7 @@ impl Params {
     /// Checks every value against the table.
     ///
     /// # Errors
-    /// The first parameter that is out of range, with its key, value and bounds.
+    /// Returns the first parameter that is out of range, with its key, value and bounds.
     pub fn validate(&self) -> Result<(), Error> {
         Params::from_flat(&self.to_flat()).map(|_| ())
     }

@@ -1,25 +1,25 @@
-//! The presets: Table 1 of both papers, number by number compared with it in `tests/params.rs`, and natural grounds.
+//! The presets: Table 1 of both papers, which `tests/params.rs` compares number by number, and natural grounds.
 
 use super::{Layer, Notation, PARAMS, Params, Scope};
 
-/// A named set of parameters. Everything it does not give has the table's default.
+/// A named set of parameters. Values that it does not give are the table's defaults.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Preset {
     /// Name in links and attributes.
     pub name: &'static str,
-    /// Of the papers, shown as they show it; or a ground as it is found.
+    /// True for a natural ground, false for a figure of the papers, which is shown in their style.
     pub natural: bool,
     /// Notation of the layers.
     pub notation: Notation,
-    /// Values of the field's parameters by key; a choice is the index of its word.
+    /// Values of the field's parameters, by key. A choice is given as the index of its word.
     pub fields: &'static [(&'static str, f64)],
-    /// One row per layer, in the order of the table without the count: r, A_s, c_w1, c_w2, c_w3, c_h1, c_h2, c_h3, and for
-    /// natural grounds weathering, roughness, detail, embedding, material.
+    /// One row per layer, in the order of the table without the number of cells: r, A_s, c_w1, c_w2, c_w3, c_h1, c_h2,
+    /// c_h3, and for natural grounds also weathering, roughness, detail, embedding and material.
     pub layers: &'static [&'static [f64]],
 }
 
 impl Preset {
-    /// The parameters it stands for, seed 0.
+    /// The parameters of this preset, with seed 0.
     pub fn params(&self) -> Params {
         let mut params = Params { notation: self.notation, ..Params::with_defaults() };
         for spec in PARAMS {
@@ -52,7 +52,7 @@ impl Default for Params {
     }
 }
 
-/// The preset of that name.
+/// Returns the preset with this name.
 pub fn preset(name: &str) -> Option<&'static Preset> {
     PRESETS.iter().find(|preset| preset.name == name)
 }

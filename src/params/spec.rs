@@ -1,20 +1,21 @@
-//! What a row of a parameter table is, and the macro that writes one: the rocks' table and the wood-ear's are made alike.
+//! The structure of a row of a parameter table, and the macro that writes a table. Rocks and wood ears use the same.
 //!
-//! The rows give rise to two constants, so that a wasm build which only checks bounds does not carry
-//! the texts: `PARAMS` (keys and bounds) and `TEXTS` (controls, labels and documentation, same order).
+//! A table becomes two constants: `PARAMS` (keys and bounds) and `TEXTS` (controls, labels and documentation, in the
+//! same order). A wasm artefact that only checks bounds therefore does not contain the texts.
 
 use super::Notation;
 
-/// Whether a parameter belongs to the whole or to each item of its list: a layer of rocks, a base of wood ears.
+/// Whether a parameter belongs to the whole field or colony, or to each item of its list: each layer of rocks, each
+/// base of wood ears. Holds functions that read and set the value.
 #[derive(Debug)]
 pub enum Scope<P, I> {
-    /// Once.
+    /// The parameter occurs once.
     Field(fn(&P) -> f64, fn(&mut P, f64)),
-    /// Once per item.
+    /// The parameter occurs once per item.
     Item(fn(&I) -> f64, fn(&mut I, f64)),
 }
 
-/// What kind of value a parameter holds. Every value travels as one number.
+/// The kind of value that a parameter holds. Every value is passed as one number.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Kind {
     /// Any number within the range.
@@ -25,68 +26,70 @@ pub enum Kind {
     OptionalReal,
     /// A whole number, or NaN for "none".
     OptionalInteger,
-    /// An index into these words.
+    /// One of these words, passed as its index.
     Choice(&'static [&'static str]),
 }
 
 impl Kind {
-    /// Whether NaN is a value: "none".
+    /// Whether the parameter may have no value, which is passed as NaN.
     pub fn is_optional(self) -> bool {
         matches!(self, Kind::OptionalReal | Kind::OptionalInteger)
     }
 }
 
-/// Bounds and default.
+/// Bounds and default value of a parameter.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Range {
     /// Smallest legal value.
     pub min: f64,
     /// Largest legal value.
     pub max: f64,
-    /// Value where none is given; NaN for "none".
+    /// Value that is used if none is given; NaN for "none".
     pub default: f64,
 }
 
-/// The part of the range that a slider covers, and the step of it and of the number field beside it, which takes the whole range.
+/// The part of the range that a slider covers, and its step. The number field beside it has the same step and takes the
+/// whole range.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Slider {
-    /// Left end.
+    /// Value at the left end.
     pub min: f64,
-    /// Right end.
+    /// Value at the right end.
     pub max: f64,
-    /// Equal steps are equal factors.
+    /// Whether equal distances on the slider are equal factors.
     pub logarithmic: bool,
-    /// Step of the control.
+    /// Step of slider and number field.
     pub step: f64,
 }
 
-/// One row: the bounds and the place of a parameter of `P` or of its items `I`, whose stages are `S`.
+/// One row: key, bounds and accessors of a parameter of `P` or of its items `I`. `S` is the type of the generator's
+/// stages.
 #[derive(Debug)]
 pub struct ParamSpec<P, I, S> {
-    /// Property name in code; the three parts of a triple share it.
+    /// Name of the property in code. The three parts of a triple share it.
     pub key: &'static str,
-    /// Whole or item, with its accessors.
+    /// Whether it belongs to the whole or to each item, and its accessors.
     pub scope: Scope<P, I>,
     /// Kind of value.
     pub kind: Kind,
     /// Bounds in the journal's notation.
     pub range: Range,
-    /// Bounds in the conference's notation, where they differ.
+    /// Bounds in the conference's notation, if they differ.
     pub relative: Option<Range>,
-    /// First stage an edit re-runs.
+    /// The first stage that has to run again after an edit of this parameter.
     pub stage: S,
 }
 
-/// What belongs to a row of `PARAMS` and no stage needs: its controls and its words.
+/// The part of a row that no stage needs: its controls and its texts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Text {
-    /// Key in links.
+    /// Name of the parameter in links.
     pub url: &'static str,
-    /// Which part of a triple: base, per rock, per vertex.
+    /// Which part of a triple it is: 0 for the base, 1 per rock, 2 per vertex.
     pub component: Option<u8>,
-    /// Its control in the journal's notation.
+    /// The slider in the journal's notation.
     pub slider: Slider,
-    /// Its control in the conference's notation, where they differ.
+    /// The slider in the conference's notation, if it differs.
     pub relative: Option<Slider>,
     /// Unit in the journal's and in the conference's notation.
     pub unit: [&'static str; 2],
@@ -99,12 +102,12 @@ pub struct Text {
 }
 
 impl<P, I, S> ParamSpec<P, I, S> {
-    /// Whether it has a column in the rows of the presets: every parameter of an item but the optional ones.
+    /// Whether the rows of the presets have a column for it: true for every parameter of an item that is not optional.
     pub fn is_column(&self) -> bool {
         matches!(self.scope, Scope::Item(..)) && !self.kind.is_optional()
     }
 
-    /// Bounds in a notation.
+    /// The bounds in the given notation.
     pub fn range(&self, notation: Notation) -> Range {
         match (notation, self.relative) {
             (Notation::Relative, Some(range)) => range,
@@ -113,7 +116,8 @@ impl<P, I, S> ParamSpec<P, I, S> {
     }
 }
 
-/// `PARAMS` and `TEXTS` from rows. Where it stands there have to be a type `ParamSpec`, the rows' `Scope`, `Kind` and `Stage`.
+/// Makes `PARAMS` and `TEXTS` from rows. The module that uses it must have a type `ParamSpec`, and the `Scope`, `Kind`
+/// and `Stage` of its rows.
 macro_rules! table {
     ($({
         $key:literal $(.$component:literal)?, url $url:literal, $scope:expr, $kind:expr, $stage:ident,

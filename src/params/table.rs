@@ -1,9 +1,9 @@
-//! The rocks' parameter table. Adding a parameter is a row here and its use in a stage.
+//! The rocks' parameter table. To add a parameter, add a row here and use it in a stage.
 
 use super::spec::{Kind, table};
 use super::{Border, Darts, Ground, Layer, Look, Material, Notation, ParamSpec, Params, Scope, Swing};
 
-/// The step of the generator that an edit re-runs first.
+/// The stages of the generator. A row names the first one that has to run again after an edit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
     /// Dart throwing (Fig. 4).
@@ -16,7 +16,7 @@ pub enum Stage {
     Shape,
     /// Displacement (Eqs 2, 3), wear and the buffers.
     Mesh,
-    /// None: only the picture changes.
+    /// No stage of the generator: only the picture changes.
     Look,
 }
 
@@ -253,7 +253,7 @@ table! {
 }
 
 impl Material {
-    /// In the order of the table's words.
+    /// All values, in the order of the table's words.
     pub const ALL: [Material; 6] = [
         Material::Mixed,
         Material::Granite,
@@ -265,12 +265,12 @@ impl Material {
 }
 
 impl Ground {
-    /// In the order of the table's words.
+    /// All values, in the order of the table's words.
     pub const ALL: [Ground; 3] = [Ground::Soil, Ground::Sand, Ground::Gravel];
 }
 
 impl Params {
-    /// What every value is set over.
+    /// Zeroed values, which the table's rows then fill in.
     pub(crate) const EMPTY: Params = Params {
         seed: 0,
         image_width: 1,
@@ -292,7 +292,7 @@ impl Params {
         layers: Vec::new(),
     };
 
-    /// The table's defaults, and no layer.
+    /// The table's defaults, without layers.
     pub fn with_defaults() -> Self {
         let mut params = Params::EMPTY;
         for spec in PARAMS {
@@ -305,7 +305,7 @@ impl Params {
 }
 
 impl Layer {
-    /// What every value is set over.
+    /// Zeroed values, which the table's rows then fill in.
     pub(crate) const EMPTY: Layer = Layer {
         id: 0,
         radius: 0.0,

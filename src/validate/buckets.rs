@@ -1,14 +1,14 @@
-//! The validators' own neighbourhood queries: not the grid of the stages they check.
+//! Neighbourhood queries for the validators. They deliberately do not use the grid of the stages that they check.
 
 use crate::rocks::Pixel;
 
-/// Sites by square bucket.
+/// Sites sorted into square buckets.
 pub(super) struct Buckets<'a> {
     pixels: &'a [Pixel],
     side: u32,
     columns: u32,
     rows: u32,
-    /// First site of every bucket, or [`NONE`]; the rest hang on it by `next`.
+    /// The first site of every bucket, or [`NONE`]. The others follow through `next`.
     first: Vec<u32>,
     next: Vec<u32>,
 }
@@ -16,7 +16,7 @@ pub(super) struct Buckets<'a> {
 const NONE: u32 = u32::MAX;
 
 impl<'a> Buckets<'a> {
-    /// About one site per bucket. Every pixel has to lie within the image.
+    /// Makes buckets with about one site each. Every pixel has to lie within the image.
     pub(super) fn new(width: u32, height: u32, pixels: &'a [Pixel]) -> Self {
         let area = f64::from(width) * f64::from(height);
         let side = ((area / pixels.len().max(1) as f64).sqrt() as u32).max(1);
@@ -30,7 +30,8 @@ impl<'a> Buckets<'a> {
         Buckets { pixels, side, columns, rows, first, next }
     }
 
-    /// Calls `visit` with the index and the squared distance of every site within `radius` of pixel (x, y), and of some more.
+    /// Calls `visit` with the index and the squared distance of every site within `radius` px of pixel (x, y), and of
+    /// some others.
     pub(super) fn visit_near(&self, x: u32, y: u32, radius: u32, mut visit: impl FnMut(usize, u64)) {
         let range = |centre: u32, count: u32| {
             (centre.saturating_sub(radius) / self.side)..=((centre + radius) / self.side).min(count - 1)
@@ -47,7 +48,7 @@ impl<'a> Buckets<'a> {
     }
 }
 
-/// Squared distance of two pixels' centres, exact.
+/// The squared distance between the centres of two pixels, exact.
 #[inline]
 pub(super) fn distance2([px, py]: Pixel, x: u32, y: u32) -> u64 {
     u64::from(u32::from(px).abs_diff(x)).pow(2) + u64::from(u32::from(py).abs_diff(y)).pow(2)

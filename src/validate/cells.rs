@@ -1,4 +1,5 @@
-//! Cells: a partition of the image into convex cells, each bounded by the bisectors of its site and its neighbours.
+//! Checks cells: they divide the image into convex cells, each bounded by the bisectors between its site and its
+//! neighbours.
 
 use glam::DVec2;
 
@@ -6,21 +7,22 @@ use super::buckets::{Buckets, distance2};
 use super::{Violation, ensure};
 use crate::rocks::{Cells, Sites, cell_pixels};
 
-/// Cell vertices are rounded to a lattice of 2⁻²⁰ px and merged within one of its steps, so two views of one vertex, or
-/// two distances that ought to be equal, differ by a few steps at most. px.
+/// Tolerance, px. Cell vertices are rounded to a lattice of 2⁻²⁰ px and merged within one of its steps. Two
+/// computations of one vertex, or two distances that should be equal, therefore differ by a few steps at most.
 const ROUNDING: f64 = 8.0 / (1_u32 << 20) as f64;
 
-/// Vertices nearer than this are one (decision A8). px.
+/// Vertices nearer than this are merged, px (decision A8 in docs/decisions.md).
 const MERGED: f64 = 1.0e-6;
 
 /// Checks the Voronoi diagram of one layer.
 ///
-/// Every edge lies on the side of the image or the bisector that its neighbour asks for, so each cell holds at least what it
-/// should; the areas sum to W·H, so none holds more. Beside that: convex, counter-clockwise from the lexicographically least
-/// vertex, around its site, within the image, and each edge seen alike from both sides.
+/// Every edge has to lie on the side of the image or on the bisector that its neighbour implies, so that each cell
+/// holds at least what it should; and the areas have to sum to W·H, so that none holds more. In addition, cells must be
+/// convex, counter-clockwise from the lexicographically smallest vertex, around their site and within the image, and
+/// both cells at an edge must agree about it.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub fn check_cells(sites: &Sites, cells: &Cells) -> Result<(), Violation> {
     let count = sites.pixels.len();
     ensure(cells.len() == count, || format!("{} cells for {count} sites", cells.len()))?;
@@ -74,12 +76,13 @@ fn check_polygon(sites: &Sites, cells: &Cells, i: usize) -> Result<(), Violation
             format!("site {centre} lies right of the edge from vertex {k}")
         })?;
     }
-    // A closed path that only turns left could still wind twice around its site.
+    // A closed path that only turns left could still go twice around its site.
     let crossings = sides(polygon).filter(|(a, b)| a.y <= centre.y && centre.y < b.y).count();
     ensure(crossings == 1, || format!("passes the site's height upwards {crossings} times"))
 }
 
-/// The site across edge k of cell i, after checking that the edge lies on the bisector; none for a side of the image.
+/// Returns the site across edge k of cell i, or `None` for a side of the image. Checks that the edge lies on the
+/// bisector.
 fn neighbor_site(sites: &Sites, cells: &Cells, i: usize, k: usize) -> Result<Option<usize>, Violation> {
     let j = cells.neighbors_of(i)[k] as usize;
     if j >= sites.pixels.len() {
@@ -101,7 +104,7 @@ fn check_border(sites: &Sites, a: DVec2, b: DVec2) -> Result<(), Violation> {
     ensure(on_side, || format!("edge from {a} to {b} lies on no side of {w} × {h}"))
 }
 
-/// Both cells of an edge have it, in opposite directions.
+/// Checks that both cells of an edge have it, in opposite directions.
 fn check_shared_edges(sites: &Sites, mut edges: Vec<(usize, usize, bool, DVec2, DVec2)>) -> Result<(), Violation> {
     edges.sort_unstable_by_key(|&(i, j, forwards, ..)| (i, j, forwards));
     for pair in edges.chunks(2) {
@@ -128,7 +131,7 @@ fn check_shared_edges(sites: &Sites, mut edges: Vec<(usize, usize, bool, DVec2, 
 /// Without sites the list is empty.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub fn check_ownership(sites: &Sites, cells: &Cells) -> Result<Vec<u32>, Violation> {
     const NOBODY: u32 = u32::MAX;
     let count = sites.pixels.len();
@@ -172,12 +175,12 @@ fn centre(sites: &Sites, i: usize) -> DVec2 {
     DVec2::new(x, y)
 }
 
-/// Edges of a polygon, start and end.
+/// The edges of a polygon, as start and end.
 fn sides(polygon: &[DVec2]) -> impl Iterator<Item = (DVec2, DVec2)> {
     polygon.iter().copied().zip(polygon.iter().copied().cycle().skip(1))
 }
 
-/// Compensated sum: Neumaier (1974), *Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen*.
+/// A compensated sum: Neumaier (1974), *Rundungsfehleranalyse einiger Verfahren zur Summation endlicher Summen*.
 #[derive(Default)]
 struct Sum {
     sum: f64,

@@ -1,4 +1,5 @@
-//! Wood ears: the log is closed, individuals stand on its vertices, the buffers hold together, and who crosses whom.
+//! Checks wood ears: that the log is closed, that individuals stand on its vertices, that the buffers are consistent,
+//! and which individuals cross.
 
 use glam::{DVec3, Vec3};
 use robust::{Coord3D, orient3d};
@@ -7,10 +8,10 @@ use super::{Violation, ensure};
 use crate::params::wood_ear::Params;
 use crate::wood_ear::{ColonyMesh, Generator, Layout};
 
-/// Checks that triangles are a closed surface: every edge is used once in each direction, and every index is there.
+/// Checks that triangles form a closed surface: every edge is used once in each direction, and every index is valid.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub fn check_closed(vertices: usize, indices: &[u32]) -> Result<(), Violation> {
     let mut edges: Vec<[u32; 2]> = Vec::with_capacity(indices.len());
     for (k, corners) in indices.chunks_exact(3).enumerate() {
@@ -33,12 +34,12 @@ pub fn check_closed(vertices: usize, indices: &[u32]) -> Result<(), Violation> {
 
 /// Checks the colony of a finished run and the log under it.
 ///
-/// Individuals stand on vertices of the log, along its normals, within range of their base; the buffers' lengths agree, triangles
-/// stay within their individual and repeat the layout, everything is finite, normals are unit; and the number of crossing pairs is the
-/// one that is reported.
+/// Individuals have to stand on vertices of the log, along its normals, within range of their base. The lengths of the
+/// buffers must agree; triangles must stay within their individual and repeat the layout; all numbers must be finite
+/// and normals of unit length. The number of crossing pairs must be the one that is reported.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub fn check_colony(params: &Params, generator: &Generator) -> Result<(), Violation> {
     let (log, log_mesh) = (generator.log(), generator.log_mesh());
     ensure(log.points.len() == log.normals.len(), || "the log has as many normals as points".to_string())?;
@@ -90,7 +91,7 @@ fn check_spawn(params: &Params, generator: &Generator) -> Result<(), Violation> 
         ensure(distance(own) <= range(own), || format!("individual {k} is {} from its base", distance(own)))?;
         let nearer = (0..params.bases.len()).find(|b| distance(*b) <= range(*b) && distance(*b) < distance(own));
         ensure(nearer.is_none(), || format!("individual {k} is nearer to base {nearer:?}"))?;
-        // On a log of the user's own the foot is a triangle.
+        // On a log given by the user, the foot is the number of a triangle.
         let is_grown = !log.triangles.is_empty();
         ensure(!is_grown || mesh.foot[k] == individual.vertex, || format!("foot {k}"))?;
         ensure(mesh.base[k] == individual.base, || format!("base {k}"))?;
@@ -124,9 +125,11 @@ fn check_buffers(mesh: &ColonyMesh, layout: &Layout) -> Result<(), Violation> {
     Ok(())
 }
 
-/// Pairs of individuals of which an edge of one passes through the inside of a triangle of the other, by exact predicates.
+/// Returns the pairs of individuals in which an edge of one passes through the inside of a triangle of the other,
+/// decided by exact predicates.
 ///
-/// Cost: O(n²) boxes, and for boxes that meet all edges against all triangles: slow, and nothing like what the generator does.
+/// Cost: O(n²) boxes and, for boxes that overlap, all edges against all triangles. This is slow, and completely
+/// different from what the generator does.
 pub fn crossing_pairs(mesh: &ColonyMesh) -> Vec<[usize; 2]> {
     let bodies: Vec<Body> = (0..mesh.individuals()).map(|k| Body::new(mesh, k)).collect();
     let mut pairs = Vec::new();
@@ -144,7 +147,7 @@ type Box3 = [[f64; 3]; 2];
 
 struct Body {
     around: Box3,
-    /// Every edge once, with the box around it.
+    /// Every edge once, together with the box around it.
     edges: Vec<([DVec3; 2], Box3)>,
     triangles: Vec<([DVec3; 3], Box3)>,
 }

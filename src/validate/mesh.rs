@@ -1,4 +1,4 @@
-//! Mesh: the flat buffers hold the displaced shapes, recomputed here from Eqs 2 and 3.
+//! Checks the mesh: the flat buffers have to hold the displaced shapes, which are recomputed here from Eqs 2 and 3.
 
 use glam::{DVec2, DVec3, Vec3};
 
@@ -11,12 +11,13 @@ use crate::rocks::{Field, Wear};
 
 /// Checks the buffers of a field.
 ///
-/// Rocks in layer order, within a layer in the order of the selection; the offsets grow, and every index lies within its
-/// rock's range. The rim is at z = 0, the top where Eqs 2 and 3 put it, normals are unit and the area-weighted means of their
-/// faces, everything is finite. Of worn rocks what is promised of them holds (`worn.rs`).
+/// Rocks have to be in the order of the layers, and within a layer in the order of the selection. The offsets must
+/// grow, and every index must lie within the range of its rock. The rim must be at z = 0 and the top where Eqs 2 and 3
+/// put it. Normals must have unit length and be the area-weighted means of their faces, and all numbers must be finite.
+/// For worn rocks, `worn.rs` says what must hold.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub fn check_mesh(params: &Params, field: &Field) -> Result<(), Violation> {
     let mesh = &field.mesh;
     check_lengths(mesh)?;
@@ -56,7 +57,7 @@ fn check_lengths(mesh: &Mesh) -> Result<(), Violation> {
     Ok(())
 }
 
-/// The p_add of a rock after Eqs 2 and 3, from the streams that its layer and site name.
+/// The p_add of a rock after Eqs 2 and 3, computed from the random streams of its layer and site.
 fn displaced(params: &Params, layer: &Layer, site: u32, top: &[DVec2]) -> Vec<DVec3> {
     let stream = |purpose| Stream::new(params.seed, purpose, layer.id, site);
     let [purpose_j1, purpose_j2] = match params.swing {
@@ -110,7 +111,7 @@ fn check_rock(mesh: &Mesh, rock: usize, points: &[DVec3], triangles: &[[u16; 3]]
     for (v, (&expected, (normal, area))) in points.iter().zip(normals).enumerate() {
         let at = 3 * (vertices.start + v);
         let position = Vec3::from_slice(&mesh.positions[at..at + 3]);
-        // Half a unit in the last place of f32 for each coordinate, and what f64 may differ by.
+        // Half a unit in the last place of f32 for each coordinate, plus what f64 may differ by.
         let tolerance = expected.abs() * f64::from(f32::EPSILON) + 1.0e-9;
         ensure((position.as_dvec3() - expected).abs().cmple(tolerance).all(), || {
             format!("vertex {v} is at {position} instead of {expected}")
@@ -118,7 +119,7 @@ fn check_rock(mesh: &Mesh, rock: usize, points: &[DVec3], triangles: &[[u16; 3]]
         ensure(position.z == 0.0 || v >= points.len() / 2, || format!("rim vertex {v} is at height {}", position.z))?;
         let unit = Vec3::from_slice(&mesh.normals[at..at + 3]);
         ensure((unit.length() - 1.0).abs() <= 1.0e-6, || format!("normal {unit} of vertex {v} is not unit"))?;
-        // Where faces cancel, what is left of their sum is rounding, and so is its direction.
+        // If the faces cancel, what remains of their sum is rounding error, and so is its direction.
         if normal.length() > 1.0e-7 * area {
             let distance = unit.as_dvec3().distance(normal.normalize());
             ensure(distance <= 1.0e-6, || format!("normal of vertex {v} is {unit} instead of {}", normal.normalize()))?;

@@ -1,20 +1,21 @@
-//! Selection: no pixel owned twice over all layers, and each layer ends where its threshold or its cells end.
+//! Checks selections: no pixel is owned twice over all layers, and each layer ends where its threshold or its cells
+//! end.
 
 use super::{Violation, ensure};
 use crate::params::Border;
 use crate::rocks::FieldLayer;
 
-/// Checks the selection of all layers, given the owner of every pixel in each ([`super::check_ownership`]).
+/// Checks the selection of all layers, given the owner of every pixel in each of them ([`super::check_ownership`]).
 ///
-/// Layers in descending order of their mean cell area, equal ones in input order. A layer that reached its threshold overshoots by
-/// less than one cell; one that did not has no unselected cell left whose pixels are all free, but for border cells where they are
-/// dropped.
+/// Layers are taken in descending order of their mean cell area, equal ones in input order. A layer that reached its
+/// threshold must overshoot it by less than one cell. A layer that did not must have no unselected cell left whose
+/// pixels are all free, except for border cells if they are dropped.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub fn check_selection(border: Border, layers: &[FieldLayer], owners: &[Vec<u32>]) -> Result<(), Violation> {
     let mut order: Vec<usize> = (0..layers.len()).collect();
-    // The mean area is W·H / n: the fewer cells, the larger they are.
+    // The mean area is W·H / n, so the fewer cells there are, the larger they are.
     order.sort_by_key(|&k| layers[k].sites.pixels.len());
     let pixels = layers.first().map_or(0, |layer| layer.sites.width as usize * layer.sites.height as usize);
     let mut taken = vec![false; pixels];
@@ -117,7 +118,7 @@ mod tests {
         assert!(with(2, &|layer| layer.selection.selected.push(u32::MAX)).contains("or is none"));
         let twice = |layer: &mut FieldLayer| layer.selection.selected.extend(layer.selection.selected.first().copied());
         assert!(with(2, &twice).contains("selected twice"));
-        // A cell of the finest layer left out although all its pixels are free …
+        // A cell of the finest layer is left out although all its pixels are free …
         let area = f64::from(params.image_width * params.image_height);
         let unowned = |layer: &mut FieldLayer| {
             let site = layer.selection.selected.pop().unwrap_or_default() as usize;
@@ -125,7 +126,7 @@ mod tests {
             assert!((layer.selection.pixels as f64) < layer.layer.area_fraction * area);
         };
         assert!(with(2, &unowned).contains("was not selected"));
-        // … and one taken that lies under a coarser rock.
+        // … and one is selected that lies under a coarser rock.
         let any = |layer: &mut FieldLayer| layer.selection.selected = (0..layer.cells.len() as u32).collect();
         assert!(with(2, &any).contains("is taken already"));
     }

@@ -1,4 +1,4 @@
-//! Shapes: each rock is a Delaunay triangulated disc, bounded by its cell alone.
+//! Checks shapes: each rock is a disc with a Delaunay triangulation, bounded by its cell only.
 
 use glam::DVec2;
 use robust::{Coord, incircle, orient2d};
@@ -8,11 +8,12 @@ use crate::rocks::{Cells, Shapes};
 
 /// Checks the rocks of one layer before displacement.
 ///
-/// For a cell of n vertices: n p_add strictly inside, 3n − 2 counter-clockwise triangles, 5n − 3 edges, the cell's own edges
-/// as the only boundary (so V − E + F = 1: a disc), and every circumcircle empty. Signs are exact.
+/// A cell of n vertices must have n p_add strictly inside it, 3n − 2 counter-clockwise triangles, 5n − 3 edges, the
+/// cell's own edges as the only boundary (so V − E + F = 1, as for a disc), and every circumcircle must be empty. Signs
+/// are exact.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub fn check_shapes(cells: &Cells, selected: &[u32], shapes: &Shapes) -> Result<(), Violation> {
     ensure(shapes.len() == selected.len(), || format!("{} shapes for {} cells", shapes.len(), selected.len()))?;
     let vertices: usize = selected.iter().map(|&site| cells.polygon(site as usize).len()).sum();
@@ -28,7 +29,7 @@ pub fn check_shapes(cells: &Cells, selected: &[u32], shapes: &Shapes) -> Result<
     Ok(())
 }
 
-/// A directed edge and the third vertex of its triangle.
+/// A directed edge, and the third vertex of its triangle.
 type Edge = ([u16; 2], u16);
 
 fn check_rock(rim: &[DVec2], top: &[DVec2], triangles: &[[u16; 3]], edges: &mut Vec<Edge>) -> Result<(), Violation> {

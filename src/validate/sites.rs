@@ -1,4 +1,5 @@
-//! Sites: inside, no two closer than r, and no free pixel left where the layer says it is saturated.
+//! Checks sites: they lie within the image, no two are closer than r, and no pixel is free if the layer is reported as
+//! saturated.
 
 use super::buckets::Buckets;
 use super::{Violation, ensure};
@@ -6,11 +7,11 @@ use crate::rocks::Sites;
 
 /// Checks the sites of one layer.
 ///
-/// Squared distances are integers, and r² is r·r rounded to f64, as in the disc that is stamped: *d ≥ r* is decided exactly.
-/// A saturated layer must have a site nearer than r to every pixel; any other at most N_p sites.
+/// Squared distances are integers, and r² is r·r rounded to f64, as in the disc that is stamped, so *d ≥ r* is decided
+/// exactly. A saturated layer must have a site nearer than r to every pixel; any other may have at most N_p sites.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub fn check_sites(sites: &Sites) -> Result<(), Violation> {
     let (width, height) = (sites.width, sites.height);
     let count = sites.pixels.len();
@@ -48,12 +49,12 @@ fn check_distances(sites: &Sites) -> Result<(), Violation> {
     Ok(())
 }
 
-/// Counts the discs over every pixel, row by row, as differences along x.
+/// Counts the discs over every pixel, row by row, from differences along x.
 fn check_saturated(sites: &Sites) -> Result<(), Violation> {
     let (width, height) = (sites.width as usize, sites.height as usize);
     let squared = sites.radius * sites.radius;
     let nearer = |dx: u64, dy: u64| ((dx * dx + dy * dy) as f64) < squared;
-    // Half widths of the disc's rows, from the middle outwards.
+    // Half widths of the disc's rows, from the middle outward, px.
     let mut half_widths = Vec::new();
     let mut half = width.max(height) as u64;
     for dy in (0..height as u64).take_while(|&dy| nearer(0, dy)) {

@@ -1,4 +1,4 @@
-//! Worn rocks: what the optional last stages leave of the papers' mesh, and what they promise of their own.
+//! Checks worn rocks: what the optional stages must keep of the papers' mesh, and what they promise themselves.
 
 use std::collections::HashMap;
 
@@ -8,15 +8,16 @@ use super::{Violation, ensure};
 use crate::mesh::Mesh;
 use crate::rocks::Wear;
 
-/// Checks a worn rock against its papers' mesh: `points` displaced, the first half of them the rim, and `triangles`.
+/// Checks a worn rock against the papers' mesh of the same rock: `points` are that mesh's displaced vertices, the first
+/// half of them the rim, and `triangles` its faces.
 ///
-/// Every triangle is cut into 4^detail, whose vertices stay on it where only detail and embedding are at work. The rim stays on
-/// its cell, at or below the ground; the surface is a disc that ends nowhere but there, so no gap is seen from above.
-/// Everything is finite, normals are unit and the area-weighted means of their faces, where the buried faces at a weathered rim
-/// count for the rim alone.
+/// Every triangle must be cut into 4^detail, whose vertices stay on it if only detail and embedding are used. The rim
+/// must stay on its cell, at or below the ground, and the surface must be a disc that ends only there, so that no gap
+/// is visible from above. All numbers must be finite. Normals must have unit length and be the area-weighted means of
+/// their faces; the buried faces at a weathered rim count for the rim only.
 ///
 /// # Errors
-/// The first violation.
+/// Returns the first violation.
 pub(super) fn check_worn(
     mesh: &Mesh,
     rock: usize,
@@ -49,7 +50,7 @@ pub(super) fn check_worn(
     check_normals(&vertices, normals, &faces, if wear.weathering > 0.0 { rim } else { 0 })
 }
 
-/// The rim's vertices divide the edges of the cell evenly, and lie at or below the ground.
+/// Checks that the rim's vertices divide the edges of the cell evenly, and lie at or below the ground.
 fn check_rim(rim: &[Vec3], points: &[DVec3], segments: usize) -> Result<(), Violation> {
     let edges = points.len() / 2;
     for (v, vertex) in rim.iter().enumerate() {
@@ -64,7 +65,8 @@ fn check_rim(rim: &[Vec3], points: &[DVec3], segments: usize) -> Result<(), Viol
     Ok(())
 }
 
-/// Every edge has a triangle on either side, but those of the rim, in its order; and the whole has a disc's Euler characteristic.
+/// Checks that every edge has a triangle on both sides, except for the edges of the rim, in its order; and that the
+/// Euler characteristic is that of a disc.
 fn check_disc(faces: &[[usize; 3]], rim: usize, vertices: usize) -> Result<(), Violation> {
     let mut sides: HashMap<[usize; 2], u32> = HashMap::new();
     for &[a, b, c] in faces {
@@ -87,7 +89,7 @@ fn check_disc(faces: &[[usize; 3]], rim: usize, vertices: usize) -> Result<(), V
     })
 }
 
-/// Face after face of the papers' is covered by the faces it was cut into, only lowered.
+/// Checks that each face of the papers' mesh is covered by the faces into which it was cut, except that it is lower.
 fn check_flat(
     vertices: &[Vec3],
     faces: &[[usize; 3]],
@@ -122,7 +124,7 @@ fn check_normals(vertices: &[Vec3], normals: &[f32], faces: &[[usize; 3]], burie
     for face in faces {
         let [a, b, c] = face.map(|v| vertices[v].as_dvec3());
         let normal = (b - a).cross(c - a);
-        // What rounding the corners to f32 can turn a sliver by.
+        // The most by which rounding the corners to f32 can turn the normal of a sliver.
         let doubt = f64::from(f32::EPSILON) * 4.0 * (a.length() + 1.0) * ((b - a).length() + (c - a).length());
         let at_rim = face.iter().any(|&v| v < buried);
         for &v in face.iter().filter(|&&v| !at_rim || v < buried) {

@@ -1,6 +1,7 @@
-//! The parameters of wood-ear colonies: the table ([`PARAMS`]), the structs it describes, and the presets.
+//! The parameters of wood-ear colonies: the table ([`PARAMS`]), the structs that it describes, and the presets. Numbers
+//! such as K3 refer to docs/decisions.md.
 //!
-//! Lengths are in cm, which is also one pixel of a rock field. The six sliders of the thesis keep its ranges (Tables 3.1, 4.2).
+//! Lengths are in cm; one cm is one pixel of a rock field. The thesis's six sliders keep its ranges (Tables 3.1, 4.2).
 
 mod presets;
 mod table;
@@ -21,67 +22,68 @@ pub type Scope = spec::Scope<Params, Base>;
 /// Most base points a colony can have.
 pub const MAX_BASES: usize = 16;
 
-/// What becomes of individuals that pass through each other.
+/// What is done with individuals that pass through each other.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Collisions {
-    /// They do.
+    /// Nothing: they may pass through each other.
     Off,
-    /// The thesis's rule: whole meridians step inward until a pair is free (\[3.4\], decisions K8 to K11).
+    /// The thesis's rule: whole meridians step inward until the pair is free (\[3.4\], decisions K8 to K11).
     #[default]
     Thesis,
-    /// Ours: neighbours press flat against a plane between them; none pass through each other.
+    /// A rule of our own: neighbours press flat against a plane between them, and no two pass through each other.
     Pressed,
 }
 
-/// A point that a colony spreads from.
+/// A point from which a colony spreads.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Base {
-    /// Where it is wanted, cm; it is moved to the nearest vertex of the log.
+    /// Where the base is wanted, cm. It is moved to the nearest vertex of the log.
     pub position: [f64; 3],
-    /// Range of this base alone, cm.
+    /// Range of this base, cm. `None` means the colony's range.
     pub range: Option<f64>,
 }
 
-/// The log that is grown where none is given.
+/// The log that is grown if the user gives none.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Log {
-    /// cm, along x.
+    /// Length along x, cm.
     pub length: f64,
     /// Mean radius, cm.
     pub radius: f64,
-    /// 0 straight … 1 a gentle bow.
+    /// 0 is straight, 1 a gentle bow.
     pub bend: f64,
-    /// 0 smooth … 1 deeply furrowed.
+    /// 0 is smooth, 1 deeply furrowed.
     pub bark: f64,
-    /// Mean distance of neighbouring vertices, cm: individuals stand on vertices.
+    /// Mean distance of neighbouring vertices, cm. Individuals stand on vertices, so it limits their density.
     pub spacing: f64,
-    /// The log's own seed, so that another colony grows on the same log.
+    /// Seed of the log, which is separate so that another colony can grow on the same log.
     pub seed: u32,
 }
 
-/// How a colony is lit and coloured: drawn, never generated, and in no hash.
+/// How a colony is lit and coloured. It affects only the picture, not the generated colony, and is not part of any
+/// hash.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Look {
     /// How far individuals differ in colour, 0 … 1.
     pub variation: f64,
-    /// How much light comes through, 0 … 1.
+    /// How much light shines through the flesh, 0 … 1.
     pub translucency: f64,
-    /// Down on the outer side, 0 … 1.
+    /// Amount of fine hair on the outer side, 0 … 1.
     pub velvet: f64,
-    /// Degrees, counted as the camera's azimuth.
+    /// Degrees, counted like the camera's azimuth.
     pub sun_azimuth: f64,
     /// Degrees above the horizon.
     pub sun_elevation: f64,
 }
 
-/// Everything a colony is a function of, besides a log of the user's own.
+/// All parameters of a colony. Only a log given by the user is not among them.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Params {
-    /// The integer that starts the generator.
+    /// The seed of all random numbers.
     pub seed: u32,
-    /// Share of the log's vertices within range that carry an individual, %.
+    /// Probability that a vertex of the log within range carries an individual, %.
     pub density: f64,
-    /// Reach of a base, cm.
+    /// Range of a base, cm.
     pub range: f64,
     /// Moisture content m, %.
     pub moisture: f64,
@@ -89,44 +91,46 @@ pub struct Params {
     pub wrinkles: f64,
     /// Median rim radius, cm.
     pub size: f64,
-    /// v: sizes lie between size / v and size · v (decision K7).
+    /// Spread v: sizes lie between size / v and size · v (decision K7).
     pub size_spread: f64,
-    /// d, rings of an individual.
+    /// Number of rings of an individual, d.
     pub rings: u32,
-    /// c, vertices of a ring.
+    /// Number of vertices of a ring, c.
     pub meridians: u32,
-    /// How far the wrinkling of individuals differs (decision K3).
+    /// How much individuals differ in how strongly they wrinkle, 0 … 1 (decision K3).
     pub per_individual: f64,
-    /// Rule for individuals that pass through each other.
+    /// What is done with individuals that pass through each other.
     pub collisions: Collisions,
     /// Bending under gravity, 0 … 1.
     pub droop: f64,
-    /// Of the wet flesh at the foot, cm; 0 is a sheet.
+    /// Thickness of the wet flesh at the foot, cm. With 0, an individual is a single sheet.
     pub thickness: f64,
-    /// 0 an open hole … 1 a thick stalk.
+    /// 0 is an open hole, 1 a thick stalk.
     pub foot: f64,
-    /// Keep individuals out of the log.
+    /// Whether individuals are kept out of the log.
     pub clear_log: bool,
-    /// The log that is grown where none is given.
+    /// The log that is grown if the user gives none.
     pub log: Log,
     /// How the colony is drawn.
     pub look: Look,
-    /// 1 … [`MAX_BASES`] points.
+    /// The points that the colony spreads from, 1 … [`MAX_BASES`] of them.
     pub bases: Vec<Base>,
 }
 
 impl Params {
-    /// All values in table order; see [`Params::from_flat`].
+    /// Returns all values in table order; see [`Params::from_flat`].
     pub fn to_flat(&self) -> Vec<f64> {
         flat::to_flat(self)
     }
 
-    /// Reads `[colony rows…, number of bases, per base: base rows…]`, rows in the order of [`PARAMS`].
+    /// Reads parameters from `[colony rows…, number of bases, per base: base rows…]`, with the rows in the order of
+    /// [`PARAMS`].
     ///
-    /// A choice is the index of its word; an optional number is NaN for "none".
+    /// A choice is given as the index of its word, and an optional number without a value as NaN.
     ///
     /// # Errors
-    /// The first value out of range, with its key, value and bounds (for a base, `layer` is its index); a wrong length.
+    /// Returns the first value that is out of range, with its key, value and bounds (for a base, `layer` is its index),
+    /// or an error if the length is wrong.
     pub fn from_flat(flat: &[f64]) -> Result<Params, Error> {
         flat::from_flat(flat)
     }
@@ -134,7 +138,7 @@ impl Params {
     /// Checks every value against the table.
     ///
     /// # Errors
-    /// The first parameter that is out of range, with its key, value and bounds.
+    /// Returns the first parameter that is out of range, with its key, value and bounds.
     pub fn validate(&self) -> Result<(), Error> {
         Params::from_flat(&self.to_flat()).map(|_| ())
     }

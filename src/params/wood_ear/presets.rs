@@ -1,28 +1,29 @@
-//! The scenes of the thesis, and colonies as they are found.
+//! The presets: the scenes of the thesis, and natural colonies.
 //!
-//! The thesis gives density, range, size and spread of Figs 3.7, 4.2 and 4.3, the moisture of Figs 4.4 and 4.5, the wrinkles of Figs 4.6
-//! and 4.7 and the sliders of Table 4.3, nothing else; `tests/data/thesis-figures.json` has what it prints. Chosen by us: the sliders it does
-//! not name are the table's defaults, except that a figure of a stage leaves out the stages that come after it (moisture 100, wrinkles 0,
-//! no collisions) and a figure of one effect leaves the other out. Figs 4.8 and 4.9, a pair before and after its collision, are two
-//! undeformed bowls of the default size. Figs 4.10 and 4.11, "dry" and "wet", have moisture 10 and 90.
+//! The thesis gives density, range, size and spread of Figs 3.7, 4.2 and 4.3, the moisture of Figs 4.4 and 4.5, the
+//! wrinkles of Figs 4.6 and 4.7, and the sliders of Table 4.3, and nothing else; `tests/data/thesis-figures.json` holds
+//! what it prints. The rest is our choice. Sliders that it does not name have the table's defaults, but a figure that
+//! shows one stage leaves out all later stages (moisture 100, wrinkles 0, no collisions), and a figure that shows one
+//! effect leaves out the other. Figs 4.8 and 4.9, a pair before and after its collision, are two undeformed bowls of
+//! the default size. Figs 4.10 and 4.11, "dry" and "wet", have moisture 10 and 90.
 
 use super::{Base, PARAMS, Params, Scope};
 
-/// A named set of parameters. Everything it does not give has the table's default.
+/// A named set of parameters. Values that it does not give are the table's defaults.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Preset {
     /// Name in links and attributes.
     pub name: &'static str,
-    /// Of the thesis, or a colony as it is found.
+    /// True for a natural colony, false for a scene of the thesis.
     pub natural: bool,
-    /// Values of the colony's parameters by key; a choice is the index of its word.
+    /// Values of the colony's parameters, by key. A choice is given as the index of its word.
     pub fields: &'static [(&'static str, f64)],
-    /// One row per base, x, y, z and range; none for one base at the default.
+    /// One row per base: x, y, z and range. Empty for a single base at the default.
     pub bases: &'static [[f64; 4]],
 }
 
 impl Preset {
-    /// The parameters it stands for.
+    /// The parameters of this preset.
     pub fn params(&self) -> Params {
         let mut params = Params::with_defaults();
         for spec in PARAMS {
@@ -54,7 +55,7 @@ impl Default for Params {
     }
 }
 
-/// The preset of that name.
+/// Returns the preset with this name.
 pub fn preset(name: &str) -> Option<&'static Preset> {
     PRESETS.iter().find(|preset| preset.name == name)
 }
@@ -71,14 +72,14 @@ macro_rules! presets {
     };
 }
 
-/// Words of choices, as the numbers they travel as.
+/// Words of choices, as the numbers that stand for them.
 const OFF: f64 = 0.0;
 const ON: f64 = 1.0;
 const PRESSED: f64 = 2.0;
 const NONE: f64 = f64::NAN;
 
 presets! {
-    // Table 4.3: generation alone was timed, without collisions.
+    // Table 4.3 times generation only, without collisions.
     "thesis-default" false { };
     "thesis-minimum" false { density: 0.0, range: 20.0, size: 1.0, sizeSpread: 1.0, collisions: OFF };
     "thesis-maximum" false { density: 100.0, range: 200.0, size: 3.0, sizeSpread: 2.0, collisions: OFF, logLength: 400.0 };

@@ -1,22 +1,22 @@
-//! The wood ears' parameter table. Adding a parameter is a row here and its use in a stage.
+//! The wood ears' parameter table. To add a parameter, add a row here and use it in a stage.
 
 use super::super::spec::{Kind, table};
 use super::{Base, Collisions, Log, Look, ParamSpec, Params, Scope};
 
-/// The step of the generator that an edit re-runs first.
+/// The stages of the generator. A row names the first one that has to run again after an edit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Stage {
-    /// The log and its finer mesh.
+    /// The log and its fine mesh.
     Log,
-    /// Which vertices carry individuals \[3.2\].
+    /// Choosing the vertices that carry individuals \[3.2\].
     Spawn,
-    /// Bowls, drying, wrinkles (Eqs 3.1 to 3.5), droop and thickness; ends with a colony to show.
+    /// Bowls, drying, wrinkles (Eqs 3.1 to 3.5), droop and thickness. Afterwards there is a colony to show.
     Deform,
-    /// Individuals that pass through each other (Eqs 3.6 to 3.10).
+    /// Solving collisions (Eqs 3.6 to 3.10).
     Collide,
     /// The buffers.
     Mesh,
-    /// None: only the picture changes.
+    /// No stage of the generator: only the picture changes.
     Look,
 }
 
@@ -25,7 +25,7 @@ const PERCENT: [&str; 2] = ["%", "%"];
 const DEGREES: [&str; 2] = ["°", "°"];
 const NONE: [&str; 2] = ["", ""];
 
-/// Individuals stand on a log of at most 4 m; a log of the user's own may lie anywhere within 100 m.
+/// Largest coordinate, cm. A grown log is at most 4 m long, but a log given by the user may lie anywhere within 100 m.
 const REACH: f64 = 10_000.0;
 
 table! {
@@ -246,12 +246,12 @@ table! {
 }
 
 impl Collisions {
-    /// In the order of the table's words.
+    /// All values, in the order of the table's words.
     pub const ALL: [Collisions; 3] = [Collisions::Off, Collisions::Thesis, Collisions::Pressed];
 }
 
 impl Params {
-    /// What every value is set over.
+    /// Zeroed parameters, which the table's rows then fill in.
     pub(super) const EMPTY: Params = Params {
         seed: 0,
         density: 0.0,
