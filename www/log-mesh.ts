@@ -2,7 +2,7 @@
 
 import { RockFieldError } from './errors.ts';
 import { FARTHEST, MOST_TRIANGLES, MOST_VERTICES } from './log-file/limits.ts';
-import { scaleOfLog } from './log-units.ts';
+import { LOG_LENGTH, scaleOfLog } from './log-units.ts';
 import { isList, wrongType } from './param-checks.ts';
 import type { Loose } from './param-checks.ts';
 
@@ -55,18 +55,40 @@ function refused(name: LogErrorName, message: string, numbers: { value?: number;
   return new RockFieldError({ name, key: 'log', message, ...numbers });
 }
 
-/** The longer level side of the box around the vertices that triangles use, in the mesh's own units. */
+/**
+ * The longer level side of the box around the vertices that triangles use, in the mesh's own units. Where no vertex reaches beyond a log's greatest
+ * length and some triangles already span the smallest, the scale is 1 whatever the rest span: their length is returned, and the rest is not read.
+ */
 function extent(positions: ArrayLike<number>, indices: Uint32Array): number {
-  let [left, right, front, back] = [Infinity, -Infinity, Infinity, -Infinity];
+  const all = new Box();
+  for (let i = 0; i + 1 < positions.length; i += 3) all.add(positions[i]!, positions[i + 1]!);
+  const used = new Box();
   for (let i = 0; i < indices.length; i += 1) {
     const at = 3 * indices[i]!;
-    const [x, y] = [positions[at] ?? NaN, positions[at + 1] ?? NaN];
-    if (x < left) left = x;
-    if (x > right) right = x;
-    if (y < front) front = y;
-    if (y > back) back = y;
+    if (at < positions.length) used.add(positions[at]!, positions[at + 1]!);
+    if (i % 1024 === 0 && all.length <= LOG_LENGTH.max && used.length >= LOG_LENGTH.min) break;
   }
-  return Math.max(right - left, back - front);
+  return used.length;
+}
+
+/** A level box that grows around points; NaN is passed over. */
+class Box {
+  #left = Infinity;
+  #right = -Infinity;
+  #front = Infinity;
+  #back = -Infinity;
+
+  /** The longer side. */
+  get length(): number {
+    return Math.max(this.#right - this.#left, this.#back - this.#front);
+  }
+
+  add(x: number, y: number): void {
+    if (x < this.#left) this.#left = x;
+    if (x > this.#right) this.#right = x;
+    if (y < this.#front) this.#front = y;
+    if (y > this.#back) this.#back = y;
+  }
 }
 
 /** Whether any triangle has an area. The first one nearly always has, so that this seldom looks further. */

@@ -74,3 +74,22 @@ test('the generator refuses the same meshes in the same words, and takes what is
   const { positions, indices } = meshOf({ ...GOOD });
   generator.set_log(positions, indices);
 });
+
+test('a mesh is scaled by the length of what its triangles use, wherever in it that is', () => {
+  // A strip of 3,000 squares that a log's length is found in early, late or never, with and without vertices that nothing uses.
+  const strip = (from: number, to: number, unused: number[] = []): WoodEarLogMesh => {
+    const positions: number[] = [];
+    const indices: number[] = [];
+    for (let k = 0; k <= 3_000; k += 1) {
+      const x = k < 2_900 ? (from * k) / 2_900 : from + ((to - from) * (k - 2_900)) / 100;
+      positions.push(x, 0, 0, x, 0, 1);
+      if (k > 0) indices.push(2 * k - 2, 2 * k, 2 * k - 1, 2 * k - 1, 2 * k, 2 * k + 1);
+    }
+    return { positions: Float32Array.from([...positions, ...unused]), indices: Uint32Array.from(indices) };
+  };
+  const cases: [WoodEarLogMesh, number][] = [
+    [strip(300, 500), 1], [strip(10, 19), 200 / 19], [strip(10, 25), 1], [strip(500, 2_000), 0.1], [strip(19, 1_001), 200 / 1_001],
+    [strip(10, 19, [500, 0, 0]), 200 / 19], [strip(300, 500, [9_000, 0, 0]), 1], [strip(300, 500, [0, -9_000, 0]), 1], [strip(1, 2, [0, 100, 0]), 100],
+  ];
+  for (const [mesh, scale] of cases) assert.ok(Math.abs(meshOf({ ...mesh }).scale! / scale - 1) < 1e-6, `${meshOf({ ...mesh }).scale} instead of ${scale}`);
+});
