@@ -53,8 +53,8 @@
 //! |---|---|
 //! | *(none)* | the generators: no clock, no global, no DOM, no GPU |
 //! | `generator` | wasm-bindgen exports of the rocks' generator, for workers and Node |
-//! | `wood-ear` | the same of the wood ears, an artefact of its own |
-//! | `renderer-webgpu`, `renderer-webgl` | a renderer on one backend; never both in one artefact |
+//! | `wood-ear` | wasm-bindgen exports of the wood ears' generator, in a separate artefact |
+//! | `renderer-webgpu`, `renderer-webgl` | a renderer for one backend; an artefact never contains both |
 //! | `bench` | the papers' loops as they are written, for `npm run bench` |
 //!
 //! # Deviations and limits

@@ -1,16 +1,17 @@
-//! How errors of the core become errors of JavaScript.
+//! Converts errors of the generators to JavaScript errors.
 
 use js_sys::Reflect;
 use wasm_bindgen::prelude::*;
 
 use crate::error::Error;
 
-/// A number as JavaScript writes it.
+/// Converts a number to text in the way of JavaScript.
 pub(super) fn number(n: f64) -> String {
     js_sys::Object::from(JsValue::from_f64(n)).to_string().into()
 }
 
-/// The only conversion of errors: `name` is the code for machines, `message` the text for people.
+/// Makes a JavaScript error: `name` is the code for programs, `message` the text for people, and `key`, `layer`,
+/// `value`, `min` and `max` are properties. All errors of the generators are converted here.
 pub(super) fn coded(
     code: &str,
     message: &str,
@@ -21,7 +22,7 @@ pub(super) fn coded(
     let js = js_sys::Error::new(message);
     js.set_name(code);
     for (key, number) in [("value", value), ("min", min), ("max", max)] {
-        // Setting a property of a fresh Error cannot fail.
+        // Setting a property of a new Error cannot fail.
         let _ = Reflect::set(&js, &key.into(), &number.into());
     }
     let _ = Reflect::set(&js, &"key".into(), &key.into());

@@ -1,4 +1,4 @@
-//! What the generator artefact exports.
+//! The exports of the generator artefact.
 
 use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
@@ -6,19 +6,19 @@ use wasm_bindgen::prelude::*;
 use crate::params::Params;
 use crate::rocks::{Generator, LayerView};
 
-/// A seed from the system's source of randomness.
+/// Returns a seed from the system's source of randomness.
 #[wasm_bindgen]
 pub fn fresh_seed() -> Result<u32, JsError> {
     Ok(getrandom::u32()?)
 }
 
-/// Bytes a run would need at its peak.
+/// Returns the number of bytes that a run would need at its peak.
 #[wasm_bindgen]
 pub fn memory_estimate(params: &[f64]) -> Result<f64, JsValue> {
     Ok(crate::memory_estimate(&Params::from_flat(params)?).bytes as f64)
 }
 
-/// The stages with their cache; see [`crate::rocks::Generator`].
+/// The generator with its cache; see [`crate::rocks::Generator`].
 #[wasm_bindgen(js_name = Generator)]
 #[derive(Default)]
 pub struct JsGenerator(Generator);

@@ -1,4 +1,4 @@
-//! What the bench's own artefact exports beside the generator: the papers' literal loops.
+//! The exports that only the bench's artefact has in addition to the generator's: the papers' literal loops.
 
 use js_sys::{Float32Array, Uint32Array};
 use wasm_bindgen::prelude::*;
@@ -6,13 +6,13 @@ use wasm_bindgen::prelude::*;
 use crate::literal::{self, LiteralField};
 use crate::params::Params;
 
-/// A field made by the literal loops.
+/// A field that was made by the literal loops.
 #[wasm_bindgen]
 pub struct Literal(LiteralField);
 
 #[wasm_bindgen]
 impl Literal {
-    /// Runs all stages; parameters as for `Generator.start`.
+    /// Runs all stages. Takes the same parameters as `Generator.start`.
     #[wasm_bindgen(constructor)]
     pub fn new(params: &[f64]) -> Result<Self, JsValue> {
         Ok(Self(literal::generate(&Params::from_flat(params)?)))

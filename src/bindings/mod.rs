@@ -1,4 +1,5 @@
-//! The wasm boundary: convert – call – convert, nothing else.
+//! The wasm boundary. Functions here convert their arguments, make one call, and convert the result, and do nothing
+//! else.
 
 #[cfg(any(feature = "generator", feature = "wood-ear"))]
 mod error;

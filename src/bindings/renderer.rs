@@ -1,4 +1,4 @@
-//! What the renderer artefacts export: convert – call – convert.
+//! The exports of the renderer artefacts. Each converts its arguments, makes a call, and converts the result.
 
 use std::cell::RefCell;
 use std::rc::Rc;
@@ -10,7 +10,7 @@ use crate::render::{
 };
 
 thread_local! {
-    // wgpu wants its callbacks `Send`, a JavaScript function is not: they carry an index into this list.
+    // wgpu requires callbacks to be `Send`, which a JavaScript function is not, so they carry an index into this list.
     static LISTENERS: RefCell<Vec<Option<js_sys::Function>>> = const { RefCell::new(Vec::new()) };
 }
 
@@ -21,11 +21,11 @@ fn listen(function: js_sys::Function) -> u32 {
     })
 }
 
-/// Tells listener `id` why, once.
+/// Calls listener `id` with the reason, once; later calls do nothing.
 fn tell(id: u32, reason: &str) {
     let function = LISTENERS.with_borrow_mut(|list| list.get_mut(id as usize).and_then(Option::take));
     if let Some(function) = function {
-        // A listener that throws has nobody to tell.
+        // There is nobody to report an exception of the listener to.
         let _ = function.call1(&JsValue::NULL, &reason.into());
     }
 }
@@ -36,7 +36,7 @@ pub(super) fn to_js(error: &RenderError) -> js_sys::Error {
     js
 }
 
-/// A graphics device, for as many [`Renderer`]s as a page has.
+/// A graphics device, which any number of [`Renderer`]s can share.
 #[wasm_bindgen]
 pub struct Device {
     listener: u32,
@@ -45,7 +45,8 @@ pub struct Device {
 
 #[wasm_bindgen]
 impl Device {
-    /// Gets a device: with WebGL2 that of `canvas`, with WebGPU one for canvases like it. `onLost(reason)` is called at most once.
+    /// Creates a device. With WebGL2 it is bound to `canvas`; with WebGPU it is for canvases like it. `on_lost(reason)`
+    /// is called at most once.
     pub async fn create(
         canvas: web_sys::HtmlCanvasElement,
         on_lost: js_sys::Function,
@@ -55,28 +56,28 @@ impl Device {
         Ok(Self { listener, gpu: Rc::new(gpu) })
     }
 
-    /// Largest side of a picture, device pixels.
+    /// Largest side of a picture, in device pixels.
     #[wasm_bindgen(js_name = maxSide)]
     pub fn max_side(&self) -> u32 {
         self.gpu.max_side()
     }
 
-    /// Stops telling of losses and lets the device go; call before `free`.
+    /// Stops reporting losses and frees the device. Call it before `free`.
     pub fn close(&self) {
-        // First the listener: letting the device go is reported as a loss too.
+        // The listener is removed first, because freeing the device is reported as a loss too.
         LISTENERS.with_borrow_mut(|list| list.get_mut(self.listener as usize).map(Option::take));
         self.gpu.destroy();
     }
 }
 
-/// One picture and its field.
+/// Draws one picture, with its own field.
 #[wasm_bindgen]
 pub struct Renderer {
     pub(super) gpu: Rc<Gpu>,
     pub(super) view: View,
     scene: Option<Scene>,
     pub(super) props: Props,
-    /// Uploaded, and shown with the colony that comes next.
+    /// A log that is uploaded and will be shown with the next colony.
     pub(super) next_log: Option<Prop>,
     plan: Option<Plan>,
     layers: Vec<Layer>,
@@ -84,7 +85,8 @@ pub struct Renderer {
 
 #[wasm_bindgen]
 impl Renderer {
-    /// On a canvas of its own with WebGPU; with WebGL2 without one, the picture is then in the corner of the device's.
+    /// With WebGPU, pass the canvas to draw on. With WebGL2, pass none: the picture is then drawn in the corner of the
+    /// device's canvas.
     #[wasm_bindgen(constructor)]
     pub fn new(device: &Device, canvas: Option<web_sys::HtmlCanvasElement>) -> Result<Renderer, js_sys::Error> {
         let gpu = device.gpu.clone();
@@ -93,7 +95,8 @@ impl Renderer {
         Ok(Self { gpu, view, scene: None, props: Props::default(), next_log: None, plan: None, layers: Vec::new() })
     }
 
-    /// Uploads a field's mesh and replaces what is drawn. Per rock: its layer's id and its site's index.
+    /// Uploads a field's mesh, which replaces the present one. `rock_layers` and `rock_sites` hold, per rock, the id of
+    /// its layer and the index of its site.
     #[wasm_bindgen(js_name = setField)]
     #[allow(clippy::too_many_arguments, reason = "one flat buffer each")]
     pub fn set_field(
@@ -122,7 +125,7 @@ impl Renderer {
         self.view.mode == Mode::Wireframe && scene.is_some_and(|scene| !scene.has_edges())
     }
 
-    /// Makes the wireframe's lines from the same indices again.
+    /// Makes the wireframe's lines. Pass the same indices as to [`Renderer::set_field`].
     #[wasm_bindgen(js_name = setEdges)]
     pub fn set_edges(&mut self, indices: &js_sys::Uint32Array) -> Result<(), js_sys::Error> {
         match &mut self.scene {
@@ -139,7 +142,7 @@ impl Renderer {
         plan_shown && self.scene.is_some() && self.plan.is_none()
     }
 
-    /// One layer of the plan to come.
+    /// Adds one layer to the plan that [`Renderer::make_plan`] will make.
     #[wasm_bindgen(js_name = addLayer)]
     pub fn add_layer(
         &mut self,
@@ -153,7 +156,7 @@ impl Renderer {
         self.layers.push(Layer { id, radius, sites, cell_starts, cell_vertices, selected });
     }
 
-    /// Makes the plan that the view asks for, and lets go of the layers.
+    /// Makes the plan that the view asks for, and frees the layers.
     #[wasm_bindgen(js_name = makePlan)]
     pub fn make_plan(&mut self) -> Result<(), js_sys::Error> {
         let layers = std::mem::take(&mut self.layers);
@@ -162,7 +165,8 @@ impl Renderer {
         Ok(())
     }
 
-    /// View 0 rocks, 1 wireframe, 2 diagrams, 3 selection; colour 0 by layer, 1 by rock, 2 plain, 3 natural.
+    /// Sets what is shown. View: 0 rocks, 1 wireframe, 2 diagrams, 3 selection. Colour: 0 by layer, 1 by rock, 2 plain,
+    /// 3 natural.
     #[wasm_bindgen(js_name = setStyle)]
     pub fn set_style(&mut self, view: u8, color: u8, dark: bool) {
         let mode = [Mode::Rocks, Mode::Wireframe, Mode::Diagrams, Mode::Selection];
@@ -174,9 +178,9 @@ impl Renderer {
         }
     }
 
-    /// Variation, wetness, moss and dust (0…1), ground (0 soil, 1 sand, 2 gravel), the sun's azimuth and elevation in degrees;
-    /// of wood ears moisture, variation, translucency and velvet (0…1).
-    /// Per layer id: 0 mixed, 1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate.
+    /// Sets the look. `values`: variation, wetness, moss and dust (0…1), ground (0 soil, 1 sand, 2 gravel), the sun's
+    /// azimuth and elevation in degrees; then, for wood ears, moisture, variation, translucency and velvet (0…1).
+    /// `materials`, per layer id: 0 mixed, 1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate.
     #[wasm_bindgen(js_name = setLook)]
     pub fn set_look(&mut self, values: Vec<f32>, layer_ids: Vec<u32>, materials: Vec<u8>) {
         let changed = self.view.set_look(Look::new(&values, &layer_ids, &materials));
@@ -185,14 +189,14 @@ impl Renderer {
         }
     }
 
-    /// 0 low, 1 medium, 2 high; matters in natural colours.
+    /// Sets the quality: 0 low, 1 medium, 2 high. It matters only in natural colours.
     #[wasm_bindgen(js_name = setQuality)]
     pub fn set_quality(&mut self, level: u8) {
         let levels = [Quality::Low, Quality::Medium, Quality::High];
         self.view.set_quality(levels.get(level as usize).copied().unwrap_or(Quality::High));
     }
 
-    /// Angles in radians, lengths in px.
+    /// Sets the camera, with angles in radians and lengths in px.
     #[wasm_bindgen(js_name = setCamera)]
     pub fn set_camera(
         &mut self,
@@ -206,7 +210,7 @@ impl Renderer {
         self.view.set_camera(Camera { azimuth, elevation, distance, target: [target_x, target_y, target_z] });
     }
 
-    /// Device pixels, and how many of them make a CSS pixel.
+    /// Sets the size of the picture in device pixels, and how many of them make a CSS pixel.
     pub fn resize(&mut self, width: u32, height: u32, ratio: f32) {
         self.view.resize(&self.gpu, width, height, ratio);
     }
@@ -216,7 +220,7 @@ impl Renderer {
         self.view.render(&self.gpu, self.scene.as_mut(), &self.props, self.plan.as_ref());
     }
 
-    /// Gives back what the device's other renderers may use; call before `free`.
+    /// Frees what other renderers of the device may use. Call it before `free`.
     pub fn close(&self) {
         self.view.release(&self.gpu);
     }

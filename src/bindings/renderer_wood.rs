@@ -1,4 +1,5 @@
-//! What the renderer artefacts export for a log and its wood ears: convert – call – convert.
+//! The exports of the renderer artefacts for a log and its wood ears. Each converts its arguments, makes a call, and
+//! converts the result.
 
 use wasm_bindgen::prelude::*;
 
@@ -7,8 +8,9 @@ use crate::render::{Ears, Mode, Place, Prop, PropMesh};
 
 #[wasm_bindgen]
 impl Renderer {
-    /// Uploads a log: a mesh in cm that lies along x, and per vertex its kind (0 bark, 1 end grain, 2 splinter). `place`: where its
-    /// origin is in px of the image, x, y, z, and px per cm. It is shown with the colony that comes next.
+    /// Uploads a log: a mesh in cm that lies along x, and per vertex its kind (0 bark, 1 end grain, 2 splinter).
+    /// `place` holds where its origin is in px of the image (x, y, z), and the px per cm. The log is shown with the
+    /// next colony.
     #[wasm_bindgen(js_name = setLog)]
     pub fn set_log(
         &mut self,
@@ -25,9 +27,10 @@ impl Renderer {
         Ok(())
     }
 
-    /// Puts wood ears into the field, with the log that was set since the last ones; shown once there is a field, which may be empty.
-    /// One mesh in cm of individuals that are cut alike into `rings` and `meridians`. `keys`: per individual a number that stays its
-    /// own, as the log's vertex it stands on. `place` as of the log. On an error all stays as it was.
+    /// Puts wood ears into the field, together with the log set since the last ones. They are shown once there is a
+    /// field, which may be empty. The mesh, in cm, consists of individuals that all have the same `rings` and
+    /// `meridians`. `keys` holds a number per individual that does not change, such as the vertex of the log it stands
+    /// on. `place` is as for the log. If there is an error, nothing changes.
     #[wasm_bindgen(js_name = setColony)]
     #[allow(clippy::too_many_arguments, reason = "one flat buffer each")]
     pub fn set_colony(
@@ -54,7 +57,7 @@ impl Renderer {
         self.view.mode == Mode::Wireframe && !self.props.has_edges()
     }
 
-    /// Makes the wireframe's lines from the indices of the log and of its colony again.
+    /// Makes the wireframe's lines. Pass the same indices of the log and of its colony as before.
     #[wasm_bindgen(js_name = setWoodEdges)]
     pub fn set_wood_edges(
         &mut self,
@@ -64,7 +67,7 @@ impl Renderer {
         self.props.set_edges(&self.gpu, log, colony).map_err(|error| to_js(&error))
     }
 
-    /// Takes the log and its wood ears away.
+    /// Removes the log and its wood ears.
     #[wasm_bindgen(js_name = clearWood)]
     pub fn clear_wood(&mut self) {
         self.next_log = None;

@@ -1,4 +1,4 @@
-//! What the wood-ear artefact exports.
+//! The exports of the wood-ear artefact.
 
 use js_sys::{Float32Array, Float64Array, Uint8Array, Uint32Array};
 use wasm_bindgen::prelude::*;
@@ -13,14 +13,14 @@ impl From<LogError> for JsValue {
     }
 }
 
-/// A seed from the system's source of randomness.
+/// Returns a seed from the system's source of randomness.
 #[wasm_bindgen]
 pub fn fresh_seed() -> Result<u32, JsError> {
-    // The crate's own texts would bring Rust's formatting with them.
+    // The crate's own error texts would pull in Rust's formatting code.
     getrandom::u32().map_err(|_| JsError::new("the system has no source of randomness"))
 }
 
-/// The stages with their cache; see [`crate::wood_ear::Generator`].
+/// The generator with its cache; see [`crate::wood_ear::Generator`].
 #[wasm_bindgen(js_name = WoodEarGenerator)]
 #[derive(Default)]
 pub struct JsWoodEar(Generator);
@@ -117,7 +117,7 @@ impl JsWoodEar {
         self.0.log_mesh().coords.as_slice().into()
     }
 
-    /// Counts up whenever the log's buffers change, so that they are copied out only then.
+    /// A number that grows whenever the log's buffers change, so that they are copied out only then.
     pub fn log_version(&self) -> u32 {
         self.0.log_version()
     }
@@ -126,7 +126,8 @@ impl JsWoodEar {
         self.0.bases().as_slice().into()
     }
 
-    /// Individuals, triangles, crossing pairs, sweeps, rounds, median and tenth percentile of the rim radius kept.
+    /// The numbers of individuals, triangles, crossing pairs, sweeps and rounds; then the median and the tenth
+    /// percentile of the share of the rim radius that was kept.
     pub fn summary(&self) -> Float64Array {
         let Stats { individuals, triangles, crossing_pairs, sweeps, rounds, kept_median, kept_p10 } = self.0.stats();
         let [a, b, c, d, e] = [individuals, triangles, crossing_pairs, sweeps, rounds].map(f64::from);
@@ -134,7 +135,8 @@ impl JsWoodEar {
     }
 }
 
-/// 2.5 kB smaller, compressed, than the standard one (dlmalloc), as fast, and no hungrier.
+/// This allocator is 2.5 kB smaller (compressed) than the standard one (dlmalloc), equally fast, and uses no more
+/// memory.
 #[cfg(target_family = "wasm")]
 #[global_allocator]
 static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();

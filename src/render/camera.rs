@@ -1,25 +1,26 @@
-//! From the page's orbit camera to matrices. Conventions as everywhere: z up, depth 0…1, column vectors.
+//! Converts the page's orbit camera to matrices. The conventions are those of the whole renderer: z up, depth 0…1,
+//! column vectors.
 
 use glam::{Mat4, Vec3, Vec4};
 
-/// Vertical field of view, radians: 36°, long enough to keep boulders from leaning. The same number is
-/// in `www/camera.ts`.
+/// Vertical field of view, radians. 36° is narrow enough that boulders do not seem to lean. `www/camera-bounds.ts` has
+/// the same number.
 pub(crate) const FOV_Y: f32 = 36.0 * std::f32::consts::PI / 180.0;
 
-/// An eye on a sphere around a target; at azimuth 0 it looks along +y.
+/// An eye on a sphere around a target. At azimuth 0 it looks along +y.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Camera {
     /// Radians, counter-clockwise seen from above.
     pub(crate) azimuth: f32,
     /// Radians above the ground.
     pub(crate) elevation: f32,
-    /// px.
+    /// Distance of the eye from the target, px.
     pub(crate) distance: f32,
-    /// px.
+    /// The point that the eye looks at, px.
     pub(crate) target: [f32; 3],
 }
 
-/// Unit axes of the picture and the eye, in the world.
+/// The eye and the unit axes of the picture, in the world.
 pub(crate) struct Frame {
     pub(crate) eye: Vec3,
     pub(crate) right: Vec3,
@@ -28,7 +29,8 @@ pub(crate) struct Frame {
 }
 
 impl Camera {
-    /// A camera that cannot produce NaN: anything not finite falls back, the distance stays positive.
+    /// Returns a camera that cannot produce NaN: values that are not finite are replaced by defaults, and the distance
+    /// stays positive.
     pub(crate) fn sanitised(self) -> Self {
         let or = |value: f32, fallback: f32| if value.is_finite() { value } else { fallback };
         Self {
@@ -39,7 +41,7 @@ impl Camera {
         }
     }
 
-    /// The axes: up is taken from the azimuth, so that looking straight down is no special case.
+    /// The eye and the axes. Up is derived from the azimuth, so that looking straight down is not a special case.
     pub(crate) fn frame(&self) -> Frame {
         let (sin_a, cos_a) = self.azimuth.sin_cos();
         let (sin_e, cos_e) = self.elevation.sin_cos();
@@ -55,13 +57,12 @@ impl Camera {
 }
 
 impl Frame {
-    /// Clip space from positions relative to the eye, with near and far just around the sphere
-    /// (`center`, `radius`) that holds everything drawn with depth; with
-    /// `horizon`, far is as far as the ground goes.
+    /// The matrix from positions relative to the eye to clip space. Near and far lie just around the sphere (`center`,
+    /// `radius`) that holds everything drawn with depth; with `horizon`, far is as far as the ground reaches.
     pub(crate) fn clip_from_eye(&self, aspect: f32, center: Vec3, radius: f32, horizon: bool) -> Mat4 {
         let ahead = (center - self.eye).dot(self.forward);
         let far = (ahead + radius).max(2.0);
-        // 24 bits of depth want near not too small; 1/2000 of far still lets the eye stand among the rocks.
+        // With 24 bits of depth, near must not be too small. 1/2000 of far still lets the eye stand among the rocks.
         let near = (ahead - radius).max(far / 2000.0).max(0.05);
         let view = Mat4::from_cols(
             Vec3::new(self.right.x, self.up.x, -self.forward.x).extend(0.0),
@@ -69,9 +70,9 @@ impl Frame {
             Vec3::new(self.right.z, self.up.z, -self.forward.z).extend(0.0),
             Vec4::W,
         );
-        // Costs next to nothing: depth is a matter of near.
+        // A larger far costs next to no precision, which depends on near.
         let far = if horizon { 10_000.0 * far } else { far };
-        // The eye looks along -z, depth 0…1.
+        // The eye looks along -z, and depth is 0…1.
         let focal = 1.0 / (0.5 * FOV_Y).tan();
         let depth = far / (near - far);
         let projection = Mat4::from_cols(

@@ -1,19 +1,19 @@
-//! What can go wrong between a field and a picture, in words a page can show.
+//! What can go wrong between a field and a picture, in words that a page can show.
 
 use std::fmt;
 
 /// Why a device, a canvas or a field was refused.
 #[derive(Debug)]
 pub(crate) enum RenderError {
-    /// No adapter of this backend.
+    /// There is no graphics adapter for this backend.
     NoAdapter(String),
     /// The adapter refused a device.
     NoDevice(String),
-    /// The canvas gave no surface, or none this device can draw to.
+    /// The canvas gave no surface, or none that this device can draw to.
     Surface(String),
-    /// A buffer of the field is larger than this device takes.
+    /// A buffer of the field is larger than this device accepts.
     TooLarge { what: &'static str, bytes: u64, limit: u64 },
-    /// The buffers contradict each other: ours to fix.
+    /// The buffers contradict each other, which is a bug of rock-field.
     Malformed(&'static str),
 }
 

@@ -1,4 +1,4 @@
-//! The device: what all canvases of a page share.
+//! The graphics device, which all canvases of a page share.
 
 use std::cell::{Cell, RefCell};
 
@@ -7,7 +7,7 @@ use super::maps::MapSets;
 use super::pipelines::Pipelines;
 use super::surface::{Kind, Screen};
 
-/// Device, queue, pipelines and maps, for many canvases ([`super::View`]) and fields ([`super::Scene`]).
+/// Device, queue, pipelines and maps, shared by many canvases ([`super::View`]) and fields ([`super::Scene`]).
 pub(crate) struct Gpu {
     instance: wgpu::Instance,
     pub(crate) device: wgpu::Device,
@@ -15,18 +15,19 @@ pub(crate) struct Gpu {
     pub(crate) pipelines: Pipelines,
     pub(crate) kind: Kind,
     pub(crate) maps: RefCell<MapSets>,
-    /// With WebGL2, where a device is bound to one canvas: all views are drawn here, and copied from here.
+    /// With WebGL2, where a device is bound to one canvas: the screen on which all views are drawn, and from which
+    /// their pictures are copied.
     pub(crate) shared: Option<RefCell<Screen>>,
     numbers: Cell<u64>,
 }
 
-/// Told once, with a reason, when the device is lost or out of memory.
+/// Called once, with a reason, when the device is lost or out of memory.
 pub(crate) type OnLost = fn(id: u32, reason: &str);
 
 impl Gpu {
-    /// A device. With WebGL2 it is that of `canvas`, on which all views are then drawn; with WebGPU `canvas` only
-    /// tells what canvases are like here, and is touched once the device stands.
-    /// `on_lost` is called with `id`; a function pointer, because wgpu wants its callbacks `Send`.
+    /// Creates a device. With WebGL2 it is bound to `canvas`, on which all views are then drawn. With WebGPU, `canvas`
+    /// only shows what canvases are like here, and is not used before the device exists. `on_lost` is called with `id`.
+    /// It is a function pointer, because wgpu requires callbacks to be `Send`.
     pub(crate) async fn new(canvas: web_sys::HtmlCanvasElement, id: u32, on_lost: OnLost) -> Result<Self, RenderError> {
         let is_webgl = cfg!(feature = "renderer-webgl");
         let instance = wgpu::Instance::new(wgpu::InstanceDescriptor::new_without_display_handle());
@@ -58,18 +59,18 @@ impl Gpu {
         })
     }
 
-    /// A canvas of its own for a view; not with WebGL2.
+    /// Makes the screen of a view that has its own canvas. Not for WebGL2.
     pub(crate) fn screen(&self, canvas: web_sys::HtmlCanvasElement) -> Result<Screen, RenderError> {
         Ok(Screen::new(&self.device, self.kind, make_surface(&self.instance, canvas)?))
     }
 
-    /// One that was never given before.
+    /// Returns a number that was never returned before.
     pub(crate) fn next_number(&self) -> u64 {
         self.numbers.set(self.numbers.get() + 1);
         self.numbers.get()
     }
 
-    /// Gives the device's memory back now, rather than when JavaScript collects it.
+    /// Frees the device's memory now, and not only when JavaScript collects the device.
     pub(crate) fn destroy(&self) {
         self.device.destroy();
     }
@@ -89,7 +90,8 @@ fn make_surface(
         .map_err(|error| RenderError::Surface(error.to_string()))
 }
 
-/// The smallest limits that do: WebGL2's, with this adapter's own texture and buffer sizes.
+/// Requests a device with the smallest limits that are enough: those of WebGL2, with this adapter's own sizes of
+/// textures and buffers.
 async fn request_device(adapter: &wgpu::Adapter) -> Result<(wgpu::Device, wgpu::Queue), RenderError> {
     let offered = adapter.limits();
     let required_limits = wgpu::Limits {

@@ -1,10 +1,10 @@
-//! How a field in natural colours looks beyond its mesh: weather, ground, stone, and where the sun stands.
+//! How a field in natural colours looks beyond its mesh: weather, ground, stone, and the place of the sun.
 
 use std::collections::BTreeMap;
 
 use glam::Vec3;
 
-/// How much work a pixel is worth; counted up, as the shaders compare it.
+/// How much work is spent on a pixel. The values ascend, because the shaders compare them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) enum Quality {
     Low,
@@ -12,20 +12,20 @@ pub(crate) enum Quality {
     High,
 }
 
-/// What JavaScript sets with `setLook`.
+/// The look that JavaScript sets with `setLook`.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Look {
     /// Variation, wetness, moss and dust, 0…1.
     pub(crate) weather: [f32; 4],
     /// 0 soil, 1 sand, 2 gravel.
     pub(crate) ground: f32,
-    /// Towards the sun, of length 1. Its light falls on all colour modes.
+    /// Unit vector towards the sun. Its light is used in all colour modes.
     pub(crate) sun: Vec3,
-    /// What the smallest stones are made of, which have no mesh: as those of the last layer.
+    /// Material of the smallest stones, which have no mesh: that of the last layer.
     pub(crate) debris: u8,
-    /// Of wood ears: moisture, variation, translucency, velvet, 0…1.
+    /// Moisture, variation, translucency and velvet of wood ears, 0…1.
     pub(crate) flesh: [f32; 4],
-    /// By layer id; see [`super::palette::natural`].
+    /// Materials by layer id; see [`super::palette::natural`].
     pub(crate) materials: BTreeMap<u32, u8>,
 }
 
@@ -36,8 +36,8 @@ impl Default for Look {
 }
 
 impl Look {
-    /// `values`: variation, wetness, moss, dust, ground, the sun's azimuth and elevation in degrees, and of
-    /// wood ears moisture, variation, translucency, velvet; what is missing or no number is 0.
+    /// `values` holds variation, wetness, moss, dust, ground, the sun's azimuth and elevation in degrees; then, for
+    /// wood ears, moisture, variation, translucency and velvet. Values that are missing or not finite count as 0.
     pub(crate) fn new(values: &[f32], layers: &[u32], materials: &[u8]) -> Self {
         let value = |at: usize| values.get(at).copied().filter(|value| value.is_finite()).unwrap_or(0.0);
         Self {
@@ -50,16 +50,17 @@ impl Look {
         }
     }
 
-    /// Of the rocks of a layer; 0 where none was set.
+    /// Material of the rocks of a layer; 0 if none was set.
     pub(crate) fn material(&self, layer: u32) -> u8 {
         self.materials.get(&layer).copied().unwrap_or(0)
     }
 }
 
-/// The azimuth is counted like the camera's: at the same angle the sun is behind the viewer.
+/// Unit vector towards the sun, for angles in degrees. The azimuth is counted like the camera's: at the same angle the
+/// sun is behind the viewer.
 fn sun(azimuth: f32, elevation: f32) -> Vec3 {
     let (sin_a, cos_a) = azimuth.to_radians().sin_cos();
-    // Lower, and the shadow of a pebble would be longer than the map is wide.
+    // If the sun were lower, the shadow of a pebble would be longer than the map is wide.
     let (sin_e, cos_e) = elevation.clamp(5.0, 90.0).to_radians().sin_cos();
     Vec3::new(sin_a * cos_e, -cos_a * cos_e, sin_e)
 }

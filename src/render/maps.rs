@@ -1,34 +1,34 @@
-//! The shadow and height maps the light is read from: a few sets, lent to whichever fields are drawn.
+//! The shadow and height maps that lighting reads: a few sets, which are lent to the fields that are drawn.
 //!
-//! A set takes 25 MB, and a page may show dozens of fields of which a hand moves one. So a canvas keeps the
-//! set it drew last for as long as there are enough of them, and draws its maps anew when there are not.
+//! A set takes 25 MB, and a page may show dozens of fields of which one is being moved. A canvas therefore keeps the
+//! set it drew last as long as there are enough sets, and otherwise draws its maps again.
 
 use super::Gpu;
 use super::pipelines::{HEIGHT_FORMAT, SHADOW_FORMAT};
 use super::surface::texture;
 
-/// Side of the shadow map and of the height map, texels; 0.7 px each for the 1024 px fields of the papers.
+/// Side of the shadow map and of the height map, texels. For the papers' fields of 1024 px, a texel is 0.7 px.
 const MAP_SIDE: u32 = 2048;
 
-/// Sets kept at most: 100 MB, for the few fields that move at the same time.
+/// Largest number of sets: 100 MB, for the few fields that move at the same time.
 const MAX_SETS: usize = 4;
 
-/// The textures the light is read from; handles, so a clone is the same textures.
+/// The textures that lighting reads. They are handles, so a clone refers to the same textures.
 #[derive(Clone)]
 pub(crate) struct Maps {
     pub(crate) group: wgpu::BindGroup,
     pub(crate) shadow: wgpu::TextureView,
     pub(crate) height: wgpu::TextureView,
-    /// Scratch, the same for all sets.
+    /// Scratch texture, shared by all sets.
     pub(crate) height_depth: wgpu::TextureView,
 }
 
 struct Set {
     maps: Maps,
-    /// Whose they are, and which scene is drawn in them.
+    /// Numbers of the view that the maps are lent to, and of the scene that is drawn in them.
     view: u64,
     scene: u64,
-    /// When they were last asked for.
+    /// When the maps were last asked for.
     used: u64,
 }
 
@@ -46,7 +46,7 @@ impl MapSets {
         MAP_SIDE.min(gpu.max_side())
     }
 
-    /// Maps for `view`, and whether `scene` has still to be drawn in them.
+    /// Returns maps for `view`, and whether `scene` still has to be drawn in them.
     pub(crate) fn lend(&mut self, gpu: &Gpu, view: u64, scene: u64) -> (Maps, bool) {
         self.now += 1;
         let own = self.sets.iter().position(|set| set.view == view);
@@ -68,7 +68,7 @@ impl MapSets {
         }
     }
 
-    /// Lets go of the set of `view`.
+    /// Frees the set of `view`.
     pub(crate) fn release(&mut self, view: u64) {
         self.sets.retain(|set| {
             if set.view == view {
@@ -105,7 +105,7 @@ fn group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> w
     };
     let compare = sampler("rock-field/shadow/sampler", Some(wgpu::CompareFunction::LessEqual));
     let linear = sampler("rock-field/height/sampler", None);
-    // The depths themselves: to find what casts the shadow.
+    // Reads the depths themselves, to find what casts a shadow.
     let nearest = gpu
         .device
         .create_sampler(&wgpu::SamplerDescriptor { label: Some("rock-field/shadow/depths"), ..Default::default() });

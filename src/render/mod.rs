@@ -1,4 +1,4 @@
-//! Draws a field through wgpu, on WebGPU or WebGL2, and knows nothing of how it was generated.
+//! Draws a field with wgpu, on WebGPU or WebGL2. Nothing here depends on how the field was generated.
 //!
 //! ```text
 //! Gpu    device, queue, layouts, pipelines, maps              one for all canvases
@@ -8,16 +8,17 @@
 //! View   camera, style, and with WebGPU its own surface and targets              one per canvas
 //! ```
 //!
-//! One frame: if the field is new, its shadow and height maps; then one multisampled pass:
-//! backdrop and ground (its depth too where rocks or props go on below it), then all rocks at once (outsides, insides;
-//! edges in the wireframe view), and the props, or the fills and strokes of a plan. Nothing is drawn unless asked for.
-//! In natural colours the rocks come first and the ground last, as a surface that hides what is below it.
+//! To draw a frame, the shadow and height maps are drawn first if the field is new. Then one multisampled pass draws
+//! the backdrop and the ground (its depth too, if rocks or props extend below it), then all rocks at once (outsides,
+//! insides; in the wireframe view also the edges) and the props, or the fills and strokes of a plan. Nothing is drawn
+//! unless a frame is asked for. In natural colours the rocks come first and the ground last, as a surface that hides
+//! what is below it.
 //!
-//! With WebGPU a device serves any number of canvases. WebGL2 binds a device to one canvas and allows
-//! about 16 of them in a page, so there all views are drawn on one that nobody sees, and JavaScript
-//! copies each picture to where it belongs.
+//! With WebGPU, a device serves any number of canvases. WebGL2 binds a device to one canvas and allows about 16 of them
+//! per page. There, all views are drawn on one canvas that is not visible, and JavaScript copies each picture to its
+//! place.
 //!
-//! Both backends run the same shaders and encode sRGB in them, so they give the same picture.
+//! Both backends run the same shaders, which encode sRGB themselves, so both give the same picture.
 
 mod camera;
 mod error;

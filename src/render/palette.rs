@@ -1,7 +1,7 @@
-//! Colours: by layer, by rock, or the papers' grey; packed as four sRGB bytes, red first. Natural ones are made in the
-//! shaders, from what is packed here instead.
+//! Colours: by layer, by rock, or the papers' grey, packed as four sRGB bytes with red first. Natural colours are made
+//! in the shaders; for these, the four bytes packed here mean something else.
 
-/// Which colours the rocks wear.
+/// How rocks are coloured.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum ColorMode {
     Layer,
@@ -10,8 +10,8 @@ pub(crate) enum ColorMode {
     Natural,
 }
 
-/// What the rocks are made of, by layer id modulo 8; the first three as in the papers' figures
-/// (terracotta r = 90, ochre r = 30, slate r = 10). Chosen by eye.
+/// Colours of rocks by layer id modulo 8, sRGB. The first three are as in the papers' figures (terracotta r = 90, ochre
+/// r = 30, slate r = 10). Chosen by eye.
 const STONE: [[u8; 3]; 8] = [
     [176, 108, 90],
     [198, 165, 106],
@@ -23,7 +23,7 @@ const STONE: [[u8; 3]; 8] = [
     [100, 152, 146],
 ];
 
-/// The same order for plans, more saturated: no light models them. Chosen by eye.
+/// Colours of plans in the same order. They are more saturated, because there is no lighting. Chosen by eye.
 const INK: [[u8; 3]; 8] = [
     [205, 94, 60],
     [232, 178, 74],
@@ -38,7 +38,7 @@ const INK: [[u8; 3]; 8] = [
 /// sRGB grey of the papers' renderings.
 const GREY: [u8; 3] = [158, 156, 152];
 
-/// Mixes a layer id and a site index to 32 even bits (Murmur3's finaliser).
+/// Mixes a layer id and a site index to 32 evenly distributed bits (Murmur3's finaliser).
 pub(crate) fn hash(layer: u32, site: u32) -> u32 {
     let mut h = layer.wrapping_mul(0x9e37_79b9) ^ site.wrapping_mul(0x85eb_ca6b).wrapping_add(1);
     h = (h ^ (h >> 16)).wrapping_mul(0x85eb_ca6b);
@@ -46,7 +46,7 @@ pub(crate) fn hash(layer: u32, site: u32) -> u32 {
     h ^ (h >> 16)
 }
 
-/// A share 0…1 from eight bits of `hash`.
+/// A number 0…1 from eight bits of `hash`, starting at bit `shift`.
 pub(crate) fn share(hash: u32, shift: u32) -> f32 {
     ((hash >> shift) & 0xff) as f32 / 255.0
 }
@@ -60,10 +60,11 @@ fn entry(table: &[[u8; 3]; 8], layer: u32) -> [f32; 3] {
     table.get(layer as usize % table.len()).unwrap_or(&GREY).map(f32::from)
 }
 
-/// The colour of one rock; `hash` from [`hash`] of its layer id and site index, so that it keeps its
-/// colour when others come and go.
+/// The packed colour of one rock. `hash` is the [`hash`] of its layer id and site index, so a rock keeps its colour
+/// when others come and go.
 pub(crate) fn rock(mode: ColorMode, layer: u32, hash: u32) -> u32 {
-    // Value by ±9 %, and a touch of warm against cool: neighbours differ, the layer stays one stone.
+    // The value varies by ±9 %, and the hue slightly from warm to cool: neighbours differ, but the layer still looks
+    // like one kind of stone.
     let value = 0.91 + 0.18 * share(hash, 0);
     let warm = 0.05 * (share(hash, 8) - 0.5);
     match mode {
@@ -83,14 +84,15 @@ pub(crate) fn rock(mode: ColorMode, layer: u32, hash: u32) -> u32 {
     }
 }
 
-/// What each kind of stone is in `shaders/stone.wgsl`; 0 is none.
+/// Number of kinds of stone in `shaders/stone.wgsl`; kind 0 is none.
 const LAST_KIND: u32 = 7;
 
-/// Of 100 stones in a river, how many are of each kind, in the order of the kinds. Chosen by eye.
+/// How many of 100 stones in a river are of each kind, in the order of the kinds. Chosen by eye.
 const MIXED: [u32; LAST_KIND as usize] = [24, 18, 20, 5, 19, 6, 8];
 
-/// One rock in natural colours: three random bytes, and in the fourth its kind of stone and how far it sinks, 0…31. `material`: 0 mixed, else the
-/// kind itself (1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate); a mix has also 6 quartz and 7 red sandstone.
+/// Packs one rock in natural colours: three random bytes, and in the fourth its kind of stone and how far it sinks
+/// (0…31). `material`: 0 mixed, otherwise the kind itself (1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate); a
+/// mix also has 6 quartz and 7 red sandstone.
 pub(crate) fn natural(material: u8, sinks: u32, hash: u32) -> u32 {
     let kind = match u32::from(material) {
         kind @ 1..=5 => kind,
@@ -112,20 +114,21 @@ fn mixed(byte: u32) -> u32 {
     kind.min(LAST_KIND)
 }
 
-/// The fill of a selected cell: the layer's ink, its value varied from cell to cell as in Fig. 8 (d).
+/// The packed fill colour of a selected cell: the layer's ink, with a value that varies from cell to cell as in Fig. 8
+/// (d).
 pub(crate) fn cell(layer: u32, hash: u32) -> u32 {
     let value = 0.78 + 0.3 * share(hash, 0);
     pack(entry(&INK, layer).map(|c| c * value))
 }
 
-/// The lines and sites of a diagram on paper (`dark` false) or on a dark ground.
+/// The packed colour of a diagram's lines and sites, on paper or, with `dark`, on a dark ground.
 pub(crate) fn line(layer: u32, dark: bool) -> u32 {
     let factor = if dark { 1.0 } else { 0.72 };
     pack(entry(&INK, layer).map(|c| c * factor))
 }
 
-/// Oklch (Björn Ottosson, *A perceptual color space for image processing*, 2020) to sRGB, 0…255,
-/// clipped: with chroma 0.062 nothing reaches the gamut's edge.
+/// Converts Oklch (Björn Ottosson, *A perceptual color space for image processing*, 2020) to sRGB, 0…255, clipped. With
+/// chroma 0.062 no colour reaches the edge of the gamut.
 fn oklch(lightness: f32, chroma: f32, hue: f32) -> [f32; 3] {
     let (sin, cos) = hue.sin_cos();
     let (a, b) = (chroma * cos, chroma * sin);
@@ -145,7 +148,7 @@ fn encode(linear: f32) -> f32 {
     if linear <= 0.003_130_8 { 12.92 * linear } else { 1.055 * linear.powf(1.0 / 2.4) - 0.055 }
 }
 
-/// An sRGB colour as a linear uniform.
+/// Converts an sRGB colour to linear numbers for a uniform.
 pub(crate) fn linear([r, g, b]: [u8; 3]) -> [f32; 4] {
     let decode = |c: u8| {
         let c = f32::from(c) / 255.0;
@@ -154,22 +157,22 @@ pub(crate) fn linear([r, g, b]: [u8; 3]) -> [f32; 4] {
     [decode(r), decode(g), decode(b), 0.0]
 }
 
-/// What surrounds the rocks in the page's light or dark theme, sRGB.
+/// The colours around the rocks in the page's light or dark theme, sRGB.
 pub(crate) struct Theme {
     pub(crate) backdrop_low: [u8; 3],
     pub(crate) backdrop_high: [u8; 3],
     pub(crate) soil: [u8; 3],
-    /// What the soil dries to outside the image.
+    /// Colour of the dry soil outside the image.
     pub(crate) dust: [u8; 3],
-    /// Under the diagrams.
+    /// Background of the diagrams.
     pub(crate) paper: [u8; 3],
-    /// Round the plan.
+    /// Colour around the plan.
     pub(crate) table: [u8; 3],
-    /// Frame of the plan.
+    /// Colour of the plan's frame.
     pub(crate) rule: [u8; 3],
 }
 
-/// Light: the pale sky of the papers' figures. Chosen by eye.
+/// The light theme: the pale sky of the papers' figures. Chosen by eye.
 pub(crate) const LIGHT: Theme = Theme {
     backdrop_low: [226, 228, 227],
     backdrop_high: [201, 211, 219],
@@ -194,7 +197,7 @@ pub(crate) const DARK: Theme = Theme {
 pub(crate) const GROUND: [u8; 3] = [46, 41, 37];
 pub(crate) const OUTLINE: [u8; 3] = [30, 26, 24];
 
-/// Three sRGB bytes as a packed colour.
+/// Packs three sRGB bytes.
 pub(crate) fn packed(rgb: [u8; 3]) -> u32 {
     pack(rgb.map(f32::from))
 }

@@ -1,16 +1,16 @@
-//! One pass as a description, and the pipeline made of it.
+//! The description of a pass, and the pipeline made from it.
 
 use super::pipelines::{HEIGHT_FORMAT, SHADOW_FORMAT};
 use super::surface::{DEPTH_FORMAT, Kind};
 
-/// Prepended to every pass.
+/// Shader code that is prepended to every pass.
 const COMMON: &str = include_str!("shaders/common.wgsl");
 
-/// What differs between the passes.
+/// Everything in which passes differ.
 pub(crate) struct Pass<'a> {
     pub(crate) label: &'static str,
     pub(crate) source: &'static str,
-    /// Between the common part and the pass' own; lit ones read the maps.
+    /// Shader code between the common part and the pass's own. Passes that have some are lit, and read the maps.
     pub(crate) before: &'static [&'static str],
     pub(crate) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     pub(crate) topology: wgpu::PrimitiveTopology,
@@ -19,7 +19,7 @@ pub(crate) struct Pass<'a> {
     pub(crate) target: Target,
 }
 
-/// Which sides of a face are drawn. Of rocks never only one: they overhang, and c_w may turn one inside out.
+/// Which sides of a face are drawn. Rocks always need both, because they overhang, and c_w may turn them inside out.
 pub(crate) enum Sides {
     Both,
     Out,
@@ -27,12 +27,12 @@ pub(crate) enum Sides {
 }
 
 pub(crate) enum Depth {
-    /// Neither read nor written.
+    /// Depth is neither read nor written.
     Ignore,
     Test,
-    /// Pushed back, so that lines on the same faces stand in front.
+    /// Like `Test`, but pushed back, so that lines on the same faces are in front.
     TestBehind,
-    /// Pushed back by half a pixel, so that what ends in the same plane stands in front.
+    /// Like `Test`, but pushed back by half a pixel, so that what ends in the same plane is in front.
     TestJustBehind,
 }
 
@@ -40,13 +40,13 @@ pub(crate) enum Target {
     View {
         blend: bool,
     },
-    /// Of the view, its depth alone.
+    /// Only the depth of the view.
     ViewDepth,
     Shadow,
     Height,
 }
 
-/// Group 2, the maps, is bound where the pass is lit.
+/// Makes the pipeline of a pass. Group 2, the maps, is bound only if the pass is lit.
 pub(crate) fn pipeline(
     device: &wgpu::Device,
     [frame, field, maps]: [&wgpu::BindGroupLayout; 3],

@@ -1,4 +1,4 @@
-//! What is bound where, and every pipeline: the one file that answers both.
+//! All bindings and all pipelines, in this one file.
 //!
 //! | group | how often | bindings |
 //! |---|---|---|
@@ -12,10 +12,10 @@ use super::pass::{Depth, Pass, Sides, Target, pipeline};
 use super::surface::Kind;
 use super::uniforms::{FieldUniforms, Globals};
 
-/// Prepended, after the common part, to the passes of the papers' style.
+/// Shader code that follows the common part in the passes of the papers' style.
 const LIGHTING: &[&str] = &[include_str!("shaders/lighting.wgsl")];
 
-/// Prepended, after the common part, to the passes in natural colours.
+/// Shader code that follows the common part in the passes in natural colours.
 const NATURAL: &[&str] = &[
     include_str!("shaders/noise.wgsl"),
     include_str!("shaders/stone.wgsl"),
@@ -23,35 +23,37 @@ const NATURAL: &[&str] = &[
     include_str!("shaders/daylight.wgsl"),
 ];
 
-/// f32 has what a sun low over a wide field needs; filtered through a comparison sampler on both backends.
+/// f32 has enough precision for a low sun over a wide field. It is filtered through a comparison sampler on both
+/// backends.
 pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
 
-/// The papers' style reads the first byte: 1/255 of the highest rock is enough there, the taps are averaged. Natural
-/// colours read both, for pebbles beside boulders. Filterable and renderable everywhere.
+/// The papers' style reads the first byte only: 1/255 of the highest rock is enough there, since several samples are
+/// averaged. Natural colours read both, because of pebbles beside boulders. The format can be filtered and rendered to
+/// everywhere.
 pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
 
-/// f32x3 position.
+/// Position, three f32.
 const POSITION: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: 12,
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &wgpu::vertex_attr_array![0 => Float32x3],
 };
 
-/// Four sRGB bytes.
+/// Colour, four sRGB bytes.
 const COLOR: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: 4,
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &wgpu::vertex_attr_array![1 => Unorm8x4],
 };
 
-/// Octahedral.
+/// Normal, octahedral.
 const NORMAL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: 4,
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &wgpu::vertex_attr_array![2 => Snorm16x2],
 };
 
-/// Bytes of a vertex of a plan's fills: x, y, colour.
+/// Bytes per vertex of a plan's fills: x, y, colour.
 pub(crate) const FILL_STRIDE: u64 = 12;
 
 const FILL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -60,7 +62,7 @@ const FILL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![0 => Float32x2, 1 => Unorm8x4],
 };
 
-/// Bytes of a stroke: both ends, colour, width and cell size.
+/// Bytes per stroke: both ends, colour, width and cell size.
 pub(crate) const STROKE_STRIDE: u64 = 28;
 
 const STROKE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -69,8 +71,8 @@ const STROKE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Unorm8x4, 2 => Float32x2],
 };
 
-/// Pipelines that not every visit needs are made when first used: linking a program takes WebGL2 tens
-/// of milliseconds.
+/// All pipelines. Those that not every visit needs are made when they are first used, because linking a program takes
+/// WebGL2 tens of milliseconds.
 pub(crate) struct Pipelines {
     pub(crate) frame_layout: wgpu::BindGroupLayout,
     pub(crate) field_layout: wgpu::BindGroupLayout,
@@ -80,11 +82,11 @@ pub(crate) struct Pipelines {
     pub(crate) height: wgpu::RenderPipeline,
     pub(crate) ground: wgpu::RenderPipeline,
     floor: OnceCell<wgpu::RenderPipeline>,
-    /// Outsides, then insides.
+    /// For outsides, then for insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
     natural: OnceCell<[wgpu::RenderPipeline; 4]>,
     log: OnceCell<wgpu::RenderPipeline>,
-    /// As single sheets, then as closed bodies.
+    /// For single sheets, then for closed bodies.
     ears: [OnceCell<wgpu::RenderPipeline>; 2],
     plain_wood: OnceCell<wgpu::RenderPipeline>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
@@ -129,9 +131,9 @@ impl Pipelines {
             depth: Depth::Ignore,
             target: Target::View { blend: false },
         });
-        // Where a rock turns away from the eye, a face and the hidden one behind it share an edge, and
-        // with it their depth: drawn together, specks of the hidden face show along the ridges. Its
-        // inside is therefore drawn second, pushed back.
+        // At the outline of a rock, a front face and the hidden face behind it share an edge, and with it their depth.
+        // Drawn together, specks of the hidden face would show along the ridges. Insides are therefore drawn second,
+        // and pushed back.
         let rock = [make(rock_pass(Sides::Out, Depth::Test)), make(rock_pass(Sides::In, Depth::TestBehind))];
         Self {
             frame_layout,
@@ -158,7 +160,7 @@ impl Pipelines {
         pipeline(device, layouts, self.kind, pass)
     }
 
-    /// The ground's depth in the papers' style, for scenes that go on below it.
+    /// Draws the ground's depth in the papers' style, for scenes that extend below it.
     pub(crate) fn floor(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
         self.floor.get_or_init(|| {
             let floor = Pass {
@@ -175,8 +177,8 @@ impl Pipelines {
         })
     }
 
-    /// In natural colours: outsides and insides of the rocks, both at once for half the vertices, and the ground, pushed
-    /// back.
+    /// Pipelines for natural colours: outsides of the rocks; insides; both at once, for half the vertices; and the
+    /// ground, pushed back.
     pub(crate) fn natural(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 4] {
         self.natural.get_or_init(|| {
             let rock = |sides, depth| Pass {
@@ -189,7 +191,7 @@ impl Pipelines {
                 depth,
                 target: Target::View { blend: false },
             };
-            // Behind the rims of the rocks, many of which lie exactly in it.
+            // Pushed behind the rims of the rocks, many of which lie exactly in the ground's plane.
             let ground = Pass {
                 label: "rock-field/natural-ground/pipeline",
                 source: include_str!("shaders/natural_ground.wgsl"),
@@ -210,7 +212,7 @@ impl Pipelines {
         })
     }
 
-    /// A log and wood ears in natural colours, these as closed bodies or as single sheets.
+    /// Pipelines for a log and for wood ears in natural colours. Wood ears are either closed bodies or single sheets.
     pub(crate) fn wood(&self, device: &wgpu::Device, closed: bool) -> [&wgpu::RenderPipeline; 2] {
         const LOG: &str = include_str!("shaders/log.wgsl");
         const EAR: &str = include_str!("shaders/ear.wgsl");
@@ -220,17 +222,17 @@ impl Pipelines {
         };
         let [sheets, bodies] = &self.ears;
         let log = self.log.get_or_init(|| make("rock-field/log/pipeline", LOG, Sides::Both));
-        // Of a body the far faces would show as specks along its rim, as of a rock.
+        // The far faces of a closed body would show as specks along its rim, as those of a rock would.
         let (ears, sides) = if closed { (bodies, Sides::Out) } else { (sheets, Sides::Both) };
         [log, ears.get_or_init(|| make("rock-field/ear/pipeline", EAR, sides))]
     }
 
-    /// A log and wood ears in the papers' style: as one, matte.
+    /// Pipeline for a log and wood ears in the papers' style: both alike, matte.
     pub(crate) fn plain_wood(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
         self.plain_wood.get_or_init(|| self.make(device, plain_wood_pass(Depth::Test)))
     }
 
-    /// Of a log and wood ears the fill pushed back, and the edges.
+    /// Pipelines for a log and wood ears in the wireframe: the fill, pushed back, and the edges.
     pub(crate) fn wood_wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
         self.wood_wire.get_or_init(|| {
             let edges = Pass {
@@ -245,7 +247,7 @@ impl Pipelines {
         })
     }
 
-    /// The fill pushed back, and the edges.
+    /// Pipelines for rocks in the wireframe: the fill, pushed back, and the edges.
     pub(crate) fn wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
         self.wire.get_or_init(|| {
             let edges = Pass {
@@ -262,7 +264,7 @@ impl Pipelines {
         })
     }
 
-    /// Fills and strokes.
+    /// Pipelines for plans: fills and strokes.
     pub(crate) fn plan(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
         self.plan.get_or_init(|| {
             let fills = Pass {
@@ -309,7 +311,7 @@ fn plain_wood_pass(depth: Depth) -> Pass<'static> {
     Pass { depth, ..wood_pass("rock-field/plain-wood/pipeline", source, LIGHTING, buffers) }
 }
 
-/// Both sides: a wood ear may be a single sheet.
+/// Both sides are drawn, because a wood ear may be a single sheet.
 fn wood_pass<'a>(
     label: &'static str,
     source: &'static str,

@@ -1,4 +1,4 @@
-//! The field seen from above as drawn in Fig. 8: every layer's diagram with its sites, or the selected graph.
+//! The field seen from above, as drawn in Fig. 8: the diagram of every layer with its sites, or the selected graph.
 
 use super::palette::{self, Theme};
 use super::pipelines::{FILL_STRIDE, STROKE_STRIDE};
@@ -7,19 +7,19 @@ use super::{Gpu, RenderError, upload};
 /// One layer, as in the field's flat buffers.
 pub(crate) struct Layer {
     pub(crate) id: u32,
-    /// px.
+    /// Disc radius, px.
     pub(crate) radius: f32,
-    /// Site i at 2i, 2i + 1.
+    /// Site i is at 2i, 2i + 1.
     pub(crate) sites: Vec<f32>,
     /// Cell i owns the vertices `cell_starts[i]..cell_starts[i + 1]`.
     pub(crate) cell_starts: Vec<u32>,
-    /// Vertex j at 2j, 2j + 1.
+    /// Vertex j is at 2j, 2j + 1.
     pub(crate) cell_vertices: Vec<f32>,
-    /// Site indices.
+    /// Indices of the selected sites.
     pub(crate) selected: Vec<u32>,
 }
 
-/// Fills below strokes, on the device.
+/// The buffers of a plan on the device. Fills are drawn below strokes.
 pub(crate) struct Plan {
     fills: wgpu::Buffer,
     fill_vertices: u32,
@@ -28,7 +28,7 @@ pub(crate) struct Plan {
 }
 
 impl Drop for Plan {
-    /// As for a scene: not left to JavaScript's collector.
+    /// As with a scene, buffers are not left to JavaScript's garbage collector.
     fn drop(&mut self) {
         self.fills.destroy();
         self.strokes.destroy();
@@ -37,10 +37,10 @@ impl Drop for Plan {
 
 type Point = [f32; 2];
 
-/// Corners of the quad every stroke is drawn as, a triangle strip.
+/// Number of corners of the quad that each stroke is drawn as, a triangle strip.
 const STROKE_CORNERS: u32 = 4;
 
-/// Collects 4-byte words: floats by their bits.
+/// Collects fills and strokes as 4-byte words; floats are stored by their bits.
 #[derive(Default)]
 struct Ink {
     fills: Vec<u32>,
@@ -48,7 +48,7 @@ struct Ink {
 }
 
 impl Ink {
-    /// A convex polygon, counter-clockwise, as a fan.
+    /// Adds a convex polygon, counter-clockwise, as a fan.
     fn fill(&mut self, polygon: &[Point], color: u32) {
         let Some((first, rest)) = polygon.split_first() else {
             return;
@@ -60,8 +60,8 @@ impl Ink {
         }
     }
 
-    /// A line with round ends, a dot if `a` = `b`; `width` in CSS pixels, thinned where `cell` px of
-    /// the image are only a few on the screen.
+    /// Adds a line with round ends, or a dot if `a` = `b`. `width` is in CSS pixels; the line becomes thinner if `cell`
+    /// px of the image are only a few on the screen.
     fn stroke(&mut self, a: Point, b: Point, color: u32, width: f32, cell: f32) {
         let bits = |x: f32| x.to_bits();
         self.strokes.extend([bits(a[0]), bits(a[1]), bits(b[0]), bits(b[1])]);
@@ -80,7 +80,7 @@ impl Layer {
         flat.chunks_exact(2).map(|xy| [xy[0], xy[1]]).collect()
     }
 
-    /// The polygon of cell `i`; empty where the buffers end too early.
+    /// The polygon of cell `i`; empty if the buffers are too short.
     fn cell<'a>(&self, vertices: &'a [Point], i: usize) -> &'a [Point] {
         let start = |i: usize| self.cell_starts.get(i).map(|&start| start as usize);
         match (start(i), start(i + 1)) {
@@ -91,8 +91,8 @@ impl Layer {
 }
 
 impl Plan {
-    /// All layers' diagrams one over the other, the finest at the bottom with the thinnest lines, each
-    /// with its sites: Fig. 8 (a)–(c) on one sheet.
+    /// Makes the plan of all layers' diagrams, one above the other, each with its sites: Fig. 8 (a)–(c) on one sheet.
+    /// The finest layer is at the bottom and has the thinnest lines.
     pub(crate) fn diagrams(
         gpu: &Gpu,
         image: Point,
@@ -114,8 +114,8 @@ impl Plan {
             for i in 0..layer.cell_starts.len().saturating_sub(1) {
                 let cell = layer.cell(&vertices, i);
                 for (&a, &b) in cell.iter().zip(cell.iter().cycle().skip(1)) {
-                    // Neighbours share an edge in opposite directions: one of them draws it.
-                    // On the border no neighbour does, and the sheet's own frame lies there.
+                    // Neighbours have their common edge in opposite directions, and only one of them draws it. On the
+                    // border there is no neighbour, but the sheet's own frame is drawn there.
                     if a < b && !on_border(a, b, image) {
                         ink.stroke(a, b, color, width, layer.radius);
                     }
@@ -129,7 +129,8 @@ impl Plan {
         Self::upload(gpu, &ink)
     }
 
-    /// The selected cells in their layers' colours, dark outlines, dark ground: Fig. 8 (d).
+    /// Makes the plan of the selected cells in the colours of their layers, with dark outlines on dark ground: Fig. 8
+    /// (d).
     pub(crate) fn selection(gpu: &Gpu, image: Point, layers: &[Layer], theme: &Theme) -> Result<Self, RenderError> {
         let mut ink = Ink::default();
         let sheet = corners(image);
@@ -177,7 +178,7 @@ fn corners([w, h]: Point) -> [Point; 4] {
     [[0.0, 0.0], [w, 0.0], [w, h], [0.0, h]]
 }
 
-/// Edges on the image's border belong to one cell only.
+/// Whether an edge is on the image's border, where it belongs to one cell only.
 fn on_border(a: Point, b: Point, image: Point) -> bool {
     (0..2).any(|axis| a[axis] == b[axis] && (a[axis] == 0.0 || a[axis] == image[axis]))
 }

@@ -1,4 +1,5 @@
-//! What stands among the rocks: a fallen log, and wood ears that grow on it. Each is one mesh and one draw.
+//! Props, that is things that stand among the rocks: a fallen log, and wood ears that grow on it. Each is one mesh and
+//! one draw.
 
 use glam::Vec3;
 
@@ -6,7 +7,7 @@ use super::scene::upload_normals;
 use super::wood::{self, Axis, Ears};
 use super::{Gpu, RenderError, upload};
 
-/// Where a prop stands, as it lies in JavaScript: its origin in px of the world, and px per cm.
+/// Where a prop stands: its origin in px of the world, and the px per cm.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Place {
     origin: Vec3,
@@ -14,7 +15,8 @@ pub(crate) struct Place {
 }
 
 impl Place {
-    /// x, y, z, scale; what is missing or no number stands at the origin, 1 px a cm.
+    /// `values` holds x, y, z and the scale. Values that are missing or not finite are replaced: coordinates by 0, the
+    /// scale by 1 px per cm.
     pub(crate) fn new(values: &[f32]) -> Self {
         let value = |at: usize| values.get(at).copied().filter(|value| value.is_finite());
         let origin = [0, 1, 2].map(|at| value(at).unwrap_or(0.0));
@@ -22,7 +24,7 @@ impl Place {
     }
 }
 
-/// A closed or open mesh in cm, as it lies in JavaScript.
+/// A closed or open mesh in cm, in JavaScript's memory.
 pub(crate) struct PropMesh<'a> {
     /// 3v coordinates.
     pub(crate) positions: &'a js_sys::Float32Array,
@@ -37,20 +39,20 @@ pub(crate) struct Prop {
     positions: wgpu::Buffer,
     normals: wgpu::Buffer,
     painted: wgpu::Buffer,
-    /// Of a log, px.
+    /// The axis, if it is a log, px.
     axis: Option<Axis>,
-    /// Of wood ears: no face is seen from within.
+    /// True for wood ears that are closed bodies, whose faces are not seen from inside.
     closed: bool,
     indices: wgpu::Buffer,
     index_count: u32,
-    /// Made when the wireframe is first shown.
+    /// The lines of the wireframe, made when it is first shown.
     edges: Option<wgpu::Buffer>,
     low: Vec3,
     high: Vec3,
 }
 
 impl Drop for Prop {
-    /// Not left to JavaScript's collector.
+    /// Buffers are not left to JavaScript's garbage collector.
     fn drop(&mut self) {
         let buffers = [&self.positions, &self.normals, &self.painted, &self.indices];
         buffers.into_iter().chain(&self.edges).for_each(wgpu::Buffer::destroy);
@@ -58,7 +60,7 @@ impl Drop for Prop {
 }
 
 impl Prop {
-    /// `kinds` one per vertex.
+    /// Uploads a log. `kinds` has one entry per vertex.
     pub(crate) fn log(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, kinds: &[u8]) -> Result<Self, RenderError> {
         let points = mesh.positions.to_vec();
         if 3 * kinds.len() != points.len() {
@@ -132,7 +134,7 @@ impl Prop {
         })
     }
 
-    /// `indices` as given when it was made.
+    /// Makes the line list. `indices` must be those given when the prop was made.
     fn set_edges(&mut self, gpu: &Gpu, indices: &js_sys::Uint32Array) -> Result<(), RenderError> {
         if indices.length() / 3 * 3 != self.index_count {
             return Err(RenderError::Malformed("edges of another log or colony"));
@@ -160,17 +162,17 @@ impl Prop {
     }
 }
 
-/// What one picture shows beside its field.
+/// Everything that one picture shows besides its field.
 #[derive(Default)]
 pub(crate) struct Props {
     log: Option<Prop>,
     colony: Option<Prop>,
-    /// Counted up by every change.
+    /// Grows with every change.
     pub(crate) number: u64,
 }
 
 impl Props {
-    /// Replaces the colony, and where there is a new `log`, that.
+    /// Replaces the colony and, if there is a new `log`, the log.
     pub(crate) fn set(&mut self, log: Option<Prop>, colony: Prop) {
         self.log = log.or(self.log.take());
         self.colony = Some(colony);
@@ -186,12 +188,12 @@ impl Props {
         self.colony.as_ref().is_some_and(|colony| colony.closed)
     }
 
-    /// Of the log, if there is one.
+    /// The log's axis, if there is a log.
     pub(crate) fn axis(&self) -> Option<&Axis> {
         self.log.as_ref().and_then(|log| log.axis.as_ref())
     }
 
-    /// The log, then the colony, each with its pipeline.
+    /// Draws the log and then the colony, each with its pipeline.
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, [log, ear]: [&wgpu::RenderPipeline; 2]) {
         for (prop, pipeline) in [(&self.log, log), (&self.colony, ear)] {
             if let Some(prop) = prop {
@@ -200,7 +202,7 @@ impl Props {
         }
     }
 
-    /// All edges of both; nothing before [`Props::set_edges`].
+    /// Draws all edges of both, or nothing before [`Props::set_edges`].
     pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         for prop in self.log.iter().chain(&self.colony) {
             if let Some(edges) = &prop.edges {
@@ -213,7 +215,7 @@ impl Props {
         self.log.iter().chain(&self.colony).all(|prop| prop.edges.is_some())
     }
 
-    /// Makes the line lists of those that have none; indices as of the meshes.
+    /// Makes the line lists of the props that have none. The indices must be those of the meshes.
     pub(crate) fn set_edges(
         &mut self,
         gpu: &Gpu,
@@ -232,7 +234,7 @@ impl Props {
         self.log.is_none() && self.colony.is_none()
     }
 
-    /// A box that has `low`…`high` and everything in it.
+    /// Returns a box around the box `low`…`high` and all props.
     pub(crate) fn around(&self, low: Vec3, high: Vec3) -> (Vec3, Vec3) {
         let shown = self.log.iter().chain(&self.colony).filter(|prop| prop.index_count > 0);
         shown.fold((low, high), |(low, high), prop| (low.min(prop.low), high.max(prop.high)))

@@ -1,4 +1,4 @@
-//! One field on the device: its buffers, and what draws them.
+//! One field on the device: its buffers, and the functions that draw it.
 
 use glam::{Mat4, Vec3};
 
@@ -10,7 +10,7 @@ use super::surface::depth_attachment;
 use super::uniforms::FieldUniforms;
 use super::{Gpu, Props, RenderError, upload};
 
-/// The mesh as it lies in JavaScript; read a slice at a time.
+/// The mesh in JavaScript's memory, which is read one slice at a time.
 pub(crate) struct Mesh<'a> {
     /// 3v coordinates.
     pub(crate) positions: &'a js_sys::Float32Array,
@@ -21,19 +21,20 @@ pub(crate) struct Mesh<'a> {
     pub(crate) rocks: Rocks,
 }
 
-/// What tells the rocks apart: small, and kept for recolouring.
+/// What distinguishes the rocks from each other. It is small, and kept so that they can be coloured again.
 pub(crate) struct Rocks {
     /// rocks + 1 offsets into the vertices.
     pub(crate) vertex_starts: Vec<u32>,
-    /// rocks layer ids.
+    /// Layer id of each rock.
     pub(crate) layers: Vec<u32>,
-    /// rocks site indices.
+    /// Site index of each rock.
     pub(crate) sites: Vec<u32>,
 }
 
 /// Buffers and bind groups of one field.
 pub(crate) struct Scene {
-    /// What the maps show: no other scene of the device has it, nor this one once they would show something else.
+    /// Identifies the contents of the shadow and height maps. It is unique on the device, and renewed whenever the maps
+    /// have to be redrawn.
     pub(crate) number: u64,
     positions: wgpu::Buffer,
     normals: wgpu::Buffer,
@@ -41,21 +42,21 @@ pub(crate) struct Scene {
     indices: wgpu::Buffer,
     index_count: u32,
     vertex_count: u32,
-    /// Two vertex numbers per edge; made when the wireframe is first shown.
+    /// Two vertex numbers per edge. Made when the wireframe is first shown.
     edges: Option<wgpu::Buffer>,
     rocks: Rocks,
     stands: Stands,
     painted: Option<ColorMode>,
     stale: bool,
-    /// Under which the uniforms were written.
+    /// The direction of the sun with which the uniforms were written.
     sun: Vec3,
     props: Option<u64>,
     low: Vec3,
     high: Vec3,
-    /// Middle and radius of a sphere round everything.
+    /// Middle and radius of a sphere around everything.
     pub(crate) center: Vec3,
     pub(crate) radius: f32,
-    /// Whether rocks or props go on below the ground.
+    /// Whether rocks or props extend below the ground.
     pub(crate) is_buried: bool,
     pub(crate) image: [f32; 2],
     uniforms: wgpu::Buffer,
@@ -63,7 +64,7 @@ pub(crate) struct Scene {
 }
 
 impl Drop for Scene {
-    /// A WebGPU buffer lives until JavaScript collects it: while a slider is dragged that is too late.
+    /// Without this, a WebGPU buffer lives until JavaScript collects it, which is too late while a slider is dragged.
     fn drop(&mut self) {
         let buffers = [&self.positions, &self.normals, &self.colors, &self.indices, &self.uniforms];
         for buffer in buffers.into_iter().chain(&self.edges) {
@@ -73,8 +74,8 @@ impl Drop for Scene {
 }
 
 impl Scene {
-    /// Uploads `mesh`, grown on an image of `image` px. Its colours follow with [`Scene::paint`], its
-    /// maps with [`Scene::draw_maps`].
+    /// Uploads `mesh`, which was grown on an image of `image` px. Its colours follow with [`Scene::paint`], its maps
+    /// with [`Scene::draw_maps`].
     pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: Mesh<'_>) -> Result<Self, RenderError> {
         let vertex_count = mesh.positions.length() / 3;
         let index_count = mesh.indices.length() / 3 * 3;
@@ -106,7 +107,7 @@ impl Scene {
             mesh.positions.subarray(start, end).copy_to(slice);
             for (at, vertex) in (start..).step_by(3).zip(slice.chunks_exact(3)) {
                 let vertex = Vec3::from_slice(vertex);
-                // NaN changes nothing.
+                // NaN does not change these.
                 low = vertex.min(low);
                 high = vertex.max(high);
                 stands.add(vertex.to_array());
@@ -122,7 +123,7 @@ impl Scene {
             mesh.indices.subarray(start, end).copy_to(slice);
             highest = slice.iter().fold(highest, |most, &index| most.max(index));
         });
-        // WebGL2 would refuse the draw without saying why.
+        // WebGL2 would refuse to draw without saying why.
         if index_count > 0 && highest >= vertex_count {
             return Err(RenderError::Malformed("an index points past the vertices"));
         }
@@ -168,7 +169,7 @@ impl Scene {
         })
     }
 
-    /// Lets `sun` shine, and `props` stand there, from now on.
+    /// Sets the sun's direction and the props, from now on.
     pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3, props: &Props) {
         if (sun, Some(props.number)) == (self.sun, self.props) {
             return;
@@ -189,18 +190,18 @@ impl Scene {
         gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
     }
 
-    /// The materials are others: natural colours are painted anew.
+    /// Marks the rocks as painted with other materials, so that natural colours are painted again.
     pub(crate) fn unpaint(&mut self) {
         self.stale = true;
     }
 
-    /// Gives every rock its colour in `mode`; nothing to do if it has it.
+    /// Gives every rock its colour in `mode`. Does nothing if the rocks have it already.
     pub(crate) fn paint(&mut self, gpu: &Gpu, mode: ColorMode, look: &Look) {
         if self.painted == Some(mode) && !(self.stale && mode == ColorMode::Natural) {
             return;
         }
         self.stale = false;
-        // In natural colours some rocks sink.
+        // In natural colours some rocks are lowered.
         let sinks = |mode| mode == Some(ColorMode::Natural);
         if sinks(self.painted) != sinks(Some(mode)) {
             self.number = gpu.next_number();
@@ -235,7 +236,7 @@ impl Scene {
         self.edges.is_some() || self.index_count == 0
     }
 
-    /// Makes the line list of every triangle's edges; `indices` as given to [`Scene::new`].
+    /// Makes the line list of every triangle's edges. `indices` must be those given to [`Scene::new`].
     pub(crate) fn set_edges(&mut self, gpu: &Gpu, indices: &js_sys::Uint32Array) -> Result<(), RenderError> {
         if indices.length() / 3 * 3 != self.index_count {
             return Err(RenderError::Malformed("edges of another field"));
@@ -244,7 +245,8 @@ impl Scene {
         Ok(())
     }
 
-    /// Draws the shadow and height maps. Nothing moves but by a new field, so once is enough.
+    /// Draws the shadow and height maps. They change only with the field, the sun and the props, so drawing them once
+    /// is enough.
     pub(crate) fn draw_maps(
         &self,
         gpu: &Gpu,
@@ -288,12 +290,12 @@ impl Scene {
         }
     }
 
-    /// All rocks in one draw.
+    /// Draws all rocks at once.
     pub(crate) fn draw_rocks(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         self.draw(pass, pipeline, &self.indices, self.index_count);
     }
 
-    /// All edges, one draw; nothing before [`Scene::set_edges`].
+    /// Draws all edges at once, or nothing before [`Scene::set_edges`].
     pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         if let Some(edges) = &self.edges {
             self.draw(pass, pipeline, edges, 2 * self.index_count);
@@ -319,8 +321,9 @@ impl Scene {
     }
 }
 
-/// Two 16-bit numbers a normal: the octahedron's faces unfolded (Cigolle et al., *A survey of efficient representations
-/// for independent unit vectors*, 2014). A byte each would show as bands on a smooth boulder.
+/// Uploads normals, each as two 16-bit numbers: the unfolded faces of an octahedron (Cigolle et al., *A survey of
+/// efficient representations for independent unit vectors*, 2014). With 8 bits each, bands would show on a smooth
+/// boulder.
 pub(crate) fn upload_normals(gpu: &Gpu, buffer: &wgpu::Buffer, count: u32, normals: &js_sys::Float32Array) {
     let mut scratch = Vec::new();
     upload::write::<u32>(&gpu.queue, buffer, count, |start, slice| {
@@ -342,7 +345,7 @@ fn octahedral(normal: Vec3) -> u32 {
     } else {
         [flat.x, flat.y]
     };
-    // The cast makes NaN 0.
+    // The cast turns NaN into 0.
     let bits = |value: f32| u32::from((value * 32767.0).round() as i16 as u16);
     bits(x) | bits(y) << 16
 }
@@ -353,10 +356,10 @@ fn id_at(list: &[u32], at: usize) -> u32 {
 
 /// Fits the sun's orthographic camera and the height map to the box `low`…`high`.
 fn field_uniforms(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUniforms {
-    // Straight above, any direction will do.
+    // If the sun is straight above, any direction will do.
     let right = Vec3::Z.cross(sun).try_normalize().unwrap_or(Vec3::X);
     let up = sun.cross(right);
-    // Room on the ground for the longest shadow, so that none is cut off at the map's edge.
+    // There must be room on the ground for the longest shadow, so that none is cut off at the map's edge.
     let reach = high.z * (sun.truncate().length() / sun.z);
     let (from, to) = (low - Vec3::new(reach, reach, 0.0), high + Vec3::new(reach, reach, 0.0));
     let mut least = Vec3::INFINITY;
@@ -377,7 +380,7 @@ fn field_uniforms(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) 
     let span = most - least;
     let to_clip = Mat4::from_scale(Vec3::new(2.0 / span.x, 2.0 / span.y, 1.0 / span.z))
         * Mat4::from_translation(Vec3::new(-(least.x + most.x) * 0.5, -(least.y + most.y) * 0.5, -least.z));
-    // A margin of four texels keeps the taps at the border on empty ground.
+    // With a margin of four texels, samples at the border read empty ground.
     let extent = (high - low).truncate();
     let texel = extent.max_element() / (side - 8.0);
     let corner = low.truncate() - glam::Vec2::splat(4.0 * texel);

@@ -1,21 +1,21 @@
-//! A canvas' surface and the multisampled targets behind it.
+//! A canvas's surface, and the multisampled targets behind it.
 
 use super::RenderError;
 
-/// Depth of the view; near and far are fitted, so 24 bits do.
+/// Depth format of the view. Near and far are fitted to the scene, so 24 bits are enough.
 pub(crate) const DEPTH_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth24Plus;
 
-/// What every surface of a device is drawn with.
+/// Format and sample count of every surface of a device.
 #[derive(Clone, Copy)]
 pub(crate) struct Kind {
     pub(crate) format: wgpu::TextureFormat,
-    /// 4, or 1 where the format cannot be multisampled.
+    /// 4, or 1 if the format cannot be multisampled.
     pub(crate) samples: u32,
 }
 
 impl Kind {
-    /// The surface's first format, preferably one that stores what the shader wrote: we encode sRGB
-    /// ourselves, once, on both backends.
+    /// Chooses the surface's first format that stores what the shader wrote, since the shaders encode sRGB themselves
+    /// on both backends; if there is none, its first format.
     pub(crate) fn of(surface: &wgpu::Surface<'_>, adapter: &wgpu::Adapter) -> Result<Self, RenderError> {
         let formats = surface.get_capabilities(adapter).formats;
         let format = formats
@@ -34,13 +34,13 @@ pub(crate) struct Screen {
     surface: wgpu::Surface<'static>,
     width: u32,
     height: u32,
-    /// None with a single sample: the surface's texture is drawn to directly.
+    /// `None` with a single sample: the surface's texture is then drawn to directly.
     color: Option<wgpu::TextureView>,
     depth: wgpu::TextureView,
 }
 
 impl Drop for Screen {
-    /// Not left to JavaScript's collector.
+    /// Textures are not left to JavaScript's garbage collector.
     fn drop(&mut self) {
         self.destroy_attachments();
     }
@@ -55,7 +55,7 @@ impl Screen {
         screen
     }
 
-    /// To this size exactly, device pixels; not above what a texture can hold.
+    /// Changes the size to exactly this many device pixels, which must not be more than a texture can have.
     pub(crate) fn resize(&mut self, device: &wgpu::Device, kind: Kind, width: u32, height: u32) {
         if (width, height) == (self.width, self.height) {
             return;
@@ -66,7 +66,7 @@ impl Screen {
         self.configure(device, kind);
     }
 
-    /// To this size at least. Never back: what shares it would pay for every change.
+    /// Makes it at least this large, and never smaller, because the views that share it would pay for every change.
     pub(crate) fn grow(&mut self, device: &wgpu::Device, kind: Kind, width: u32, height: u32) {
         self.resize(device, kind, self.width.max(width), self.height.max(height));
     }
@@ -94,7 +94,8 @@ impl Screen {
         );
     }
 
-    /// The next texture to draw to; once more after a reconfiguration. None: skip this frame.
+    /// Returns the next texture to draw to, if necessary after configuring the surface again. `None` means that this
+    /// frame is to be skipped.
     pub(crate) fn acquire(&self, device: &wgpu::Device, kind: Kind) -> Option<wgpu::SurfaceTexture> {
         use wgpu::CurrentSurfaceTexture as Current;
         for _ in 0..2 {

@@ -1,14 +1,14 @@
-//! The uniform blocks, field for field as in `shaders/common.wgsl`; `tests/shaders.rs` compares the sizes.
+//! The uniform blocks, which have the same fields as in `shaders/common.wgsl`; `tests/shaders.rs` compares the sizes.
 
 use bytemuck::{Pod, Zeroable};
 
-/// Once per frame and view. Size 256 B.
+/// Written once per frame and view. Size 256 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Globals {
-    /// Column-major; takes positions relative to the eye.
+    /// Column-major, for positions relative to the eye.
     pub(crate) clip_from_eye: [[f32; 4]; 4],
-    /// w: device pixels per CSS pixel.
+    /// xyz the eye, px; w device pixels per CSS pixel.
     pub(crate) eye: [f32; 4],
     /// w: width of the picture, device pixels.
     pub(crate) ray_right: [f32; 4],
@@ -16,36 +16,36 @@ pub(crate) struct Globals {
     pub(crate) ray_up: [f32; 4],
     /// w: 1 in the wireframe view.
     pub(crate) ray_forward: [f32; 4],
-    /// Plans: xy the middle in px of the image, zw from px to clip space.
+    /// For plans: xy the middle in px of the image, zw the scale from px to clip space.
     pub(crate) plan: [f32; 4],
-    /// Linear; w unused.
+    /// Linear colour; w is not used. The same holds for the next three.
     pub(crate) backdrop_low: [f32; 4],
     pub(crate) backdrop_high: [f32; 4],
     pub(crate) soil: [f32; 4],
     pub(crate) dust: [f32; 4],
     /// Variation, wetness, moss, dust.
     pub(crate) weather: [f32; 4],
-    /// x ground, y quality, z 1 in natural colours, w kind of the debris, 0 mixed.
+    /// x ground, y quality, z 1 in natural colours, w kind of the debris (0 mixed).
     pub(crate) scene: [f32; 4],
-    /// Of wood ears: moisture, variation, translucency, velvet.
+    /// Moisture, variation, translucency and velvet of wood ears.
     pub(crate) flesh: [f32; 4],
 }
 
-/// Once per field. Size 160 B.
+/// Written once per field. Size 160 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FieldUniforms {
     pub(crate) sun_from_world: [[f32; 4]; 4],
-    /// xyz towards the sun; w the side of the shadow map in px of the world.
+    /// xyz unit vector towards the sun; w side of the shadow map in px of the world.
     pub(crate) sun: [f32; 4],
-    /// xy the height map's corner, zw 1 / its sides, px.
+    /// xy corner of the height map, px; zw 1 / its sides.
     pub(crate) map: [f32; 4],
-    /// xy image width and height, z the top of the highest rock, w that of everything, px.
+    /// xy image width and height, z top of the highest rock, w top of everything, px.
     pub(crate) size: [f32; 4],
-    /// x width of the soil's fade, y one texel of the height map, px; z 1 where something goes on below the ground.
+    /// x width of the soil's fade, y one texel of the height map, px; z 1 if something extends below the ground.
     pub(crate) ground: [f32; 4],
-    /// x the middle of the log's reach along x, y half of it (0: no log), z its radius, w the height of its axis, px.
+    /// x middle of the log along x, y half its length (0 if there is no log), z its radius, w height of its axis, px.
     pub(crate) log: [f32; 4],
-    /// y of its axis, px: a polynomial in t, −1…1 from end to end.
+    /// y of the log's axis, px: the coefficients of a polynomial in t, −1…1 from end to end.
     pub(crate) bow: [f32; 4],
 }

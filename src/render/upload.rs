@@ -1,12 +1,13 @@
-//! Typed arrays to GPU buffers a slice at a time: wasm memory never holds a whole field.
+//! Copies typed arrays to GPU buffers one slice at a time, so that wasm memory never holds a whole field.
 
 use super::{Gpu, RenderError};
 
-/// 4-byte elements per slice, 384 KiB of scratch; a multiple of 6, so that neither a vertex nor a
-/// triangle nor its edges are cut in two.
+/// Number of 4-byte elements per slice: 384 KiB of scratch memory. It is a multiple of 6, so that no vertex and no
+/// triangle with its edges is split.
 const SLICE: u32 = 6 << 14;
 
-/// Makes a buffer of `bytes` (at least 4: empty buffers are not portable), or says why it cannot.
+/// Makes a buffer of `bytes` bytes (at least 4, because empty buffers are not portable). Returns
+/// [`RenderError::TooLarge`] if the device does not allow that many.
 pub(crate) fn buffer(
     device: &wgpu::Device,
     label: &'static str,
@@ -26,7 +27,8 @@ pub(crate) fn buffer(
     }))
 }
 
-/// Writes `length` 4-byte elements. `fill(start, slice)` puts elements `start..` into `slice`.
+/// Writes `length` 4-byte elements to `buffer`. `fill(start, slice)` must put the elements from `start` on into
+/// `slice`.
 pub(crate) fn write<T: bytemuck::Pod>(
     queue: &wgpu::Queue,
     buffer: &wgpu::Buffer,
@@ -42,19 +44,19 @@ pub(crate) fn write<T: bytemuck::Pod>(
             let bytes: &[u8] = bytemuck::cast_slice(slice);
             let offset = u64::from(start) * size_of::<T>() as u64;
             queue.write_buffer(buffer, offset, bytes);
-            // Hands the staging memory on: a large field would otherwise be staged as a whole.
+            // Submitting frees the staging memory. Otherwise a large field would be staged as a whole.
             queue.submit(None);
         }
         start += count;
     }
 }
 
-/// The line list of every triangle's edges.
+/// Makes the line list of every triangle's edges.
 pub(crate) fn edges(gpu: &Gpu, indices: &js_sys::Uint32Array) -> Result<wgpu::Buffer, RenderError> {
     let count = indices.length() / 3 * 6;
     let edges = buffer(&gpu.device, "rock-field/wire/edges", "edges", 4 * u64::from(count), wgpu::BufferUsages::INDEX)?;
-    // Two line ends per corner; inner edges come twice, from either side, which costs less than
-    // finding out.
+    // There are two line ends per corner. Inner edges occur twice, once from each side; finding out which would cost
+    // more.
     let mut corners = Vec::new();
     write::<u32>(&gpu.queue, &edges, count, |start, slice| {
         corners.resize(slice.len() / 2, 0);

@@ -1,4 +1,4 @@
-//! One canvas: camera, style, and the frame.
+//! One canvas: its camera, its style, and how a frame is drawn.
 
 use super::camera::FOV_Y;
 use super::palette::{self, ColorMode, DARK, LIGHT};
@@ -6,7 +6,7 @@ use super::surface::Screen;
 use super::uniforms::Globals;
 use super::{Camera, Gpu, Layer, Look, Plan, Props, Quality, RenderError, Scene, upload};
 
-/// What is shown.
+/// What a view shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Mode {
     Rocks,
@@ -15,13 +15,13 @@ pub(crate) enum Mode {
     Selection,
 }
 
-/// Per-canvas state.
+/// The state of one canvas.
 pub(crate) struct View {
-    /// No other view or scene of the device has it.
+    /// A number that no other view or scene of the device has.
     number: u64,
-    /// None where all views share one: [`Gpu::shared`].
+    /// `None` if all views share one screen: [`Gpu::shared`].
     own: Option<Screen>,
-    /// Device pixels.
+    /// Size in device pixels.
     width: u32,
     height: u32,
     globals: wgpu::Buffer,
@@ -37,7 +37,7 @@ pub(crate) struct View {
 }
 
 impl View {
-    /// With WebGPU on a canvas of its own, which `own` is made of.
+    /// Makes a view. With WebGPU, `own` is the screen of its own canvas.
     pub(crate) fn new(gpu: &Gpu, own: Option<Screen>) -> Result<Self, RenderError> {
         let globals = upload::buffer(
             &gpu.device,
@@ -72,7 +72,7 @@ impl View {
         self.camera = camera.sanitised();
     }
 
-    /// Device pixels, clamped to what a texture can hold.
+    /// Sets the size in device pixels, clamped to what a texture can hold, and the device pixels per CSS pixel.
     pub(crate) fn resize(&mut self, gpu: &Gpu, width: u32, height: u32, ratio: f32) {
         self.ratio = if ratio.is_finite() { ratio.max(0.25) } else { 1.0 };
         let max = gpu.max_side();
@@ -82,20 +82,20 @@ impl View {
         }
     }
 
-    /// Gives back what others may use now.
+    /// Frees what other views can use.
     pub(crate) fn release(&self, gpu: &Gpu) {
         gpu.maps.borrow_mut().release(self.number);
         self.globals.destroy();
     }
 
-    /// True if a plan made before no longer fits.
+    /// Sets what is shown. Returns true if a plan made before no longer fits.
     pub(crate) fn set_style(&mut self, mode: Mode, color: ColorMode, dark: bool) -> bool {
         let changed = (mode, dark) != (self.mode, self.dark);
         (self.mode, self.color, self.dark) = (mode, color, dark);
         changed
     }
 
-    /// True if the rocks' materials are others than before.
+    /// Sets the look. Returns true if the rocks' materials have changed.
     pub(crate) fn set_look(&mut self, look: Look) -> bool {
         let changed = look.materials != self.look.materials;
         self.look = look;
@@ -106,7 +106,7 @@ impl View {
         self.quality = quality;
     }
 
-    /// The plan this view shows, if it shows one.
+    /// Makes the plan that this view shows, if it shows one.
     pub(crate) fn plan(&self, gpu: &Gpu, scene: Option<&Scene>, layers: &[Layer]) -> Result<Option<Plan>, RenderError> {
         let theme = if self.dark { &DARK } else { &LIGHT };
         match (self.mode, scene) {
@@ -116,8 +116,8 @@ impl View {
         }
     }
 
-    /// Draws one frame; without a field (`scene` none) the backdrop alone. Where the screen is shared the frame is in
-    /// its top left corner, until another view is drawn.
+    /// Draws one frame, which shows only the backdrop if `scene` is `None`. If the screen is shared, the frame is in
+    /// its top left corner until another view is drawn.
     pub(crate) fn render(&self, gpu: &Gpu, scene: Option<&mut Scene>, props: &Props, plan: Option<&Plan>) {
         if let Some(screen) = &gpu.shared {
             screen.borrow_mut().grow(&gpu.device, gpu.kind, self.width, self.height);
@@ -171,7 +171,7 @@ impl View {
                     if !props.is_empty() {
                         props.draw(&mut pass, gpu.pipelines.wood(&gpu.device, props.is_closed()));
                     }
-                    // The backdrop, and the ground; last, so that only what shows of it is drawn.
+                    // The backdrop and the ground come last, so that only their visible parts are drawn.
                     pass.set_pipeline(ground);
                     pass.draw(0..6, 0..1);
                 }
@@ -212,12 +212,12 @@ impl View {
         self.mode == Mode::Rocks && self.color == ColorMode::Natural
     }
 
-    /// Edges and a dimmed fill show no stone: they are coloured by layer.
+    /// The colour mode in use. The wireframe shows no stone, so natural colours are replaced by colours by layer.
     fn shown_color(&self) -> ColorMode {
         if self.color == ColorMode::Natural && !self.is_natural() { ColorMode::Layer } else { self.color }
     }
 
-    /// Of plans: the table they lie on. The other views cover every pixel themselves.
+    /// The colour around a plan. The other views cover every pixel themselves.
     fn clear_color(&self, gpu: &Gpu) -> wgpu::Color {
         let theme = if self.dark { &DARK } else { &LIGHT };
         let [r, g, b] = if gpu.kind.format.is_srgb() {
@@ -236,7 +236,7 @@ impl View {
         let frame = self.camera.frame();
         let (center, radius) = scene.map_or((frame.eye, 1.0), |scene| (scene.center, scene.radius));
         let tangent = (0.5 * FOV_Y).tan();
-        // A plan shows at the target's distance what the 3D view would: half the height is distance · tan.
+        // At the target's distance, a plan shows as much as the 3D view: half the height is distance · tan.
         let zoom = 1.0 / (self.camera.distance * tangent);
         let natural = self.is_natural();
         let wireframe = if self.mode == Mode::Wireframe { 1.0 } else { 0.0 };
@@ -263,7 +263,7 @@ impl View {
     }
 }
 
-/// Backdrop and ground of the papers' style; its depth too, where something goes on below it.
+/// Draws the backdrop and the ground in the papers' style, and the ground's depth too if something extends below it.
 fn draw_ground(pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, scene: &Scene) {
     pass.set_pipeline(&gpu.pipelines.ground);
     pass.draw(0..3, 0..1);

@@ -1,19 +1,19 @@
-//! What the shaders read of a log and of wood ears: what is painted of a vertex, and where the log's axis runs.
+//! What the shaders read about a log and wood ears: the paint of each vertex, and where the log's axis runs.
 //!
-//! What is painted has the rocks' form, so that the shadow and height passes draw all alike. Of a log, three zeros and the kind
-//! of wood. Of a wood ear, the share of the way from its middle to its rim, two random bytes of the individual, and its
-//! [`Side`].
+//! The paint has the same format as the rocks', so that the shadow and height passes draw everything alike. For a log
+//! it holds three zeros and the kind of wood. For a wood ear it holds how far the vertex is from the middle (0) to the
+//! rim (255), two random bytes of the individual, and its [`Side`].
 
 use glam::Vec3;
 
 use super::palette;
 
-/// Of a vertex of a log. `kind`: 0 bark, 1 end grain, 2 splinter; what is above is a splinter too.
+/// The paint of a log's vertex. `kind`: 0 bark, 1 end grain, 2 splinter; larger numbers count as splinters too.
 pub(crate) fn painted(kind: u8) -> u32 {
     u32::from(kind.min(2)) << 24
 }
 
-/// One side of a wood ear, as `shaders/ear.wgsl` reads it.
+/// The sides of a wood ear, as `shaders/ear.wgsl` reads them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Side {
     Inner,
@@ -22,12 +22,12 @@ pub(crate) enum Side {
     Foot,
 }
 
-/// How the vertices of a wood ear lie one after the other; all individuals of a colony are alike.
+/// The order of a wood ear's vertices, which is the same for all individuals of a colony.
 #[derive(Clone, Debug)]
 pub(crate) struct Ears {
     pub(crate) rings: u32,
     pub(crate) meridians: u32,
-    /// Per individual a number that stays its own while others come and go.
+    /// Per individual, a number that does not change when others come and go.
     pub(crate) keys: Vec<u32>,
 }
 
@@ -37,7 +37,7 @@ impl Ears {
         each >= 2 * (self.rings.max(1) + 1) * self.meridians.max(1)
     }
 
-    /// What is painted of `vertex`, where every individual has `each` of them.
+    /// The paint of `vertex`, where every individual has `each` vertices.
     pub(crate) fn painted(&self, vertex: u32, each: u32) -> u32 {
         let (d, c) = (self.rings.max(1), self.meridians.max(1));
         let (individual, at) = (vertex / each, vertex % each);
@@ -48,7 +48,7 @@ impl Ears {
             at if at < sheet => (at / c + 1, Side::Inner),
             at if closed && at < sheet + 2 * c => (d, Side::Rim),
             at if closed && at < 2 * sheet + 2 * c => ((at - sheet - 2 * c) / c + 1, Side::Outer),
-            // The floor over a stalk: seen from inside.
+            // The floor above a stalk is seen from inside.
             at if closed && at > 2 * sheet + 3 * c => (0, Side::Inner),
             _ => (0, Side::Foot),
         };
@@ -56,22 +56,22 @@ impl Ears {
     }
 }
 
-/// Where the axis of a log runs that lies along x: at a height of its own, and bowed in the plane.
+/// The axis of a log that lies along x: at a constant height, and bowed in the plane.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(crate) struct Axis {
-    /// Middle of the log's reach along x, and half of it.
+    /// Middle of the log's extent along x, and half of that extent.
     pub(crate) middle: f32,
     pub(crate) half: f32,
     /// Mean distance of the bark from the axis.
     pub(crate) radius: f32,
     pub(crate) height: f32,
-    /// y is a polynomial in t, −1…1 from end to end: of 1, t, t², t³.
+    /// Coefficients of 1, t, t² and t³ of a polynomial for y; t is −1…1 from end to end.
     pub(crate) bow: [f32; 4],
 }
 
 impl Axis {
-    /// Through the middle of the bark, by least squares; of that near the ends, which may have broken off on one side only, nothing
-    /// counts. `points` three coordinates a vertex.
+    /// Fits the axis through the middle of the bark by least squares. Bark near the ends is ignored, because it may be
+    /// broken off on one side. `points` holds three coordinates per vertex.
     pub(crate) fn of(points: &[f32], kinds: &[u8]) -> Self {
         let vertices = || points.chunks_exact(3).map(Vec3::from_slice);
         let (low, high) =
@@ -106,7 +106,7 @@ impl Axis {
         self.bow.iter().rev().fold(0.0, |sum, factor| sum * t + factor)
     }
 
-    /// The same, of a log that is so much larger and stands there.
+    /// The axis after the log is scaled by `scale` and moved to `origin`.
     pub(crate) fn placed(self, origin: Vec3, scale: f32) -> Self {
         let mut bow = self.bow.map(|factor| factor * scale);
         bow[0] += origin.y;
@@ -120,7 +120,8 @@ impl Axis {
     }
 }
 
-/// Gaussian elimination; an unknown about which the equations say nothing is 0. No pivots: the sums are a positive matrix.
+/// Solves the equations by Gaussian elimination. An unknown that they do not determine is 0. No pivoting is needed,
+/// because the matrix of sums is positive.
 fn solved(mut rows: [[f64; 5]; 4]) -> [f64; 4] {
     let least = 1.0e-9 * rows[0][0];
     for k in 0..4 {
