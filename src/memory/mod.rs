@@ -152,11 +152,11 @@ pub(crate) struct Bitmaps {
 /// Bytes that the rest of a run needs.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Need {
-    /// At the peak, before the buffers are copied out.
+    /// Bytes at the peak, before the buffers are copied out.
     peak: f64,
-    /// At the peak of the stages before the number of rocks is known.
+    /// Bytes at the peak of the stages before the number of rocks is known.
     pub(crate) until_selection: f64,
-    /// Of the copies of the buffers.
+    /// Bytes of the copies of the buffers.
     copies: f64,
 }
 

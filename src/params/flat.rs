@@ -1,6 +1,6 @@
 //! The parameters as a flat list of numbers, which is the only form in which they cross the wasm boundary.
 //!
-//! `[field rows in table order…, number of items, then per item: its id where it has one, item rows in table order…]`
+//! `[field rows in table order…, number of items, then per item: its id if it has one, item rows in table order…]`
 
 use super::spec::{Kind, ParamSpec, Range, Scope};
 use super::{Layer, MAX_LAYERS, Notation, PARAMS, Params, Stage};

@@ -3,8 +3,8 @@
 
 use glam::{Mat4, Vec3, Vec4};
 
-/// Vertical field of view, radians. 36° is narrow enough that boulders do not seem to lean. `www/camera-bounds.ts` has
-/// the same number.
+/// Vertical field of view, radians. 36° is narrow enough that boulders do not seem to lean. `www/renderer/limits.ts`
+/// has the same number.
 pub(crate) const FOV_Y: f32 = 36.0 * std::f32::consts::PI / 180.0;
 
 /// An eye on a sphere around a target. At azimuth 0 it looks along +y.

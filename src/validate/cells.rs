@@ -128,7 +128,7 @@ fn check_shared_edges(sites: &Sites, mut edges: Vec<(usize, usize, bool, DVec2, 
 ///
 /// Every pixel of the image is in exactly one cell, that of the nearest site, ties to the lowest index: for every pixel
 /// all sites as near as its owner are looked at, and squared distances are integers.
-/// Without sites the list is empty.
+/// The list is empty if there are no sites.
 ///
 /// # Errors
 /// Returns the first violation.
