@@ -73,7 +73,7 @@ fn diagram(params: &Params, sites: &[DVec2]) -> Vec<Vec<DVec2>> {
     let far = 8.0 * (width + height);
     let ring = [(-far, -far), (far, -far), (-far, far), (far, far)].map(|(x, y)| DVec2::new(x, y));
     let points = sites.iter().chain(&ring).map(|p| Point2::new(p.x, p.y)).collect();
-    // Sites are distinct and finite: loading them cannot fail.
+    // Sites are distinct and finite, so loading them cannot fail.
     let Ok(triangulation) = DelaunayTriangulation::<Point2<f64>>::bulk_load_stable(points) else { return Vec::new() };
     let faces = triangulation.voronoi_faces().take(sites.len());
     faces

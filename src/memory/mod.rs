@@ -162,15 +162,15 @@ pub(crate) struct Need {
 
 /// The peak is the largest of the peaks of all stages, each together with what the stages before it keep:
 ///
-/// | | kept | beside it, while the stage runs |
+/// | bytes for | kept afterwards | in addition, while the stage runs |
 /// |---|---|---|
-/// | a pixel | – | 1/8 as a flag; 0.15 to find the last clear ones |
+/// | a pixel | – | 1/8 for its flag; 0.15 to find the last clear pixels |
 /// | a site | 4 | 13 while they are sorted into buckets |
 /// | its cell, with c vertices (under 6) | 4 + c·(16 + 4) + 8 | (6 − c)·(16 + 4) + c·16, as the lists are cut to size |
-/// | a cell that is selected from | – | 8 and 1/8 |
-/// | a rock of c corners: p_add and 3c − 2 triangles | 12 + c·16 + (3c − 2)·6 | 4, and 4 a site |
-/// | its 2c vertices and 3c − 2 triangles in the buffers, more of them with detail | 24 a vertex, 12 a triangle, 9 | what a buffer had before it grew |
-/// | copied out | 8 + 4 + c·8 a site, 4 + the buffers a rock | c·8 a site |
+/// | a cell, while cells are selected | – | 8 + 1/8 |
+/// | a rock of c corners: p_add and 3c − 2 triangles | 12 + c·16 + (3c − 2)·6 | 4, and 4 per site |
+/// | its 2c vertices and 3c − 2 triangles in the buffers, more of them with detail | 24 per vertex, 12 per triangle, 9 per rock | what a buffer had before it grew |
+/// | copies for the caller | 8 + 4 + c·8 per site, 4 + its buffers per rock | c·8 per site |
 impl Need {
     /// Computes what is needed. `held` bytes are in the cache already; `buffers` holds how many of them positions,
     /// normals and indices take.

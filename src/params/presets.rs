@@ -82,7 +82,7 @@ macro_rules! presets {
     };
 }
 
-/// Words of choices, as the numbers they travel as.
+/// Words of choices, as the numbers that stand for them.
 const MIXED: f64 = 0.0;
 const GRANITE: f64 = 1.0;
 const BASALT: f64 = 2.0;

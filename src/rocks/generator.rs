@@ -134,7 +134,8 @@ impl Generator {
                 let known = old.iter().position(|cache| cache.layer.as_ref().is_some_and(|l| l.id == layer.id));
                 let mut cache = known.map(|k| core::mem::take(&mut old[k])).unwrap_or_default();
                 if !cache.sites.is_current(&SitesKey::new(&params, &layer)) {
-                    // Stale stages go before new ones come: the peak is one field, not two.
+                    // Outdated results are freed before new ones are made, so that the peak is the memory of one field
+                    // and not of two.
                     cache.sites.clear();
                     cache.cells.clear();
                     cache.selection.clear();

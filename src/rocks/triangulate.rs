@@ -359,7 +359,7 @@ mod tests {
             if !lawson.start(&rim, top[0]) || !top[1..].iter().all(|&point| lawson.insert(point)) {
                 continue; // the rim does not hold the middle
             }
-            // Rims of many vertices are nearly circles here; those of real rocks are not.
+            // Rims of many vertices are nearly circles here, unlike those of real rocks.
             let is_usual = u32::from(n <= 8);
             rocks += is_usual;
             let mut wrapped = Vec::new();

@@ -124,11 +124,11 @@ fn check_shared_edges(sites: &Sites, mut edges: Vec<(usize, usize, bool, DVec2, 
     Ok(())
 }
 
-/// Checks which cell owns which pixel (decision A9), and returns it: row by row, the index of the owner.
+/// Checks which cell owns which pixel (decision A9). Returns the index of the owner for every pixel, row by row.
 ///
-/// Every pixel of the image is in exactly one cell, that of the nearest site, ties to the lowest index: for every pixel
-/// all sites as near as its owner are looked at, and squared distances are integers.
-/// The list is empty if there are no sites.
+/// Every pixel of the image has to be in exactly one cell: that of the nearest site, or of the one with the lowest
+/// index if several are equally near. For every pixel, all sites as near as its owner are examined; squared distances
+/// are integers.
 ///
 /// # Errors
 /// Returns the first violation.
