@@ -146,7 +146,7 @@ export class RendererKeeper {
     if (renderer) this.#put(renderer, isRetry);
     else this.#scene.report({ name: 'NoRenderer', message: `The rocks cannot be drawn here. ${refusals.map(({ backend, error }) => `${backend}: ${errorText(error)}`).join('; ')}` });
     if (isWhole) this.#standing?.end();
-    else void this.#lack(cycle, refusals);
+    else this.#lack(cycle, refusals).catch((error: RockFieldError) => this.#scene.report(error));
     return isWhole;
   }
 
@@ -160,15 +160,10 @@ export class RendererKeeper {
 
   /** The plan stands in, or nothing does: says why, and tries again from time to time. */
   async #lack(cycle: number, refusals: readonly Refusal[]): Promise<void> {
-    try {
-      const recovery = await this.#recovery;
-      if (cycle !== this.#cycle) return;
-      this.#standing = recovery;
-      recovery?.begin(refusals, this.#losses.length, this.#losses.length > MAX_LOSSES);
-    } catch (thrown) {
-      // Where nothing at all is drawn, that has been told.
-      if (cycle === this.#cycle && this.#renderer) this.#scene.report(thrown as RockFieldError);
-    }
+    const recovery = await this.#recovery;
+    if (cycle !== this.#cycle) return;
+    this.#standing = recovery;
+    recovery?.begin(refusals, this.#losses.length, this.#losses.length > MAX_LOSSES);
   }
 
   /** The device or context is gone: a new canvas and renderer, the same field, the same camera. */
