@@ -1,8 +1,10 @@
-//! Where individuals can stand on a mesh of the user's own: points drawn over its surface, however it is cut into triangles.
+//! The places where individuals can stand on a mesh given by the user: points drawn over its surface, however it is
+//! divided into triangles.
 //!
-//! Darts are thrown at the surface, uniform by area, and one that lands too near an earlier foot is refused, until there are as many feet as
-//! a grown log of that area has vertices (decision K6: `spacing` sets how dense a colony can be). A foot's normal is the mean over the
-//! darts that fell around it, so it follows the log and not the finest bumps of a scan.
+//! Darts are thrown at the surface, uniformly by area. A dart that lands too near an earlier foot is refused. This ends
+//! when there are as many feet as a grown log of the same area has vertices (decision K6: `spacing` sets how dense a
+//! colony can be). A foot's normal is the mean over the darts that fell around it, so it follows the log and not the
+//! finest bumps of a scan.
 
 use glam::DVec3;
 
@@ -11,20 +13,20 @@ use super::log::Log;
 use super::user_log::Surface;
 use crate::rng::{Purpose, Stream};
 
-/// No two feet on one side of the surface are closer than this share of the spacing. Discs that far apart jam at 0.55 of the area and the feet
-/// wanted take 0.38, so about four darts a foot are enough.
+/// No two feet on one side of the surface are closer than this share of the spacing. Discs at this distance jam at 0.55
+/// of the area, and the feet wanted take 0.38 of it, so about four darts per foot are enough.
 const APART: f64 = 0.65;
-/// Feet that face away from each other by more than this stand on two sides of a thin wall: the cosine.
+/// Two feet whose normals have a smaller cosine than this stand on the two sides of a thin wall.
 const SAME_SIDE: f64 = -0.5;
-/// Darts for each foot wanted, at most: rough surfaces have more area than room.
+/// Largest number of darts per foot wanted. A rough surface has more area than room for feet.
 const MOST_DARTS: f64 = 20.0;
 
-/// How many vertices a grown log of that area has, which is how many feet are wanted.
+/// Number of feet wanted: as many as a grown log of this area (cm²) and spacing (cm) has vertices.
 pub(super) fn wanted(area: f64, spacing: f64) -> f64 {
     (area / (0.75_f64.sqrt() * spacing * spacing)).round().max(1.0)
 }
 
-/// Draws feet, a piece at a time.
+/// Draws feet, some darts per step.
 #[derive(Debug)]
 pub(super) struct Feet {
     pub(super) spacing: f64,
@@ -33,7 +35,7 @@ pub(super) struct Feet {
     thrown: f64,
     grid: Grid,
     points: Vec<DVec3>,
-    /// Per foot the normal of its triangle, and the sum of those around it.
+    /// Per foot, the normal of its triangle, and the sum of the normals of the darts around it.
     faces: Vec<DVec3>,
     sums: Vec<DVec3>,
     triangles: Vec<u32>,
@@ -55,7 +57,7 @@ impl Feet {
         }
     }
 
-    /// Throws so many darts. True when all feet are drawn.
+    /// Throws up to `darts` darts. Returns true when all feet are drawn.
     pub(super) fn advance(&mut self, surface: &Surface, darts: usize) -> bool {
         let apart = APART * self.spacing;
         for _ in 0..darts {
@@ -88,7 +90,7 @@ impl Feet {
         (self.points.len() as f64 / self.wanted).max(self.thrown / (MOST_DARTS * self.wanted))
     }
 
-    /// The feet as vertices of a log, and per foot the triangle it is on.
+    /// Returns the feet as the vertices of a log, and for each foot the triangle that it is on.
     pub(super) fn finish(self) -> (Log, Vec<u32>) {
         let normals = self.sums.iter().zip(&self.faces).map(|(sum, face)| sum.normalize_or(*face)).collect();
         (Log { points: self.points, normals, ..Log::default() }, self.triangles)

@@ -1,8 +1,9 @@
-//! The log as a mesh: coarse, for individuals to stand on, and fine, to be seen.
+//! The log as a mesh: a coarse one that individuals stand on, and a fine one that is visible.
 //!
-//! Both are one closed sweep of rings from the middle of one end to the middle of the other, sampled from the same shape. The
-//! bark's vertices of the coarse mesh are vertices of the fine one, so what grows there stands on what is seen; those of the
-//! ends lie on the same surface. The coarse spacing decides how dense a colony can be (decision K6) and nothing of the look.
+//! Both are a closed sweep of rings from the middle of one end to the middle of the other, sampled from the same shape.
+//! The bark vertices of the coarse mesh are also vertices of the fine one, so individuals stand on the visible surface;
+//! the vertices of the ends lie on the same surface. The coarse spacing only decides how dense a colony can be
+//! (decision K6), not how the log looks.
 
 use glam::DVec3;
 
@@ -10,51 +11,52 @@ use super::circle::turn;
 use super::shape::{LogShape, Wood};
 use crate::params::wood_ear::Log as LogParams;
 
-/// The fine mesh is four or two times as fine, with at most this many vertices: 5 MB of buffers.
+/// Largest number of vertices of the fine mesh (5 MB of buffers), which is four or two times as fine as the coarse one.
 const MOST_FINE_VERTICES: f64 = 90_000.0;
 
-/// A closed mesh with normals; points with normals alone where feet are drawn on a mesh of the user's own.
+/// A closed mesh with normals. For the feet drawn on a mesh given by the user, only points and normals.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Log {
-    /// cm.
+    /// Positions of the vertices, cm.
     pub points: Vec<DVec3>,
-    /// Unit, area-weighted over the adjacent faces.
+    /// Unit normals, area-weighted over the adjacent faces.
     pub normals: Vec<DVec3>,
-    /// Counter-clockwise seen from outside.
+    /// Vertices of each triangle, counter-clockwise seen from outside.
     pub triangles: Vec<[u32; 3]>,
-    /// Per vertex what it is made of, as the number of a [`Wood`].
+    /// Per vertex, what it is made of, as the number of a [`Wood`].
     pub kinds: Vec<u8>,
-    /// Per vertex the place along the axis and the distance from it, cm.
+    /// Per vertex, its place along the log's axis and its distance from it, cm.
     pub coords: Vec<[f32; 2]>,
 }
 
 impl Log {
-    /// Room for so many vertices, but for what they are made of, and triangles.
+    /// Makes an empty log with room for this many vertices and triangles. No room is made for the vertices' kinds,
+    /// coordinates and normals.
     pub(super) fn with_capacity(vertices: usize, triangles: usize) -> Self {
         Log { points: Vec::with_capacity(vertices), triangles: Vec::with_capacity(triangles), ..Log::default() }
     }
 }
 
-/// One ring of the sweep; a point where `count` is 1.
+/// One ring of the sweep. It is a single point if `count` is 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Ring {
     count: u32,
-    /// Share of a step by which its first vertex is turned.
+    /// The share of a step by which its first vertex is turned.
     offset: f64,
     place: Place,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Place {
-    /// −½ … ½ of the length.
+    /// On the bark, at this share of the length, −½ … ½.
     Bark(f64),
-    /// Whether at the end towards +x, and the share of the radius.
+    /// On an end: whether it is the one towards +x, and the share of the radius.
     End(bool, f64),
 }
 
-/// How a log is cut into rings: `rows` bands along the bark, `around` vertices on each.
+/// Divides a log into rings: `rows` bands along the bark, with `around` vertices on each.
 fn rings(log: &LogParams, fineness: u32) -> Vec<Ring> {
-    // Rows of equilateral triangles.
+    // The rows are those of equilateral triangles.
     let rows = (log.length / (0.75_f64.sqrt() * log.spacing)).round() as u32 * fineness;
     let around = (std::f64::consts::TAU * log.radius / log.spacing).round().max(6.0) as u32 * fineness;
     let caps = ((log.radius / (0.9 * log.spacing)).round().max(1.0) as u32) * fineness;
@@ -77,7 +79,8 @@ fn rings(log: &LogParams, fineness: u32) -> Vec<Ring> {
     rings
 }
 
-/// How much finer the fine mesh of a log is, 1, 2 or 4, and how many vertices the coarse and the fine mesh have.
+/// Returns how much finer the fine mesh of a log is (1, 2 or 4), and the number of vertices of the coarse and of the
+/// fine mesh.
 pub(super) fn counts(log: &LogParams) -> (u32, [u64; 2]) {
     let count = |fineness| rings(log, fineness).iter().map(|ring| u64::from(ring.count)).sum::<u64>();
     let coarse = count(1);
@@ -85,13 +88,13 @@ pub(super) fn counts(log: &LogParams) -> (u32, [u64; 2]) {
     (fineness, [coarse, count(fineness)])
 }
 
-/// Builds a mesh ring by ring.
+/// Builds a mesh, ring by ring.
 #[derive(Debug)]
 pub(super) struct Sweep {
     shape: LogShape,
     rings: Vec<Ring>,
     next: usize,
-    /// First vertex of the ring before.
+    /// First vertex of the previous ring.
     before: u32,
     log: Log,
 }
@@ -100,7 +103,7 @@ impl Sweep {
     pub(super) fn new(log: &LogParams, fineness: u32) -> Self {
         let rings = rings(log, fineness);
         let vertices = rings.iter().map(|ring| ring.count as usize).sum();
-        // Euler: it is closed.
+        // By Euler's formula, because the mesh is closed.
         let mut mesh = Log::with_capacity(vertices, 2 * vertices);
         mesh.kinds.reserve_exact(vertices);
         mesh.coords.reserve_exact(vertices);
@@ -111,7 +114,7 @@ impl Sweep {
         self.next as f64 / self.rings.len().max(1) as f64
     }
 
-    /// Adds rings until about so many vertices are made. True when the mesh is done.
+    /// Adds rings with about `vertices` vertices in all. Returns true when the mesh is done.
     pub(super) fn advance(&mut self, vertices: usize) -> bool {
         let until = self.log.points.len() + vertices;
         while let Some(&ring) = self.rings.get(self.next) {
@@ -152,7 +155,7 @@ impl Sweep {
     }
 }
 
-/// The triangles between two neighbouring rings, taking at each step the vertex whose angle comes first.
+/// Appends the triangles between two neighbouring rings. Each step takes the vertex whose angle comes first.
 fn stitch(triangles: &mut Vec<[u32; 3]>, (a, lower): (u32, Ring), (b, upper): (u32, Ring)) {
     let [n, m] = [lower.count, upper.count];
     if n == 1 || m == 1 {
@@ -179,7 +182,7 @@ fn stitch(triangles: &mut Vec<[u32; 3]>, (a, lower): (u32, Ring), (b, upper): (u
     }
 }
 
-/// Unit normals, the sums of the adjacent faces' area vectors; +z where they cancel.
+/// Computes unit normals from the sums of the adjacent faces' area vectors; +z if these cancel.
 pub(super) fn normals(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; points.len()];
     for triangle in triangles {

@@ -1,8 +1,10 @@
-//! Collisions as flesh solves them: neighbours that would cross press flat against a plane between them. An addition.
+//! Collisions as flesh would solve them: neighbours that would cross press flat against a plane between them. This goes
+//! beyond the thesis.
 //!
-//! A pair that crosses gets a plane with a foot on either side, and both bodies keep to their half-space from then on; two convex
-//! sets that do not meet hold triangles that do not either. Drawing a body in may make it cross a third one: the sweeps go on until
-//! none is found. Every pair gets at most one plane, so they end, and with no pair that crosses.
+//! A pair that crosses gets a plane with one foot on each side, and from then on each body stays within its half-space.
+//! Triangles within two half-spaces that do not meet do not meet either. Drawing a body in may make it cross a third
+//! one, so sweeps are repeated until no crossing pair is found. Every pair gets at most one plane, so this ends, and no
+//! pair crosses then.
 
 use glam::{DVec3, Vec3};
 
@@ -17,33 +19,33 @@ use super::spawn::Individual;
 use super::work::{Part, swept};
 use crate::params::wood_ear::Params;
 
-/// Half the gap at a plane, cm: more than f32 loses within 100 m of the origin.
+/// Half the gap at a plane, cm. It is more than f32 loses within 100 m of the origin.
 const GAP: f64 = 2.0e-3;
 
-/// Tilts of the plane from upright, and where it may stand between the feet.
+/// The tilts from upright that are tried for a plane, and the places between the feet, as shares of their distance.
 const TILTS: [f64; 5] = [0.0, 0.3, -0.3, 0.8, -0.8];
 const PLACES: [f64; 7] = [0.5, 0.4, 0.6, 0.28, 0.72, 0.16, 0.84];
 
 #[derive(Debug)]
 pub(super) struct Press {
     step: usize,
-    /// The bodies as they are by now, as the mesh will hold them.
+    /// The bodies in their current shape, as the mesh will hold them.
     pub(super) positions: Vec<f32>,
     boxes: Vec<Boxes>,
     bounds: Vec<Bounds>,
     planes: Vec<Vec<Plane>>,
-    /// When a body was last changed, counted in planes.
+    /// When each body was last changed, counted in planes.
     changed: Vec<u32>,
     planes_set: u32,
     pairs: Option<Vec<[u32; 2]>>,
     next: usize,
-    /// `planes_set` when this sweep and the one before began.
+    /// The value of `planes_set` when this sweep began, and when the previous one did.
     began: [u32; 2],
     pub(super) sweeps: u32,
     poser: Poser,
 }
 
-/// What the bodies are made from.
+/// The inputs from which bodies are made.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Bodies<'a> {
     pub(super) params: &'a Params,
@@ -72,7 +74,7 @@ impl Press {
         }
     }
 
-    /// Works for about so many pairs. True when no pair crosses.
+    /// Works on about `work` pairs. Returns true when no pair crosses.
     pub(super) fn advance(&mut self, of: Bodies, mut work: usize) -> bool {
         if self.boxes.len() < of.individuals.len() {
             let from = self.boxes.len();
@@ -101,7 +103,7 @@ impl Press {
             work -= 1;
             self.next += 1;
             let [i, j] = pair.map(|k| k as usize);
-            // Both as they were when the sweep before looked at them.
+            // Both bodies are as they were when the previous sweep looked at them.
             let known = self.changed[i].max(self.changed[j]) <= self.began[1];
             if known || self.planes[i].iter().any(|plane| plane.partner == pair[1]) {
                 continue;
@@ -112,11 +114,11 @@ impl Press {
                 work = work.saturating_sub(40);
             }
         }
-        // None was found in a whole sweep.
+        // No crossing pair was found in a whole sweep.
         self.planes_set == self.began[0]
     }
 
-    /// What it works on, and the share of that which is done.
+    /// The part of the run being worked on, and the share of it that is done.
     pub(super) fn progress(&self) -> (Part, f64) {
         if self.sweeps == 0 {
             return (Part::Models, self.boxes.len() as f64 / self.changed.len().max(1) as f64);
@@ -125,12 +127,12 @@ impl Press {
         (Part::Pairs, swept(self.sweeps - 1, within))
     }
 
-    /// How many pairs a plane parts.
+    /// Number of pairs that a plane separates.
     pub(super) fn planes_set(&self) -> u32 {
         self.planes_set - 1
     }
 
-    /// The positions, which bodies are not as they were, and the planes between them.
+    /// Returns the positions, which bodies have changed, and the planes between them.
     pub(super) fn finish(self) -> (Vec<f32>, Vec<bool>, Vec<Vec<Plane>>) {
         let moved = self.planes.iter().map(|planes| !planes.is_empty()).collect();
         (self.positions, moved, self.planes)
@@ -165,8 +167,8 @@ impl Press {
         }
     }
 
-    /// The plane that costs the two the least, as they are now: its normal, from the first to the second, and where it stands
-    /// between the feet.
+    /// Returns the plane that costs the two bodies the least in their current shape: its normal, which points from the
+    /// first to the second, and where it stands between the feet, as a share of their distance.
     fn best_plane(&self, of: Bodies, i: usize, j: usize) -> (DVec3, f64) {
         let [a, b] = [i, j].map(|k| of.individuals[k]);
         let between = b.foot - a.foot;
@@ -194,7 +196,7 @@ impl Press {
         let mut best = (f64::INFINITY, level, 0.5);
         for normal in tilted.chain([(level + apart).normalize_or(level), apart]) {
             let [from, to] = [a.foot, b.foot].map(|foot| normal.dot(foot));
-            // Steeper ones would leave the feet no room.
+            // Steeper planes would leave the feet no room.
             if to - from < 0.3 * distance {
                 continue;
             }
@@ -203,7 +205,7 @@ impl Press {
                 let loss = |points: &[DVec3], side: f64, size: f64| {
                     let over = points.iter().map(|p| (side * (normal.dot(*p) - offset)).max(0.0)).sum::<f64>();
                     let share = over / (points.len() as f64 * size);
-                    // What costs one of them much is worse than what costs both a little.
+                    // A large cost for one body is worse than a small cost for both.
                     share + 4.0 * share * share
                 };
                 let cost = loss(&of_a, 1.0, size_a) + loss(&of_b, -1.0, size_b);

@@ -1,4 +1,4 @@
-//! A log of the user's own: checked, welded, turned the right way out, and given normals.
+//! A log given by the user: it is checked, welded, turned the right way out, and given normals.
 
 use std::fmt;
 
@@ -8,14 +8,14 @@ use super::log::{Log, normals};
 use crate::error::fill;
 use crate::rng::Stream;
 
-/// Vertices and triangles a log may have.
+/// Largest number of vertices of a log.
 pub const MOST_VERTICES: usize = 200_000;
-/// See [`MOST_VERTICES`].
+/// Largest number of triangles of a log.
 pub const MOST_TRIANGLES: usize = 400_000;
-/// cm; beyond it f32 no longer resolves a wood ear.
+/// Largest absolute value of a coordinate, cm. Beyond it, f32 cannot resolve a wood ear.
 const REACH: f64 = 10_000.0;
 
-/// Why a mesh cannot be a log. Nothing was changed.
+/// Why a mesh cannot be used as a log. Nothing was changed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub enum LogError {
@@ -33,18 +33,18 @@ pub enum LogError {
     },
     /// A coordinate is not finite, or farther than 100 m from the origin.
     BadPosition {
-        /// The vertex.
+        /// Number of the vertex.
         vertex: usize,
         /// The coordinate.
         value: f64,
     },
     /// A triangle names a vertex that is not there.
     BadIndex {
-        /// The triangle.
+        /// Number of the triangle.
         triangle: usize,
         /// The index.
         value: u32,
-        /// The largest index there could be; −1 where there is no vertex.
+        /// The largest index possible; −1 if there is no vertex.
         max: f64,
     },
     /// No triangle has an area.
@@ -52,7 +52,7 @@ pub enum LogError {
 }
 
 impl LogError {
-    /// Machine-readable name, stable across versions.
+    /// Machine-readable name of the error, stable across versions.
     pub fn code(&self) -> &'static str {
         match self {
             LogError::NotInThrees { .. } => "LogNotInThrees",
@@ -63,7 +63,7 @@ impl LogError {
         }
     }
 
-    /// Value, smallest and largest legal value; NaN where there is none.
+    /// The value, the smallest and the largest legal value. NaN if there is none.
     pub fn numbers(&self) -> [f64; 3] {
         match *self {
             LogError::NotInThrees { value } => [value as f64, f64::NAN, f64::NAN],
@@ -74,7 +74,8 @@ impl LogError {
         }
     }
 
-    /// The message for people; `number` writes a number, as JavaScript can: Rust's way takes 1 kB of the wasm file.
+    /// The message for people. `number` converts a number to text in the way of JavaScript, because Rust's way takes 1
+    /// kB of the wasm file.
     pub(crate) fn message(&self, number: &dyn Fn(f64) -> String) -> String {
         let [value, _, max] = self.numbers();
         let (text, numbers) = match *self {
@@ -102,27 +103,28 @@ impl fmt::Display for LogError {
 
 impl std::error::Error for LogError {}
 
-/// A log of the user's own, and what feet are drawn with.
+/// A log given by the user, and what is needed to draw feet on it.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Surface {
     pub(super) log: Log,
-    /// Per triangle its number in the mesh that was given.
+    /// Per triangle, its number in the mesh as it was given.
     pub(super) numbers: Vec<u32>,
     /// Whether the mesh was closed and inside out, and has been turned.
     pub(super) is_turned: bool,
-    /// How many vertices were given.
+    /// Number of vertices that were given.
     pub(super) given: usize,
-    /// Per triangle the area of all up to it, cm².
+    /// Per triangle, the summed area of all triangles up to and including it, cm².
     areas: Vec<f64>,
 }
 
 impl Surface {
-    /// cm²
+    /// Area of the surface, cm².
     pub(super) fn area(&self) -> f64 {
         self.areas.last().copied().unwrap_or_default()
     }
 
-    /// A point of the surface, uniform by area: its triangle, where it is, and the triangle's normal.
+    /// Draws a point of the surface, uniformly by area. Returns its triangle, its position (cm), and the triangle's
+    /// normal.
     pub(super) fn dart(&self, stream: &mut Stream) -> (u32, DVec3, DVec3) {
         let at = stream.unit() * self.area();
         let triangle = self.areas.partition_point(|sum| *sum <= at).min(self.areas.len() - 1);
@@ -133,8 +135,9 @@ impl Surface {
     }
 }
 
-/// Checks a mesh, and welds vertices at the same place, as formats have them that split vertices for their normals. Vertices that no triangle
-/// with an area uses are dropped.
+/// Checks a mesh and welds vertices at the same place, since some file formats split vertices for their normals.
+/// Vertices that are not used by any triangle with an area are dropped. Returns what is wrong with the mesh, if
+/// anything.
 pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, LogError> {
     if let Some(value) = [positions.len(), indices.len()].into_iter().find(|n| !n.is_multiple_of(3)) {
         return Err(LogError::NotInThrees { value });
@@ -191,15 +194,16 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, Lo
     Ok(Surface { log, numbers, is_turned, given: given.len(), areas })
 }
 
-/// Whether a mesh is closed and encloses a negative volume. What is open has no inside.
+/// Whether a mesh is closed and encloses a negative volume. An open mesh has no inside.
 fn is_inside_out(log: &Log) -> bool {
-    // Closed: every edge is there as often in one direction as in the other. The sum of hashes of the edges less those of the edges reversed is
-    // then 0, and otherwise by chance alone, once in 2⁶⁴ meshes.
+    // A mesh is closed if every edge occurs equally often in both directions. The sum of the hashes of all edges minus
+    // those of the reversed edges is then 0. Otherwise it is 0 only by chance, for one mesh in 2⁶⁴.
     let hash = |a: u32, b: u32| {
         let h = ((u64::from(a) << 32) | u64::from(b)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
         (h ^ (h >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
     };
-    // From a vertex of its own: far from the origin the differences would be lost.
+    // Coordinates are taken relative to one of the mesh's vertices, because far from the origin their differences would
+    // be lost.
     let origin = log.points[0];
     let (mut sum, mut volume) = (0_u64, 0.0);
     for &[a, b, c] in &log.triangles {
@@ -212,14 +216,14 @@ fn is_inside_out(log: &Log) -> bool {
     sum == 0 && volume < 0.0
 }
 
-/// Per vertex the first one at the same place, found through a table of places with open addressing.
+/// Returns, for each vertex, the first one at the same place. Places are found in a hash table with open addressing.
 fn weld(points: &[DVec3]) -> Vec<u32> {
     let slots = (2 * points.len()).next_power_of_two();
     let mut table = vec![u32::MAX; slots];
     (0..points.len() as u32)
         .map(|v| {
             let at = points[v as usize];
-            // + 0.0: −0 and 0 are one place.
+            // Adding 0.0 turns −0 into 0, since both are the same place.
             let mix =
                 |hash: u64, c: f64| (hash ^ (c + 0.0).to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
             let mut slot = mix(mix(mix(0, at.x), at.y), at.z) as usize & (slots - 1);
