@@ -172,6 +172,15 @@ fn the_estimate_lies_between_the_peak_and_twice_it_for_any_colony() {
     check(0..20, 200 << 20);
 }
 
+/// Cases whose peak was once above the estimate: few large triangles, which lie over many cells of the grid under a log given by the user,
+/// and a grown log of which nothing is made but its table.
+#[test]
+fn the_estimate_lies_between_the_peak_and_twice_it_for_logs_of_large_triangles() {
+    for case in [3_001_136, 3_001_564, 3_003_386, 3_005_684, 3_007_386, 3_009_952] {
+        check(case..case + 1, 200 << 20);
+    }
+}
+
 #[test]
 #[ignore = "takes about half an hour; run it after changing what a stage allocates"]
 fn the_estimate_lies_between_the_peak_and_twice_it_for_ten_thousand_colonies() {

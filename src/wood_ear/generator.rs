@@ -322,7 +322,7 @@ impl Generator {
             let Some((number, surface)) = &self.given else {
                 return Some(Task::Ground(Box::new(Grown::new(params.log))));
             };
-            self.ground = Some(Ground::Given(Given::new(*number, &surface.log)));
+            self.ground = Some(Ground::Given(Given::new(*number, surface)));
         }
         if stale {
             self.deform_key = None;

@@ -2,8 +2,8 @@
 
 use glam::DVec3;
 
-use super::log::Log as LogMesh;
 use super::shape::LogShape;
+use super::user_log::Surface;
 use super::work::tally;
 use crate::params::wood_ear::Log;
 
@@ -44,29 +44,50 @@ const GIVEN_MARGIN: f64 = 0.05;
 /// Largest number of cells along the longer side of the grid under a log given by the user.
 const MOST_CELLS: f64 = 512.0;
 
-/// A closed mesh given by the user, with its triangles sorted by the cells of a grid in the plane that they lie over.
+/// A grid in the plane under a log given by the user.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Cells {
+    /// The corner of the log's box with the smallest coordinates.
+    low: DVec3,
+    /// Length of a cell's side, cm.
+    side: f64,
+    columns: usize,
+    rows: usize,
+}
+
+impl Cells {
+    pub(super) fn under(points: &[DVec3]) -> Self {
+        let low = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
+        let size = points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max) - low;
+        let side = (size.x.max(size.y) / MOST_CELLS).max(0.5);
+        let [columns, rows] = [size.x, size.y].map(|length| (length / side) as usize + 1);
+        Cells { low, side, columns, rows }
+    }
+
+    /// About the number of bytes that [`Given::new`] allocates. Seen from above, the boxes of a closed mesh's triangles
+    /// cover every cell in the middle of the log about four times.
+    pub(super) fn bytes(&self, triangles: usize) -> f64 {
+        (82 * triangles + 20 * self.columns * self.rows) as f64
+    }
+}
+
+/// A closed mesh given by the user, with its triangles sorted by the cells that they lie over.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Given {
     /// The generator's number of the log that this was made from.
     pub(super) number: u32,
-    low: DVec3,
-    cell: f64,
-    columns: usize,
-    rows: usize,
+    cells: Cells,
     starts: Vec<u32>,
     over: Vec<u32>,
     corners: Vec<[DVec3; 3]>,
 }
 
 impl Given {
-    pub(super) fn new(number: u32, log: &LogMesh) -> Self {
-        let low = log.points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-        let size = log.points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max) - low;
-        let cell = (size.x.max(size.y) / MOST_CELLS).max(0.5);
-        let [columns, rows] = [size.x, size.y].map(|side| (side / cell) as usize + 1);
+    pub(super) fn new(number: u32, surface: &Surface) -> Self {
+        let Surface { log, cells, .. } = surface;
+        let Cells { low, columns, rows, .. } = *cells;
         let corners: Vec<[DVec3; 3]> = log.triangles.iter().map(|t| t.map(|v| log.points[v as usize] - low)).collect();
-        let mut given =
-            Given { number, low, cell, columns, rows, starts: vec![0; columns * rows + 1], over: Vec::new(), corners };
+        let mut given = Given { number, cells: *cells, starts: vec![0; columns * rows + 1], over: Vec::new(), corners };
         // The triangles per cell are counted first, and then filled in from the back.
         given.visit(|starts, _, cell, _| starts[cell] += 1);
         let mut sum = 0;
@@ -83,11 +104,12 @@ impl Given {
     }
 
     fn visit(&mut self, mut each: impl FnMut(&mut [u32], &mut [u32], usize, u32)) {
+        let Cells { side, columns, .. } = self.cells;
         for (triangle, [a, b, c]) in (0..).zip(&self.corners) {
-            let [least, most] = [a.min(*b).min(*c), a.max(*b).max(*c)].map(|p| [p.x / self.cell, p.y / self.cell]);
+            let [least, most] = [a.min(*b).min(*c), a.max(*b).max(*c)].map(|p| [p.x / side, p.y / side]);
             for row in least[1] as usize..=most[1] as usize {
                 for column in least[0] as usize..=most[0] as usize {
-                    each(&mut self.starts, &mut self.over, row * self.columns + column, triangle);
+                    each(&mut self.starts, &mut self.over, row * columns + column, triangle);
                 }
             }
         }
@@ -96,12 +118,13 @@ impl Given {
     /// Whether a point is inside the log: a ray upward from there leaves the log an odd number of times.
     fn holds(&self, point: DVec3) -> bool {
         // The ray is moved aside a little, so that it does not hit an edge of a modelled log.
-        let p = point - self.low + DVec3::new(1.3e-7, 2.1e-7, 0.0);
-        let [x, y] = [p.x / self.cell, p.y / self.cell];
-        if !(x >= 0.0 && y >= 0.0 && x < self.columns as f64 && y < self.rows as f64) {
+        let Cells { low, side, columns, rows } = self.cells;
+        let p = point - low + DVec3::new(1.3e-7, 2.1e-7, 0.0);
+        let [x, y] = [p.x / side, p.y / side];
+        if !(x >= 0.0 && y >= 0.0 && x < columns as f64 && y < rows as f64) {
             return false;
         }
-        let cell = y as usize * self.columns + x as usize;
+        let cell = y as usize * columns + x as usize;
         let over = &self.over[self.starts[cell] as usize..self.starts[cell + 1] as usize];
         let mut inside = false;
         for triangle in over {

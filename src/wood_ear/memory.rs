@@ -54,13 +54,14 @@ fn given(surface: &Surface) -> Need {
     let vertices = surface.given as f64;
     let [kept, triangles] = [surface.log.points.len() as f64, surface.log.triangles.len() as f64];
     Need {
-        kept: 57.0 * kept + 24.0 * triangles + 33.0 * kept + 12.0 * triangles,
+        kept: 90.0 * kept + 36.0 * triangles,
         beside: 44.0 * vertices + 12.0 * triangles,
         copies: 33.0 * kept + 12.0 * triangles,
     }
 }
 
-fn log(params: &Params, surface: Option<&Surface>) -> Need {
+/// Memory of a log, with `ground`.
+fn log(params: &Params, surface: Option<&Surface>, ground: f64) -> Need {
     let mut need = match surface {
         Some(surface) => {
             let places = wanted(surface.area(), params.log.spacing);
@@ -73,13 +74,18 @@ fn log(params: &Params, surface: Option<&Surface>) -> Need {
             Need { kept: STOOD_ON * coarse + SEEN * fine, beside: STOOD_ON * fine, copies: SEEN * fine }
         }
     };
-    if params.clear_log {
-        need.kept += match surface {
-            Some(surface) => 80.0 * surface.log.triangles.len() as f64,
-            None => 10.0 * (params.log.length + 2.0 * params.log.radius) * params.log.radius * 4.0,
-        };
-    }
+    need.kept += ground;
     need
+}
+
+/// Bytes of the log as something solid, which individuals keep out of.
+fn ground(params: &Params, surface: Option<&Surface>) -> f64 {
+    match surface {
+        _ if !params.clear_log => 0.0,
+        Some(surface) => surface.cells.bytes(surface.numbers.len()),
+        // There are two of it when it is finished.
+        None => 2.0 * 10.0 * (params.log.length + 2.0 * params.log.radius) * params.log.radius * 4.0,
+    }
 }
 
 /// Memory of a colony. `collides` says that the collisions have to be solved and are not only kept from before.
@@ -118,11 +124,12 @@ impl Generator {
     /// the old colony is in the way, it is freed.
     pub(super) fn check_log(&mut self, params: &Params, budget: u64) -> Result<(), Error> {
         let surface = self.given.as_ref().map(|(_, surface)| &**surface);
-        let log = log(params, surface);
+        let ground = ground(params, surface);
+        let log = log(params, surface, ground);
         // A log given by the user is held already; only feet are drawn on it.
         let kept = surface.map_or(0.0, |surface| given(surface).kept);
         let is_stale = self.log_key.as_ref() != Some(&self.key_of_log(params));
-        let making = if is_stale { log.kept - kept + log.beside } else { 0.0 };
+        let making = if is_stale { log.kept - kept + log.beside } else { ground };
         let mut held = self.memory.held();
         let peak = |held: f64| (held + making).max(log.kept);
         let bytes = |held: f64| INSTANCE + HOLES * peak(held) + log.copies;

@@ -4,6 +4,7 @@ use std::fmt;
 
 use glam::DVec3;
 
+use super::ground::Cells;
 use super::log::{Log, normals};
 use crate::error::fill;
 use crate::rng::Stream;
@@ -115,6 +116,8 @@ pub(super) struct Surface {
     pub(super) given: usize,
     /// Per triangle, the summed area of all triangles up to and including it, cm².
     areas: Vec<f64>,
+    /// The grid that the log lies over.
+    pub(super) cells: Cells,
 }
 
 impl Surface {
@@ -191,7 +194,8 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, Lo
     log.normals = normals(&log.points, &log.triangles);
     log.kinds = vec![0; log.points.len()];
     log.coords = vec![[0.0; 2]; log.points.len()];
-    Ok(Surface { log, numbers, is_turned, given: given.len(), areas })
+    let cells = Cells::under(&log.points);
+    Ok(Surface { log, numbers, is_turned, given: given.len(), areas, cells })
 }
 
 /// Whether a mesh is closed and encloses a negative volume. An open mesh has no inside.
