@@ -32,8 +32,8 @@ const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 // The page itself is put together without that GPU, which makes a page a third cheaper. WebGPU's canvases are white in screenshots then.
 const WEBGL_ALONE = ['--disable-gpu-compositing'];
 const WEBGPU = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan,WebGPU', '--use-vulkan=swiftshader'];
-// Said by the browser because of how it is started here, whatever the page does: no adapter, no service worker.
-const EXPECTED_WARNINGS = /^(No available adapters\.|Service Worker registration blocked by Playwright)/;
+// Said by the browser because of how it is started here, whatever the page does: no adapter, no service worker, WebGL pictures that are read back.
+const EXPECTED_WARNINGS = /^(No available adapters\.|Service Worker registration blocked by Playwright)|GPU stall due to ReadPixels/;
 /**
  * How long a test waits for what has to come, ms: the default of every wait of Playwright in a page that `open` has opened, too. A busy machine
  * with a software GPU may be twenty times slower than a desk, and nothing here is about time.
