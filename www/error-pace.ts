@@ -4,7 +4,7 @@ import type { ErrorInfo } from './errors.ts';
 
 const PACE_MS = 1000;
 
-/** `shown`: the element has said it by itself, when it happened. */
+/** What an `error` event tells. `shown` is true if the element's own message said the error when it happened. */
 export interface ErrorDetail {
   error: ErrorInfo;
   shown: boolean;

@@ -21,14 +21,14 @@ export function tellMissingFile(isSaid = false): void {
   listener?.(isSaid);
 }
 
-/** A script of some kB that has not come after so long does not come, ms. */
+/** How long a script may take to arrive before it is given up, ms. All of them are a few kB. */
 const SCRIPT_MS = 15_000;
 
 /**
  * The module that `load` imports. `isSaid` as in `onMissingFile`.
  *
- * @throws {RockFieldError} `ScriptUnavailable`. A later call tries again, in browsers that do not remember a failed import; a script
- * that comes late after all is there for it.
+ * @throws {RockFieldError} `ScriptUnavailable`. A later call tries again, in browsers that do not remember a failed import. A
+ * script that arrives after it was given up is used by the next call.
  */
 export async function lazily<Module>(load: () => Promise<Module>, isSaid = false): Promise<Module> {
   let timer: ReturnType<typeof setTimeout> | undefined;

@@ -145,7 +145,7 @@ function reasonOf(refusals: readonly Refusal[], losses: number, isTooMany: boole
   return errors.every(({ message }) => ABSENT.test(message)) ? 'noGpu' : 'refused';
 }
 
-/** What the browser still has to tell an instance of the renderer's wasm that is no more concerns nobody. */
+/** To be called after a new instance has taken the place of a renderer's wasm that trapped: errors that callbacks of the old one still throw are not reported. */
 export function ignoreStale(): void {
   for (const type of ['error', 'unhandledrejection']) addEventListener(type, ignoreIfStale, true);
 }

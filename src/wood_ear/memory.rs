@@ -60,7 +60,7 @@ fn given(surface: &Surface) -> Need {
     }
 }
 
-/// Memory of a log, with `ground`.
+/// Memory of a log. `ground` is what [`ground`] gives for it; it is kept with the log.
 fn log(params: &Params, surface: Option<&Surface>, ground: f64) -> Need {
     let mut need = match surface {
         Some(surface) => {
@@ -78,12 +78,13 @@ fn log(params: &Params, surface: Option<&Surface>, ground: f64) -> Need {
     need
 }
 
-/// Bytes of the log as something solid, which individuals keep out of.
+/// Bytes of the tables that keep individuals out of the log; 0 if the log is not to be kept clear.
 fn ground(params: &Params, surface: Option<&Surface>) -> f64 {
     match surface {
         _ if !params.clear_log => 0.0,
         Some(surface) => surface.cells.bytes(surface.numbers.len()),
-        // There are two of it when it is finished.
+        // An f32 per 0.8 cm along and around the log is about 40 bytes per cm². The table is copied when its furrows are
+        // filled, so it is counted twice.
         None => 2.0 * 10.0 * (params.log.length + 2.0 * params.log.radius) * params.log.radius * 4.0,
     }
 }
