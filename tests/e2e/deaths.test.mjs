@@ -234,7 +234,6 @@ const NO_RENDERER = /^The 3D renderer could not be loaded; the plan is shown ins
 for (const [when, hanging, words, plan] of [
   ['after its scripts', [], NO_RENDERER, 'canvas2d'],
   ['before the words about it', ['The 3D renderer could not be loaded'], /^a script could not be fetched \(it does not arrive\)/, 'canvas2d'],
-  ['before what starts it', ['content security policy|unsafe-eval'], NO_RENDERER, 'canvas2d'],
   ['before the plan, too', ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded'], /^a script could not be fetched \(it does not arrive\)/, null],
 ]) {
   test(`a network that falls silent while it brings the renderer, ${when}: what can be drawn, true words and a button`, async () => {
