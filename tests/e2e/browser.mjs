@@ -14,11 +14,11 @@ import { dist, root } from '../../scripts/env.mjs';
 import { serve } from '../../scripts/serve.mjs';
 
 /**
- * The last list of features wins, so this one repeats what Playwright switches off for all pages and adds the first: the popup of the
- * address bar, which Chromium loads for every window, is a sixth of what a page costs.
+ * The last list of features wins, so this one repeats what Playwright switches off for all pages and adds the first two: the popups of the
+ * address bar, which Chromium loads for every window, are a third of what a page costs.
  */
 const FEATURES_OFF = [
-  'WebUIOmniboxPopup',
+  ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
   ...['AvoidCorsURLLoaderRestartOnRedirect', 'AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose', 'HttpsFirstBalancedModeAutoEnable'],
   ...['HttpsUpgrades', 'MediaRouter', 'OptimizationHints', 'PaintHolding', 'ThirdPartyStoragePartitioning'],
 ];
