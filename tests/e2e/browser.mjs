@@ -111,6 +111,70 @@ export async function until(condition, what = condition) {
 /** The same of a condition in the page. */
 export const untilIn = (page, condition) => until(() => page.evaluate(condition), condition);
 
+/**
+ * In the page, by `addInitScript` or `evaluate`: from then on timers of `least` ms and more do not fire. `passTime()` fires those that are
+ * held and goes on holding; `releaseTimers()` fires them and holds no more.
+ */
+export function holdTimers(least = 1000) {
+  const { setTimeout: later, clearTimeout: clear } = globalThis;
+  const held = new Map();
+  let lastId = 0;
+  globalThis.setTimeout = (act, ms, ...rest) => {
+    if (!(ms >= least)) return later(act, ms, ...rest);
+    held.set((lastId -= 1), () => act(...rest));
+    return lastId;
+  };
+  globalThis.clearTimeout = (id) => held.delete(id) || clear(id);
+  globalThis.passTime = () => {
+    const acts = [...held.values()];
+    held.clear();
+    for (const act of acts) act();
+  };
+  globalThis.releaseTimers = () => {
+    globalThis.setTimeout = later;
+    passTime();
+  };
+}
+
+/**
+ * In the page, by `addInitScript`: after `results.hold()` what workers have made does not reach the page before `results.release()`, so that a
+ * run is under way for as long as a test needs. `results.held` of them wait. Everything else that workers say comes through.
+ */
+export function holdResults() {
+  let held = null;
+  globalThis.Worker = class extends Worker {
+    constructor(...args) {
+      super(...args);
+      // The first listener is the first to hear.
+      this.addEventListener('message', (event) => {
+        if (!held || !['result', 'preview'].includes(event.data?.type)) return;
+        event.stopImmediatePropagation();
+        held.push(() => this.dispatchEvent(new MessageEvent('message', { data: event.data })));
+      });
+    }
+  };
+  globalThis.results = {
+    hold: () => void (held ??= []),
+    release() {
+      const acts = held ?? [];
+      held = null;
+      for (const act of acts) act();
+    },
+    get held() {
+      return held?.length ?? 0;
+    },
+  };
+}
+
+/** What a button copies to the clipboard, which the page must be allowed to read. The words that say so go by themselves: nothing waits for those. */
+export async function copied(page, button) {
+  await page.evaluate(() => navigator.clipboard.writeText(''));
+  await button.click();
+  let text = '';
+  await until(async () => (text = await page.evaluate(() => navigator.clipboard.readText())) !== '', 'something is copied');
+  return text;
+}
+
 /** Where a test's screenshot goes (not under version control): `.cache/screenshots/<name>.png`. */
 export function screenshotPath(name) {
   const folder = path.join(root, '.cache', 'screenshots');

@@ -5,7 +5,7 @@ import { dist } from '../../scripts/env.mjs';
 import { plainName } from '../../scripts/hashed-names.mjs';
 import { serve } from '../../scripts/serve.mjs';
 import { violations } from './axe.mjs';
-import { launch, pageOf, screenshotPath } from './browser.mjs';
+import { holdTimers, launch, pageOf, screenshotPath } from './browser.mjs';
 
 const SMALL = 'image-width="256" image-height="192" radius="40 16" area-fraction="0.2 0.3"';
 
@@ -281,6 +281,8 @@ test('share and embed copy what shows this field, and say so in the element', as
   const { page, context } = opened;
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await openPanel(page);
+  // The words that say so would go by themselves.
+  await page.evaluate(holdTimers);
   const copied = () => page.evaluate(() => navigator.clipboard.readText());
   await panel(page).getByRole('button', { name: 'Share' }).click();
   await page.locator('rock-field .toast.is-shown').waitFor();
@@ -295,6 +297,8 @@ test('a panel that cannot be loaded is said, and comes when it is asked for agai
   panelFile = (response) => (response.writeHead(404).end(), (panelFile = null), true);
   const opened = await open();
   const { page } = opened;
+  // The words would go by themselves.
+  await page.evaluate(holdTimers);
   await button(page).click();
   const message = page.locator('rock-field [part=message]');
   await message.waitFor();

@@ -4,7 +4,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
-import { PATIENCE, launch, until } from './browser.mjs';
+import { PATIENCE, holdTimers, launch, until } from './browser.mjs';
 
 /** `heard` tells what the element said. `null` draws nothing: these tests are about the generators. */
 const html = (element, script) => `<!doctype html><meta charset="utf-8"><title>deaths</title><link rel="icon" href="data:,">
@@ -135,23 +135,6 @@ test('the plan is drawn again when the browser restores its canvas', async () =>
 });
 
 const missing = (response) => response.writeHead(404, { 'content-type': 'text/plain' }).end('gone');
-/** In the page: timers of a second or more are held until `passTime` is called. */
-const holdTimers = () => {
-  const { setTimeout: later, clearTimeout: clear } = globalThis;
-  const held = new Map();
-  let id = 0;
-  globalThis.setTimeout = (act, ms, ...rest) => {
-    if (!(ms >= 1000)) return later(act, ms, ...rest);
-    held.set((id -= 1), () => act(...rest));
-    return id;
-  };
-  globalThis.clearTimeout = (id) => held.delete(id) || clear(id);
-  globalThis.passTime = () => {
-    const acts = [...held.values()];
-    held.clear();
-    for (const act of acts) act();
-  };
-};
 /** Everything that is said over the picture, by the element and by the page. */
 const boxes = (page) => page.locator('[part=message], stage-overlay .message').filter({ visible: true });
 
@@ -230,31 +213,42 @@ function scriptWith(words) {
   return names[0];
 }
 
+/** Scripts, and every script that they import at once. */
+function withImports(names) {
+  const all = new Set(names);
+  for (const name of all) {
+    const text = readFileSync(path.join(dist, name), 'utf8');
+    for (const [, imported] of text.matchAll(/(?:from|import)"\.\/(chunk-\w+\.js)"/g)) all.add(imported);
+  }
+  return [...all];
+}
+
 const NO_RENDERER = /^The 3D renderer could not be loaded; the plan is shown instead/;
 for (const [when, hanging, words, plan] of [
   ['after its scripts', [], NO_RENDERER, 'canvas2d'],
   ['before the words about it', ['The 3D renderer could not be loaded'], /^a script could not be fetched \(it does not arrive\)/, 'canvas2d'],
+  ['before what starts it', ['content security policy|unsafe-eval'], NO_RENDERER, 'canvas2d'],
   ['before the plan, too', ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded'], /^a script could not be fetched \(it does not arrive\)/, null],
 ]) {
   test(`a network that falls silent while it brings the renderer, ${when}: what can be drawn, true words and a button`, async () => {
     const all = ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded', 'WebGL2RenderingContext'];
     const silent = hanging.map(scriptWith);
-    const arriving = all.filter((words) => !hanging.includes(words)).map(scriptWith);
+    const arriving = withImports(all.map(scriptWith).filter((name) => !silent.includes(name)));
     const renderer = readdirSync(dist).find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
     const generator = readdirSync(dist).find((name) => /^generator_bg-.*\.wasm$/.test(name));
     const send = (name, response) => response.writeHead(200, { 'content-type': name.endsWith('.js') ? 'text/javascript' : 'application/wasm' }).end(readFileSync(path.join(dist, name)));
     const held = [];
-    let ask;
-    const asked = new Promise((resolve) => (ask = resolve));
+    let rocks;
     broken = {
       ...Object.fromEntries(silent.map((name) => [name, (response) => held.push(() => send(name, response))])),
       [renderer]: (response) => void response.writeHead(200, { 'content-type': 'application/wasm' }).write(readFileSync(path.join(dist, renderer)).subarray(0, 9000)),
-      [generator]: ask,
+      [generator]: (response) => (rocks = response),
     };
     const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200', { prepare: (page) => page.addInitScript(holdTimers) });
-    // What is to arrive is there before the rocks are: afterwards nothing more does.
+    // Before the network falls silent, everything has been asked for, and what is to arrive has run: a part of it that is missing would be another case.
     await page.waitForFunction((names) => names.every((name) => performance.getEntriesByType('resource').some((entry) => entry.name.includes(name))), arriving);
-    const rocks = await asked;
+    await page.evaluate((names) => Promise.all(names.map((name) => import(`/${name}`))), arriving);
+    await until(() => rocks && held.length === silent.length, 'the silent scripts and the rocks have been asked for');
     // When the network comes back, what was asked for meanwhile has failed; a browser has few connections, and nothing may keep them.
     broken = { '/': (response) => held.push(() => response.destroy()) };
     send(generator, rocks);

@@ -1,7 +1,7 @@
 // Graphics devices that die: whenever and however often, the picture comes back without a reload, or true words with a button that works.
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
-import { PATIENCE, launch, pageOf } from './browser.mjs';
+import { PATIENCE, holdTimers, launch, pageOf } from './browser.mjs';
 
 /** `faults` is what the device does wrong; `told` what the elements say, with the time. All elements of a page share one device. */
 const SCRIPT = `
@@ -42,16 +42,6 @@ const SCRIPT = `
     for (const device of devices) device.destroy();
     contexts.clear();
     devices.clear();
-  };
-  /** Timers of a second and more do not fire until they are released. */
-  globalThis.holdTimers = () => {
-    const { setTimeout: later } = globalThis;
-    const held = [];
-    globalThis.setTimeout = (act, ms, ...rest) => (ms >= 1000 ? -held.push(act) : later(act, ms, ...rest));
-    globalThis.releaseTimers = () => {
-      globalThis.setTimeout = later;
-      for (const act of held) act();
-    };
   };
   globalThis.hide = (isHidden) => {
     Object.defineProperty(document, 'visibilityState', { value: isHidden ? 'hidden' : 'visible', configurable: true });
@@ -151,8 +141,8 @@ for (const backend of ['webgl', 'webgpu']) {
 
     test('no device for a while: the plan, true words and one button for each element; it works', async () => {
       // Nothing comes back by itself: it is the buttons that bring it.
+      await page.evaluate(holdTimers);
       await page.evaluate(() => {
-        holdTimers();
         faults.gone = true;
         lose();
       });

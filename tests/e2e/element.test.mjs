@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { decodePng } from '../engines/png.mjs';
-import { launch, pageOf } from './browser.mjs';
+import { holdTimers, launch, pageOf } from './browser.mjs';
 
 /** Everything the element could leave behind is counted. */
 const COUNTERS = `
@@ -216,6 +216,8 @@ test('properties set before the element was defined are taken over', async () =>
 test('attributes: valid ones are taken, malformed ones default with one notice that names them, changes touch nothing else', async () => {
   const { page, errors, warnings, close } = await open(
     `<rock-field id="a" preset="conference-fig9a" seed="-7" view="<img src=x onerror=alert(1)>" color="plain"></rock-field><script>listenTo(a)</script>`,
+    // The words would go by themselves.
+    { prepare: (page) => page.addInitScript(holdTimers) },
   );
   const first = await page.evaluate(() => ({ params: a.params, view: a.view, color: a.color, notices: heard.filter(({ type }) => type === 'notice').map(({ detail }) => detail.message), images: a.shadowRoot.querySelectorAll('img').length, text: a.shadowRoot.querySelector('[part=message]').innerText }));
   assert.deepEqual([first.params.notation, first.params.seed, first.view, first.color, first.images], ['relative', 0, '3d', 'plain', 0]);
@@ -399,10 +401,9 @@ test('after a loss of the context the same field comes back through the same cam
 
 test('a context that is lost again and again ends in the plan with true words; a button brings 3D back', async () => {
   const { page, close } = await open();
+  // Nothing is tried again by itself: what brings 3D back is the button.
+  await page.evaluate(holdTimers);
   const backend = await page.evaluate(async () => {
-    // Nothing is tried again by itself: what brings 3D back is the button.
-    const { setTimeout: later } = globalThis;
-    globalThis.setTimeout = (act, ms, ...rest) => (ms > 1000 ? 0 : later(act, ms, ...rest));
     // On a busy machine four losses take their time: by the page's clock they follow each other closely.
     const now = performance.now.bind(performance);
     performance.now = () => now() / 10;

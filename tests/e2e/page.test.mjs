@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { launch, screenshotPath, until } from './browser.mjs';
+import { copied, holdResults, launch, screenshotPath, until } from './browser.mjs';
 
 /** Not the element's own, which is inside it. */
 const MESSAGE = 'stage-overlay > .message';
@@ -124,7 +124,7 @@ test('what is only seen is drawn without a run, undone and shared like the rest;
 });
 
 test('the presets are chosen from a list, by keys or by hand, with pictures of the natural grounds', async () => {
-  const opened = await open('#preset=journal-fig1&w=256&h=256');
+  const opened = await open('#preset=journal-fig1&w=256&h=256', { prepare: (page) => page.addInitScript(holdResults) });
   const { page } = opened;
   const button = page.locator('#preset');
   const focused = () => page.evaluate(() => document.activeElement?.dataset.preset ?? document.activeElement?.id);
@@ -155,11 +155,13 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
   await button.click();
   assert.ok(await isDrawn('riverbed'), 'it is kept');
   const before = await params(page);
+  await page.evaluate(() => results.hold());
   await page.locator('.preset[data-preset="scree"]').click();
   // Its field is still to come: the address does not tell of it, and an undo takes it back.
   await page.keyboard.press('Control+z');
   assert.deepEqual(await params(page), before);
   assert.match(page.url(), /preset=journal-fig1/);
+  await page.evaluate(() => results.release());
   await page.keyboard.press('Control+Shift+z');
   await address(page, /#v=1&preset=scree$/);
   assert.deepEqual(await page.evaluate(() => document.querySelector('rock-field').color), 'natural');
@@ -206,9 +208,7 @@ test('a shared link shows the same rocks elsewhere', async () => {
   const { page } = opened;
   await page.locator('[id="h2-0-number"]').fill('33.3');
   await page.locator('[data-param="view"] input[value="wireframe"]').check();
-  await page.getByRole('button', { name: 'Share' }).click();
-  await page.waitForSelector('.toast.is-shown');
-  const link = await page.evaluate(() => navigator.clipboard.readText());
+  const link = await copied(page, page.getByRole('button', { name: 'Share' }));
   assert.equal(link, page.url());
   assert.match(link, /#v=1&preset=journal-fig1&seed=7&w=700&h=500&h2=33\.3,5,2&view=wireframe$/);
   const expected = await hash(page);
@@ -232,9 +232,7 @@ test('a shared link shows the same rocks elsewhere', async () => {
 test('the embed code shows the same rocks', async () => {
   const opened = await open('#seed=5&w=256&h=256', { permissions: ['clipboard-read', 'clipboard-write'] });
   const { page } = opened;
-  await page.getByRole('button', { name: 'Copy embed code' }).click();
-  await page.waitForSelector('.toast.is-shown');
-  const code = await page.evaluate(() => navigator.clipboard.readText());
+  const code = await copied(page, page.getByRole('button', { name: 'Copy embed code' }));
   const expected = await hash(page);
   const source = await page.evaluate((html) => new DOMParser().parseFromString(html, 'text/html').querySelector('rock-field').getAttribute('src'), code);
   const shown = await page.evaluate(async (src) => {
@@ -257,9 +255,7 @@ test('the embed code shows the same rocks', async () => {
   });
   await page.getByRole('button', { name: 'Next seed' }).click();
   await hash(page);
-  await page.getByRole('button', { name: 'Share' }).click();
-  await page.locator('.toast.is-shown', { hasText: 'Link copied' }).waitFor();
-  assert.match(await page.evaluate(() => navigator.clipboard.readText()), /#v=1&preset=journal-fig1&seed=6&w=256&h=256$/);
+  assert.match(await copied(page, page.getByRole('button', { name: 'Share' })), /#v=1&preset=journal-fig1&seed=6&w=256&h=256$/);
   await closeClean(opened);
 });
 
@@ -361,14 +357,16 @@ test('a number out of bounds is said while it is typed, and clamped when it is l
 });
 
 test('a long run shows its progress and can be cancelled, back to what is shown', async () => {
-  const opened = await open('#w=4096&h=4096&r=300&a=0.1');
+  const opened = await open('#w=4096&h=4096&r=300&a=0.1', { prepare: (page) => page.addInitScript(holdResults) });
   const { page } = opened;
   const before = await hash(page);
+  await page.evaluate(() => results.hold());
   await page.locator('[id="r-0-number"]').fill('3');
   await page.locator('stage-overlay .progress').waitFor();
   assert.match(await page.locator('.progress-text').textContent(), /Generating: \w+, \d+%/);
   await page.getByRole('button', { name: 'Cancel' }).click();
   await page.locator('stage-overlay .progress').waitFor({ state: 'detached' });
+  await page.evaluate(() => results.release());
   assert.equal((await params(page)).layers[0].radius, 300);
   assert.equal(await hash(page), before);
   assert.match(await message(page), /Cancelled/);

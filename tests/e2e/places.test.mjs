@@ -1,7 +1,7 @@
 // Where an element may stand and what may happen to it there: shadow roots, other documents, out of sight, zoomed, printed, under any style.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PATIENCE, launch, pageOf } from './browser.mjs';
+import { PATIENCE, holdTimers, launch, pageOf } from './browser.mjs';
 
 const ELEMENTS = {
   'rock-field': '<rock-field image-width="200" image-height="150" radius="30 10"></rock-field>',
@@ -312,7 +312,9 @@ test('a slider of a panel in a frame is let go where it is held: two drags are t
 });
 
 test('what is dropped on the log is opened, also from a folder; what cannot be is said on the picture, unless a listener says it', async () => {
-  const { page, errors, close } = await open('<wood-ear-log ground="none" preset="thesis-minimum" editable></wood-ear-log>');
+  // The words would go by themselves.
+  const prepare = (page) => page.addInitScript(holdTimers);
+  const { page, errors, close } = await open('<wood-ear-log ground="none" preset="thesis-minimum" editable></wood-ear-log>', { prepare });
   const seen = await page.evaluate(async () => {
     const message = () => a.shadowRoot.querySelector('[part=message] > span').textContent;
     const drop = (dataTransfer) => {

@@ -1,7 +1,7 @@
 // What a run refuses changes nothing: parameters, steps of undo, links, view and camera are those of the picture, and later edits work.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch } from './browser.mjs';
+import { copied, holdResults, launch, until } from './browser.mjs';
 
 const element = (name, attributes) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>refused</title><link rel="icon" href="data:,">
 <${name} id="a" backend="null" ${attributes}></${name}>
@@ -32,7 +32,10 @@ after(() => session?.close());
 
 /** On a device of 4 GB, whose budget is 512 MiB. */
 async function open(address, options = {}) {
-  const opened = await session.open(address, { viewport: { width: 720, height: 320 }, locale: 'en-US', colorScheme: 'light', ...options, prepare: (page) => page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'deviceMemory', { get: () => 4 })) });
+  const opened = await session.open(address, { viewport: { width: 720, height: 320 }, locale: 'en-US', colorScheme: 'light', ...options, prepare: async (page) => {
+    await page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'deviceMemory', { get: () => 4 }));
+    await page.addInitScript(holdResults);
+  } });
   await opened.page.waitForFunction(() => document.querySelector('rock-field, wood-ear-log')?.field, undefined, { polling: 100 });
   await opened.page.evaluate(() => {
     const a = document.querySelector('rock-field, wood-ear-log');
@@ -208,11 +211,7 @@ const isUndoDisabled = (page) => page.getByRole('button', { name: 'Undo' }).isDi
 /** Waits for words on the line of messages, by the clock: frames may be slow to come. */
 const says = (page, words) => page.waitForFunction((text) => document.querySelector('stage-overlay > .message')?.innerText.includes(text), words, { polling: 100 });
 /** What Share copies. */
-async function shared(page) {
-  await page.getByRole('button', { name: 'Share' }).click();
-  await page.locator('.toast.is-shown').waitFor();
-  return new URL(await page.evaluate(() => navigator.clipboard.readText())).hash;
-}
+const shared = async (page) => new URL(await copied(page, page.getByRole('button', { name: 'Share' }))).hash;
 
 test('a control keeps the value that was refused, with its message; address, Share, undo and later edits do not', async () => {
   const { page, errors, close } = await open(LINK, { permissions: ['clipboard-read', 'clipboard-write'] });
@@ -311,12 +310,13 @@ test('a ground that is refused leaves the log on the old one, on the page and in
 test('an undo while the run of an edit is under way takes it back before it is seen', async () => {
   const { page, errors, close } = await open(LINK);
   const [before, address] = [await params(page), await hash(page)];
-  await page.locator('[id="r-0-number"]').fill('6');
-  await page.locator('stage-overlay .progress').waitFor();
+  await page.evaluate(() => results.hold());
+  await page.locator('[id="r-0-number"]').fill('60');
+  await until(() => page.evaluate(() => results.held > 0), 'the edit has been run');
   assert.equal(await hash(page), address, 'not shown yet');
   await page.keyboard.press('Control+z');
   assert.deepEqual(await params(page), before);
-  await page.locator('stage-overlay .progress').waitFor({ state: 'detached' });
+  await page.evaluate(() => results.release());
   assert.equal(await page.evaluate(async () => (await document.querySelector('rock-field').getField()).layers[0].radius), 200);
   assert.deepEqual([await hash(page), await isUndoDisabled(page)], [address, true]);
   assert.deepEqual(errors, []);
