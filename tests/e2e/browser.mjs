@@ -175,6 +175,9 @@ export async function copied(page, button) {
   return text;
 }
 
+/** From here on nothing is drawn: a software GPU takes up to a second for a picture, and this test looks at none. */
+export const hidePictures = (page) => page.addStyleTag({ content: 'rock-field, wood-ear-log { display: none !important }' });
+
 /** Where a test's screenshot goes (not under version control): `.cache/screenshots/<name>.png`. */
 export function screenshotPath(name) {
   const folder = path.join(root, '.cache', 'screenshots');

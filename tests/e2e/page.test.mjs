@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { copied, holdResults, launch, screenshotPath, until } from './browser.mjs';
+import { copied, hidePictures, holdResults, launch, screenshotPath, until } from './browser.mjs';
 
 /** Not the element's own, which is inside it. */
 const MESSAGE = 'stage-overlay > .message';
@@ -75,6 +75,7 @@ test('every slider moves something, and its number says so', async () => {
   // With some wear, since one kind of it needs another.
   const opened = await open('#w=256&h=256&r=40,20,8&we=0.5,0.5,0.5&ro=0.5,0.5,0.5&de=1,1,1');
   const { page } = opened;
+  await hidePictures(page);
   for (const name of ['Layer 2', 'Layer 3']) await page.getByRole('button', { name }).first().click();
   await page.locator('[data-param="fill-2"] input[value="count"]').check();
   await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
@@ -232,6 +233,7 @@ test('a shared link shows the same rocks elsewhere', async () => {
 test('the embed code shows the same rocks', async () => {
   const opened = await open('#seed=5&w=256&h=256', { permissions: ['clipboard-read', 'clipboard-write'] });
   const { page } = opened;
+  await hidePictures(page);
   const code = await copied(page, page.getByRole('button', { name: 'Copy embed code' }));
   const expected = await hash(page);
   const source = await page.evaluate((html) => new DOMParser().parseFromString(html, 'text/html').querySelector('rock-field').getAttribute('src'), code);
@@ -284,6 +286,7 @@ async function follow(page, link) {
 test('of a bad link there is one notice for each thing that is wrong, which names it, and the page works', async () => {
   const opened = await open(BAD_LINKS[0][1]);
   const { page } = opened;
+  await hidePictures(page);
   for (const [what, link, pattern] of BAD_LINKS) {
     if (link !== BAD_LINKS[0][1]) await follow(page, link);
     await page.locator(MESSAGE).waitFor();
@@ -324,6 +327,7 @@ test('links that leave hardly anything to be seen have a picture and no error', 
 test('what is too large for the memory is said under the parameter to change; the picture stays', async () => {
   const opened = await open('#w=8192&h=8192&r=200');
   const { page } = opened;
+  await hidePictures(page);
   const before = await hash(page);
   await page.locator('[id="r-0-number"]').fill('1');
   const problem = page.locator('[data-param="r-0"] .control-problem');
@@ -339,6 +343,7 @@ test('what is too large for the memory is said under the parameter to change; th
 test('a number out of bounds is said while it is typed, and clamped when it is left', async () => {
   const opened = await open('#w=256&h=256');
   const { page } = opened;
+  await hidePictures(page);
   const field = page.locator('[id="r-0-number"]');
   await field.fill('99999');
   assert.match(await page.locator('[data-param="r-0"] .control-problem').textContent(), /1 to 8192/);
@@ -377,6 +382,7 @@ test('a long run shows its progress and can be cancelled, back to what is shown'
 test('presets, seeds, reset and randomise', async () => {
   const opened = await open('#w=300&seed=4');
   const { page } = opened;
+  await hidePictures(page);
   await page.locator('#preset').click();
   await page.locator('.preset[data-preset="conference-fig11c"]').click();
   await address(page, /preset=conference-fig11c&seed=4$/);
@@ -399,6 +405,7 @@ test('presets, seeds, reset and randomise', async () => {
 test('layers are added, duplicated, removed; a count takes the place of an area', async () => {
   const opened = await open('#w=256&h=256&r=90,30,10');
   const { page } = opened;
+  await hidePictures(page);
   const before = await hash(page);
   await page.locator('[data-param="fill-0"] input[value="count"]').check();
   assert.equal(await hash(page), before, 'as many as there were');
@@ -415,6 +422,7 @@ test('layers are added, duplicated, removed; a count takes the place of an area'
 test('after a layer or a base is added, copied or removed, the focus is on the next or the new one', async () => {
   const opened = await open('#preset=journal-fig1&w=64&h=64&r=20,10');
   const { page } = opened;
+  await hidePictures(page);
   const at = () => page.evaluate(() => document.activeElement?.closest('.layer')?.dataset.layer ?? document.activeElement?.textContent.trim());
   const press = async (name) => {
     await page.getByRole('button', { name, exact: true }).focus();
@@ -444,6 +452,7 @@ test('after a layer or a base is added, copied or removed, the focus is on the n
 test('the radius takes height and taper with it, and back; a lock keeps them', async () => {
   const opened = await open('#preset=journal-fig1&w=256&h=256&r=40&a=0.2');
   const { page } = opened;
+  await hidePictures(page);
   const layer = async () => (await params(page)).layers[0];
   const { taper, height } = await layer();
   const field = page.locator('[id="r-0-number"]');
@@ -591,6 +600,7 @@ test('the keyboard’s focus on the picture is seen', async () => {
 test('another notation, the same rocks', async () => {
   const opened = await open('#w=512&h=512');
   const { page } = opened;
+  await hidePictures(page);
   const before = await hash(page);
   // What converts the lengths is fetched when it is first needed.
   const taken = (notation) => page.waitForFunction((wanted) => document.querySelector('rock-field').params.notation === wanted, notation);

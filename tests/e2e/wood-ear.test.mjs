@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
-import { copied, holdTimers, launch, pageOf, screenshotPath, until } from './browser.mjs';
+import { copied, hidePictures, holdTimers, launch, pageOf, screenshotPath, until } from './browser.mjs';
 
 const MESSAGE = 'stage-overlay > .message';
 /** A small colony, in the colours of the thesis. */
@@ -93,6 +93,7 @@ for (const webgpu of [false, true]) {
 test('every slider changes the colony or the picture, its number says so, and undo takes it back', async () => {
   const opened = await open('#preset=thesis-default&d=12&r=25&m=90&co=pressed&dr=0.3&th=0.1&ft=0.3&pi=0.5&w=60&lb=0.5');
   const { page } = opened;
+  await hidePictures(page);
   await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
   const looks = ['sa', 'se'];
   const ids = (await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id))).filter((id) => !looks.includes(id));
@@ -155,6 +156,7 @@ test('a click on the log places a base, its ring is dragged along the log and re
 test('a base has a range of its own, from the panel', async () => {
   const opened = await open();
   const { page } = opened;
+  await hidePictures(page);
   await page.getByRole('button', { name: 'Add base' }).click();
   await page.locator('[data-base="1"] .layer-toggle').click();
   await page.locator('[data-param="range-of-1"] input[value="own"]').check();
@@ -169,6 +171,7 @@ test('a base has a range of its own, from the panel', async () => {
 test('a shared link shows the same log on the same rocks elsewhere', async () => {
   const opened = await open('#preset=wet-colony&d=20&r=25&seed=7&color=plain&bx=-30,20&by=-15,-15&bz=20,20&br=-,30');
   const { page } = opened;
+  await hidePictures(page);
   await page.locator('#ground').selectOption('shingle');
   await page.getByRole('button', { name: 'Other rocks' }).click();
   const here = await hash(page);
@@ -183,6 +186,7 @@ test('a shared link shows the same log on the same rocks elsewhere', async () =>
 test('what is wrong with a link or a value is said, and something legal is shown', async () => {
   const opened = await open('#preset=thesis-default&r=25&d=900&moss=1&bx=1,2&by=3');
   const { page } = opened;
+  await hidePictures(page);
   assert.match(await message(page), /^d: 900 must be between 0 and 100; using 100\.$/);
   assert.equal((await params(page)).density, 100);
   const number = page.locator('[id="m-number"]');
@@ -229,6 +233,7 @@ const drop = (page, name, text) =>
 test('a log from a file carries the colony; a broken, foreign or empty file is refused in words and the old log stays', async () => {
   const opened = await open('#preset=thesis-default&r=25&d=100');
   const { page } = opened;
+  await hidePictures(page);
   const grown = await hash(page);
   for (const [name, text, words] of [
     ['notes.txt', 'hello', /neither a GLB nor an OBJ/],
@@ -261,6 +266,7 @@ test('a log that the generator refuses leaves the old one, on the element, in th
   // As the page itself writes it, so that its address stays as it is.
   const opened = await open('#v=1&preset=thesis-default&d=100&r=25');
   const { page } = opened;
+  await hidePictures(page);
   await page.evaluate(() => {
     window.changes = [];
     document.querySelector('wood-ear-log').addEventListener('change', ({ detail }) => window.changes.push(detail.params.mesh !== null));
@@ -296,6 +302,7 @@ test('a log that the generator refuses leaves the old one, on the element, in th
 test('of several files the latest is shown, others are given up by name, and what is no file is refused by name', async () => {
   const opened = await open('#preset=thesis-default&r=25&d=60');
   const { page } = opened;
+  await hidePictures(page);
   const outcome = await page.evaluate(async (text) => {
     const element = document.querySelector('wood-ear-log');
     const box = (length) => new File([text.replaceAll('120', length)], `${length}.obj`);
@@ -325,6 +332,7 @@ test('of several files the latest is shown, others are given up by name, and wha
 test('a large file is read beside the page: no task of the page takes long, and it is refused in words', async () => {
   const opened = await open('#preset=thesis-default&r=25&d=60');
   const { page } = opened;
+  await hidePictures(page);
   const { longest, name, ms } = await page.evaluate(async () => {
     const lines = [];
     for (let x = 0; x < 700; x += 1) for (let y = 0; y < 300; y += 1) lines.push(`v ${x}.123456 ${y}.123456 ${(x * y) % 7}.123456`);
@@ -380,6 +388,7 @@ test('while files are dragged over the picture a frame says what happens; of an 
 test('of a drag the colony before its collisions is followed at once, and the newest is the last shown', async () => {
   const opened = await open('#preset=thesis-default');
   const { page } = opened;
+  await hidePictures(page);
   const seen = await page.evaluate(async () => {
     const element = document.querySelector('wood-ear-log');
     const seen = [];
