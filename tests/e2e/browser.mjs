@@ -40,6 +40,9 @@ const EXPECTED_WARNINGS = /^(No available adapters\.|Service Worker registration
  */
 export const PATIENCE = 120_000;
 
+/** How long a page may be open: Playwright lets an `evaluate` wait for ever, so a test that hangs in one loses its page, and is told by name. */
+const OPEN_MS = 5 * PATIENCE;
+
 const NO_GPU = ['--disable-gpu', '--disable-3d-apis', '--disable-software-rasterizer'];
 
 /**
@@ -85,6 +88,8 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
 async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, deviceScaleFactor = 0.25, ...context } = {}) {
   const owner = await browser.newContext({ serviceWorkers, deviceScaleFactor, ...context });
   owner.setDefaultTimeout(PATIENCE);
+  const guard = setTimeout(() => owner.close({ reason: `the page was open for ${OPEN_MS / 60_000} minutes: something in this test waits for ever` }), OPEN_MS);
+  owner.once('close', () => clearTimeout(guard));
   const page = await owner.newPage();
   const errors = [];
   const warnings = [];
