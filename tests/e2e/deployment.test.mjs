@@ -103,11 +103,10 @@ async function leave(context, page) {
 
 /** Ends the page's workers, then asks for the next seed; `grown` tells what comes of it. */
 async function killAndEdit(page) {
-  for (const worker of page.workers()) {
-    const closed = worker.waitForEvent('close');
-    worker.evaluate(() => self.close()).catch(() => undefined);
-    await closed;
-  }
+  const workers = page.workers();
+  const closed = workers.map((worker) => worker.waitForEvent('close'));
+  for (const worker of workers) worker.evaluate(() => self.close()).catch(() => undefined);
+  await Promise.all(closed);
   await page.evaluate(() => {
     const element = document.querySelector('rock-field, wood-ear-log');
     globalThis.grown = undefined;
