@@ -8,13 +8,16 @@
 import { canInstall, ensureBrowser } from './browser.mjs';
 import { build } from './build.mjs';
 import { dist } from './env.mjs';
-import { Failure, isMain, main, say, seconds } from './run.mjs';
+import { Failure, beginningWith, inLanes, isMain, main, say, seconds } from './run.mjs';
 import { serve } from './serve.mjs';
 
 /** Of one script in a page, and of loading it. Software rendering takes its time, more of it on a busy machine. */
 const TIMEOUT_MS = 120_000;
 /** Of an engine with all its backends. */
 const ENGINE_MS = 600_000;
+
+/** The picture that all others are compared with. */
+const REFERENCE = 'Chromium with WebGPU';
 
 const TITLES = { webgpu: 'WebGPU', webgl: 'WebGL2' };
 
@@ -32,26 +35,31 @@ export async function check(names = []) {
   const server = await serve(dist, { intercept });
   const found = { pictures: [], problems: [], skipped: [] };
   try {
-    // One after the other: the software GPU takes every core.
-    for (const engine of chosen) await attempt(engine, server.url, found);
+    // What is missing is installed first, one after the other. Then engines run side by side, since each of them waits for much of its time.
+    const prepared = [];
+    for (const engine of chosen) prepared.push({ engine, programs: await prepare(engine, found) });
+    await inLanes(prepared.filter(({ programs }) => programs), ({ engine, programs }) => attempt(engine, programs, server.url, found));
   } finally {
     await server.close();
   }
-  const problems = [...found.problems, ...(await compare(found.pictures))];
+  const problems = [...found.problems, ...(await compare(found.pictures.toSorted(beginningWith([REFERENCE], ({ name }) => name))))];
   if (problems.length > 0) throw new Failure(problems.join('\n  '));
   return found.skipped.join('; ');
 }
 
-/** Adds an engine's pictures, what went wrong, or why it was left out, to what was found. */
-async function attempt(engine, url, found) {
-  let programs;
+/** The programs that an engine needs; without them it is left out, which is added to what was found. */
+async function prepare(engine, found) {
   try {
-    programs = await prepare(engine);
+    return await install(engine);
   } catch (error) {
     if (!(error instanceof Failure)) throw error;
     missing(found, canInstall(engine.browser), `${engine.name} is left out: ${error.message}`);
-    return;
+    return null;
   }
+}
+
+/** Adds an engine's pictures, or what went wrong, to what was found. */
+async function attempt(engine, programs, url, found) {
   const { startScreen } = await import('../tests/engines/processes.mjs');
   let screen;
   let running;
@@ -77,7 +85,7 @@ function missing(found, isDue, text) {
   (isDue ? found.problems : found.skipped).push(text);
 }
 
-async function prepare({ browser, needsScreen }) {
+async function install({ browser, needsScreen }) {
   const program = await ensureBrowser(browser);
   if (!needsScreen || process.platform !== 'linux') return { browser: program };
   try {

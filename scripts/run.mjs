@@ -3,6 +3,7 @@
 // Everything said here goes to stderr, so that a command that answers on stdout (`npm run bench -- --json`) stays clean.
 import { spawn, spawnSync } from 'node:child_process';
 import { accessSync, constants, realpathSync, statSync } from 'node:fs';
+import os from 'node:os';
 import path from 'node:path';
 import { fileURLToPath } from 'node:url';
 
@@ -18,8 +19,19 @@ export async function step(what, expected, work) {
   say(`• ${what}${expected ? ` (${expected})` : ''}`);
   const start = performance.now();
   const result = await work();
-  say(`  ${seconds(performance.now() - start)} s`);
+  say(`  ${what}: ${seconds(performance.now() - start)} s`);
   return result;
+}
+
+/** Works on the items in order, on as many at a time as there are cores; fails with the first failure once all are done. */
+export async function inLanes(items, work, lanes = os.availableParallelism()) {
+  const waiting = items[Symbol.iterator]();
+  const failures = [];
+  const lane = async () => {
+    for (const item of waiting) await work(item).catch((error) => failures.push(error));
+  };
+  await Promise.all(Array.from({ length: lanes }, lane));
+  if (failures.length > 0) throw failures[0];
 }
 
 export function seconds(ms) {

@@ -1,20 +1,17 @@
 // The tests of the crate, whose programs run side by side: most of them keep one core busy, and headless Node never more.
 import { spawn, spawnSync } from 'node:child_process';
-import os from 'node:os';
 import { cargoEnv, root } from './env.mjs';
-import { Failure, beginningWith, seconds } from './run.mjs';
+import { Failure, beginningWith, inLanes, seconds } from './run.mjs';
 
 /** These take longest, so they begin first. */
 const LONG = ['properties', 'wood_ear', 'wood_ear_logs', 'wood_ear_properties'];
 
 /** Compiles every test program, with these arguments of `cargo test`, and runs them; `runner` is the program that can run them, if they need one. */
 export async function runRustTests(args, runner) {
-  const waiting = programs(args).sort(beginningWith(LONG, ({ name }) => name));
   const failed = [];
-  const work = async () => {
-    for (let next = waiting.shift(); next; next = waiting.shift()) if (!(await isPassed(next, runner))) failed.push(next.name);
-  };
-  await Promise.all(Array.from({ length: os.availableParallelism() }, work));
+  await inLanes(programs(args).sort(beginningWith(LONG, ({ name }) => name)), async (program) => {
+    if (!(await isPassed(program, runner))) failed.push(program.name);
+  });
   if (failed.length > 0) throw new Failure(`tests failed in ${failed.join(', ')}`);
 }
 

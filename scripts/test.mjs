@@ -5,6 +5,7 @@
 //
 // The last line on stdout is always `N passed, N failed`, counting steps.
 import { existsSync, readdirSync } from 'node:fs';
+import os from 'node:os';
 import path from 'node:path';
 import { pipeline } from 'node:stream/promises';
 import { run as runFiles } from 'node:test';
@@ -123,7 +124,7 @@ async function rustDocs() {
 
 async function webTests() {
   const { bundleWebTests } = await import('./web-tests.mjs');
-  await node(['--enable-source-maps', '--test', `--test-timeout=${HANGS_MS}`, ...(await bundleWebTests())]);
+  await node(['--enable-source-maps', '--test', `--test-timeout=${HANGS_MS}`, `--test-concurrency=${os.availableParallelism()}`, ...(await bundleWebTests())]);
 }
 
 async function browserTests() {

@@ -2,7 +2,7 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from './env.mjs';
-import { Failure, capture, run, say, step } from './run.mjs';
+import { Failure, capture, inLanes, run, say, step } from './run.mjs';
 import { bindgenProgram } from './setup.mjs';
 import { silencePanics } from './silent-panics.mjs';
 
@@ -37,10 +37,14 @@ const WASM_FEATURES = ['bulk-memory', 'bulk-memory-opt', 'multivalue', 'mutable-
 export async function buildWasm() {
   mkdirSync(pkg, { recursive: true });
   const tools = toolVersions();
-  for (const artefact of artefacts) {
-    if (isCurrent(artefact, tools)) say(`• ${artefact.feature}.wasm is up to date`);
-    else await step(`Building ${artefact.feature}.wasm`, artefact.expected, () => build(artefact, tools));
-  }
+  // The optimisers keep one core busy, so that artefacts are built side by side, but for those of one profile: cargo gives them one name in one folder.
+  const profiles = [...new Set(artefacts.map(({ profile }) => profile))].reverse();
+  await inLanes(profiles, async (profile) => {
+    for (const artefact of artefacts.filter((one) => one.profile === profile)) {
+      if (isCurrent(artefact, tools)) say(`• ${artefact.feature}.wasm is up to date`);
+      else await step(`Building ${artefact.feature}.wasm`, artefact.expected, () => build(artefact, tools));
+    }
+  });
 }
 
 async function build({ feature, profile, rustc = [], silent = false, optimise, bindgen = [] }, tools) {

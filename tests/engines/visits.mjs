@@ -25,29 +25,28 @@ const PAGES = [
 const FRAME = 'engine-frame.html';
 const FRAMED = 'engine-framed.html';
 
-/** What the pages may draw with; changed before each visit. */
-let allowed = 'webgpu';
-
 /** For `serve`: the site's pages with a script that is asked, and a page with a frame. */
 export function interceptVisits(request, response) {
-  const { pathname } = new URL(request.url, 'http://localhost');
+  const { pathname, searchParams } = new URL(request.url, 'http://localhost');
+  const allowed = searchParams.get('allowed');
   // A frame without an origin gets modules as other origins do.
   response.setHeader('access-control-allow-origin', '*');
   if (pathname === '/visit.js') response.writeHead(200, { 'content-type': 'text/javascript' }).end(readFileSync(new URL('visit.js', import.meta.url)));
-  else if (PAGES.some(({ name }) => pathname === `/${name}`)) response.writeHead(200, HTML).end(watched(readFileSync(path.join(dist, pathname), 'utf8')));
-  else if (pathname === `/${FRAME}`) response.writeHead(200, HTML).end(framing());
+  else if (PAGES.some(({ name }) => pathname === `/${name}`)) response.writeHead(200, HTML).end(watched(readFileSync(path.join(dist, pathname), 'utf8'), allowed));
+  else if (pathname === `/${FRAME}`) response.writeHead(200, HTML).end(framing(allowed));
   else if (pathname === `/${FRAMED}`) response.writeHead(200, HTML).end(framed());
   else return false;
   return true;
 }
 
-function watched(page) {
+/** `allowed` is what the page may draw with. */
+function watched(page, allowed) {
   return page.replace('<head>', `<head><script src="/visit.js" data-allowed="${allowed}"></script>`);
 }
 
-function framing() {
+function framing(allowed) {
   return watched(`<!doctype html><html lang="en"><head><meta charset="utf-8"><title>frame</title><link rel="icon" href="data:,"></head>
-<iframe sandbox="allow-scripts" src="/${FRAMED}" width="400" height="500"></iframe>`);
+<iframe sandbox="allow-scripts" src="/${FRAMED}" width="400" height="500"></iframe>`, allowed);
 }
 
 /** Both elements; the frame tells the page what they come to. */
@@ -96,9 +95,8 @@ async function grownInNode({ mesh, log, ground: _, ...params }) {
 
 /** The site's two pages and one of the documentation's, each until it shows what it has to. Left to themselves they take the best backend that is allowed. */
 export async function examinePages(engine, url, backend) {
-  allowed = backend;
   for (const { name, address = '', element, hash } of PAGES) {
-    await engine.go(`${url}${name}${address}`);
+    await engine.go(`${url}${name}?allowed=${backend}${address}`);
     const said = await ask(engine, 'visited()');
     same([said.element, said.backend], [element, backend], `what draws in ${name}`);
     same(said.hash, hash ?? (await hashInNode(said.params)), `hash of what ${name} shows`);
@@ -114,8 +112,7 @@ export async function hashInNode(params) {
 
 /** Both elements in a frame that may run scripts and nothing else. */
 export async function examineFrame(engine, url, backend) {
-  allowed = backend;
-  await engine.go(`${url}${FRAME}`);
+  await engine.go(`${url}${FRAME}?allowed=${backend}`);
   const { told } = await ask(engine, 'framed(2)');
   same(told, { 'rock-field': { hash: ROCKS['journal-fig1'] }, 'wood-ear-log': { hash: WOOD_EARS[COLONY] } }, 'what the frame shows');
 }

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
-import { Failure, isMain, main, run, say, seconds } from '../../scripts/run.mjs';
+import { Failure, inLanes, isMain, main, run, say, seconds } from '../../scripts/run.mjs';
 import { pack } from '../../scripts/package.mjs';
 import { install, next, nextServer, tool, vite, vitePage, viteServer, webpack } from './projects.mjs';
 import { openCdn, show } from './show.mjs';
@@ -90,22 +90,18 @@ export async function check(chosen = Object.keys(HOSTS)) {
   const { outside, folder } = await pack();
   try {
     const failed = [];
-    const waiting = chosen.entries();
-    const lane = async () => {
-      for (const [number, name] of waiting) {
-        const site = path.join(outside, `site-${number}`);
-        mkdirSync(site);
-        const start = performance.now();
-        try {
-          await hosts[name](site, folder);
-          say(`✓ ${name} (${seconds(performance.now() - start)} s)`);
-        } catch (error) {
-          say(`✗ ${name}: ${error.message}`);
-          failed.push(name);
-        }
+    await inLanes(chosen.entries(), async ([number, name]) => {
+      const site = path.join(outside, `site-${number}`);
+      mkdirSync(site);
+      const start = performance.now();
+      try {
+        await hosts[name](site, folder);
+        say(`✓ ${name} (${seconds(performance.now() - start)} s)`);
+      } catch (error) {
+        say(`✗ ${name}: ${error.message}`);
+        failed.push(name);
       }
-    };
-    await Promise.all(Array.from({ length: LANES }, lane));
+    }, LANES);
     assert.deepEqual(failed, [], 'hosts in which there are no rocks');
     return chosen.length;
   } finally {
