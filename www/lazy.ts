@@ -23,6 +23,8 @@ export function tellMissingFile(isSaid = false): void {
 
 /** How long a script may take to arrive before it is given up, ms. All of them are a few kB. */
 const SCRIPT_MS = 15_000;
+/** Then the page gets so many turns, 100 ms apart, to take what has arrived while it was busy. */
+const TURNS = 20;
 
 /**
  * The module that `load` imports. `isSaid` as in `onMissingFile`.
@@ -33,7 +35,11 @@ const SCRIPT_MS = 15_000;
 export async function lazily<Module>(load: () => Promise<Module>, isSaid = false): Promise<Module> {
   let timer: ReturnType<typeof setTimeout> | undefined;
   try {
-    const late = new Promise<never>((_, reject) => (timer = setTimeout(reject, SCRIPT_MS, 'it does not arrive')));
+    let turns = TURNS;
+    const late = new Promise<never>((_, reject) => {
+      const turn = () => (turns-- > 0 ? (timer = setTimeout(turn, 100)) : reject('it does not arrive'));
+      timer = setTimeout(turn, SCRIPT_MS);
+    });
     return await Promise.race([load(), late]);
   } catch (cause) {
     tellMissingFile(isSaid);
