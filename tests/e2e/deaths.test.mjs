@@ -4,6 +4,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
+import { answer } from '../../scripts/serve.mjs';
 import { PATIENCE, holdTimers, launch, until } from './browser.mjs';
 
 /** `heard` tells what the element said. `null` draws nothing: these tests are about the generators. */
@@ -231,9 +232,9 @@ for (const [when, hanging, words, plan] of [
   ['before the plan, too', ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded'], /^a script could not be fetched \(it does not arrive\)/, null],
 ]) {
   test(`a network that falls silent while it brings the renderer, ${when}: what can be drawn, true words and a button`, async () => {
-    const all = ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded', 'WebGL2RenderingContext'];
+    const parts = ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded', 'WebGL2RenderingContext'];
     const silent = hanging.map(scriptWith);
-    const arriving = withImports(all.map(scriptWith).filter((name) => !silent.includes(name)));
+    const arriving = withImports(parts.map(scriptWith).filter((name) => !silent.includes(name)));
     const renderer = readdirSync(dist).find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
     const generator = readdirSync(dist).find((name) => /^generator_bg-.*\.wasm$/.test(name));
     const send = (name, response) => response.writeHead(200, { 'content-type': name.endsWith('.js') ? 'text/javascript' : 'application/wasm' }).end(readFileSync(path.join(dist, name)));
@@ -244,13 +245,24 @@ for (const [when, hanging, words, plan] of [
       [renderer]: (response) => void response.writeHead(200, { 'content-type': 'application/wasm' }).write(readFileSync(path.join(dist, renderer)).subarray(0, 9000)),
       [generator]: (response) => (rocks = response),
     };
-    const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200', { prepare: (page) => page.addInitScript(holdTimers) });
-    // Before the network falls silent, everything has been asked for, and what is to arrive has run: a part of it that is missing would be another case.
+    const pending = new Set();
+    const prepare = (page) => {
+      page.on('request', (request) => pending.add(request.url()));
+      for (const over of ['requestfinished', 'requestfailed']) page.on(over, (request) => pending.delete(request.url()));
+      return page.addInitScript(holdTimers);
+    };
+    const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200', { prepare });
+    // Before the network falls silent everything has been asked for, and all but the silent files are there and have run: whatever else is
+    // missing has words of its own. The description of the rocks is asked for with them.
     await page.waitForFunction((names) => names.every((name) => performance.getEntriesByType('resource').some((entry) => entry.name.includes(name))), arriving);
-    await page.evaluate((names) => Promise.all(names.map((name) => import(`/${name}`))), arriving);
+    await page.evaluate((names) => Promise.all(names.map((name) => import(`/${name}`))), [...arriving, scriptWith('largest')]);
     await until(() => rocks && held.length === silent.length, 'the silent scripts and the rocks have been asked for');
-    // When the network comes back, what was asked for meanwhile has failed; a browser has few connections, and nothing may keep them.
-    broken = { '/': (response) => held.push(() => response.destroy()) };
+    await until(async () => {
+      await page.evaluate(() => new Promise((resolve) => requestIdleCallback(resolve)));
+      return [...pending].every((url) => [...silent, renderer, generator].some((name) => url.includes(name)));
+    }, 'nothing else is on its way');
+    // What is asked for from now on comes when the network is back.
+    broken = { '/': (response) => held.push(() => answer(dist, response.req, response)) };
     send(generator, rocks);
     await page.waitForFunction(() => document.querySelector('rock-field').field);
     await page.evaluate(() => passTime());
@@ -259,7 +271,7 @@ for (const [when, hanging, words, plan] of [
     assert.equal(await page.evaluate(() => document.querySelector('rock-field').backend), plan);
     assert.equal(await boxes(page).count(), 1, (await boxes(page).allInnerTexts()).join(' | '));
     broken = {};
-    held.forEach((answer) => answer());
+    for (const give of held) give();
     await said.getByRole('button', { name: 'Retry' }).click();
     await page.waitForFunction(() => document.querySelector('rock-field').backend === 'webgl');
     await until(async () => (await boxes(page).count()) === 0);
