@@ -25,6 +25,8 @@ const FEATURES_OFF = [
 const QUIET = [
   ...['--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
   `--disable-features=${FEATURES_OFF.join(',')}`,
+  // Most pages show one small field: wasm is optimised once it has run ten times as long as the browser would wait for.
+  '--js-flags=--wasm-tiering-budget=130000000',
 ];
 // SwiftShader, a software GPU, so that the tests see the same device on every machine. With the first set alone
 // `navigator.gpu` exists and its adapter is null: the case the WebGL2 fallback is for.
