@@ -1,4 +1,4 @@
-// The panel of the page in a real browser: every control, undo, numbers, layers, progress, fingers and wheel.
+// The panel of the page in a real browser: every control, undo, numbers, layers, progress, fingers and wheel, names and forced colours.
 // Drawn by WebGL2 (software).
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
@@ -288,5 +288,35 @@ test('another notation, the same rocks', async () => {
   await page.locator('[data-param="u"] input[value="px"]').check();
   await taken('px');
   assert.equal(await hash(page), before);
+  await closeClean(opened);
+});
+
+test('every control has a name, what describes it exists, and what is chosen can be read in forced colours', async () => {
+  const opened = await open('#w=256&h=256');
+  const { page } = opened;
+  const nameless = await page.evaluate(() =>
+    [...document.querySelectorAll('button, input, select')].filter((element) => {
+      const name = element.getAttribute('aria-label') || element.textContent.trim() || [...(element.labels ?? [])].map(({ textContent }) => textContent.trim()).join('');
+      return !name;
+    }).map(({ outerHTML }) => outerHTML),
+  );
+  assert.deepEqual(nameless, []);
+  const dangling = await page.evaluate(() =>
+    [...document.querySelectorAll('[aria-describedby], [aria-labelledby], [aria-controls]')].flatMap((element) =>
+      ['aria-describedby', 'aria-labelledby', 'aria-controls'].flatMap((name) => (element.getAttribute(name) ?? '').split(' ').filter((id) => id && !document.getElementById(id))),
+    ),
+  );
+  assert.deepEqual(dangling, []);
+  const twice = await page.evaluate(() => [...document.querySelectorAll('[id]')].map(({ id }) => id).filter((id, index, all) => all.indexOf(id) !== index));
+  assert.deepEqual(twice, []);
+  await page.emulateMedia({ forcedColors: 'active' });
+  const pale = await page.evaluate(async () => {
+    await Promise.allSettled(document.getAnimations().map(({ finished }) => finished));
+    const probe = document.body.appendChild(document.createElement('p'));
+    Object.assign(probe.style, { forcedColorAdjust: 'none', background: 'Highlight', color: 'HighlightText' });
+    const colours = (element) => [getComputedStyle(element).backgroundColor, getComputedStyle(element).color].join(' on ');
+    return [...document.querySelectorAll('.segment input:checked + span')].filter((chosen) => colours(chosen) !== colours(probe)).map((chosen) => `${chosen.textContent.trim()}: ${colours(chosen)}, not ${colours(probe)}`);
+  });
+  assert.deepEqual(pale, [], 'what is chosen can be read in forced colours');
   await closeClean(opened);
 });
