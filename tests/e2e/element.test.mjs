@@ -61,14 +61,16 @@ const pause = (page, ms) => page.waitForTimeout(ms);
 /** Software rendering takes its time, more of it on a busy machine: wait for what is to come, not for a while. */
 const until = (page, test) => page.waitForFunction(test);
 
-/** Waits until no frame has been asked for in 800 ms; gives the number of frames so far. */
-async function quiet(page) {
-  for (let last = -1; ; ) {
-    const frames = await page.evaluate(() => counts.frames);
-    if (frames === last) return frames;
-    last = frames;
-    await pause(page, 800);
-  }
+/** Waits until no frame has been asked for in 800 ms, nor is to come, however late; gives the number of frames so far. */
+function quiet(page) {
+  return page.evaluate(async () => {
+    for (let last = -1; last !== counts.frames; ) {
+      last = counts.frames;
+      await frame();
+      await new Promise((resolve) => setTimeout(resolve, 800));
+    }
+    return counts.frames;
+  });
 }
 
 test('without any attribute it shows the first preset: one run, one load, then silence', async () => {

@@ -9,16 +9,18 @@ const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>qualit
 <script>
   globalThis.frames = 0;
   const request = requestAnimationFrame;
+  globalThis.frame = () => new Promise((resolve) => request(resolve));
   globalThis.requestAnimationFrame = (callback) => (frames += 1, request(callback));
 </script>
 <script type="module" src="/rock-field.js"></script><rock-field preset="riverbed" image-width="200" image-height="200" color="natural"></rock-field>`;
 
-/** Once no frame has been asked for in a second. */
+/** Once no frame has been asked for in a second, nor is to come, however late. */
 function settle() {
   return (async () => {
     await document.querySelector('rock-field').ready;
     for (let before = -1; before !== frames; ) {
       before = frames;
+      await frame();
       await new Promise((resolve) => setTimeout(resolve, 1000));
     }
     return frames;
