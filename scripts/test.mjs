@@ -26,7 +26,7 @@ const docs = (...flags) => cargo(['doc', '--no-deps', ...flags], { RUSTDOCFLAGS:
 /** A test file that hangs fails in the end. */
 const HANGS_MS = 1_200_000;
 /** Browser tests that take long begin first, so that none of them runs on alone when the others have ended. */
-const LONG_FILES = ['docs', 'wood-ear', 'page', 'element', 'controls', 'wood-ear-natural', 'many', 'natural', 'page-panel', 'devices', 'deaths', 'places'];
+const LONG_FILES = ['docs', 'wood-ear', 'page', 'element', 'controls', 'wood-ear-natural', 'many', 'natural', 'page-panel', 'wood-ear-files', 'devices', 'deaths', 'places'];
 
 /** In order; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards. */
 const STEPS = [
