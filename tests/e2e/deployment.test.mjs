@@ -7,7 +7,7 @@ import { root } from '../../scripts/env.mjs';
 import { HASHED, plainName } from '../../scripts/hashed-names.mjs';
 import { answer } from '../../scripts/serve.mjs';
 import { buildWeb } from '../../scripts/web.mjs';
-import { launch, until, untilIn } from './browser.mjs';
+import { holdTimers, launch, until, untilIn } from './browser.mjs';
 
 const LINK = '#preset=journal-fig1&w=256&h=256&seed=11';
 const folderOf = (build) => path.join(root, '.cache', 'deployment', build);
@@ -197,6 +197,8 @@ test('an element in a page of others names what is missing, says so in its panel
   await page.evaluate(() => (globalThis.isSame = true));
   deployed = 'second';
   assert.equal(await refusedPicture(page), 'ScriptUnavailable');
+  // The words would go by themselves.
+  await page.evaluate(holdTimers);
   await page.locator('[part=controls-button]').click();
   await page.locator('[part=message]', { hasText: 'The controls could not be loaded' }).waitFor();
   assert.ok(await page.evaluate(() => globalThis.isSame));
