@@ -109,7 +109,7 @@ impl Error {
     pub(crate) fn message(&self, number: &dyn Fn(f64) -> String) -> String {
         let key = self.key();
         // Only the wood ears have these keys.
-        let is_colony = matches!(key, "density" | "logSpacing" | "x" | "y" | "z" | "range");
+        let is_colony = matches!(key, "density" | "logSpacing" | "clearLog" | "x" | "y" | "z" | "range");
         let [whole, part] = if is_colony { ["this colony", " of base "] } else { ["this field", " of layer "] };
         let place = self.layer().map(|index| [part, &number(index as f64)].concat()).unwrap_or_default();
         let [value, min, max] = self.numbers();

@@ -158,6 +158,9 @@ fn check(cases: impl Iterator<Item = u64>, budget: u64) {
         let (ratios, of_case) = ratios(case, budget);
         all.extend(ratios);
         wrong.extend(of_case);
+        if case % 250 == 0 {
+            println!("case {case}: {} runs, {} wrong so far", all.len(), wrong.len());
+        }
     }
     all.sort_by(f64::total_cmp);
     let at = |share: f64| all[((all.len() - 1) as f64 * share) as usize];
@@ -171,10 +174,46 @@ fn check(cases: impl Iterator<Item = u64>, budget: u64) {
 /// and a grown log of which nothing is made but its table.
 const LARGE_TRIANGLES: [u64; 6] = [3_001_136, 3_001_564, 3_003_386, 3_005_684, 3_007_386, 3_009_952];
 
+/// Triangles that lie across the whole grid under a log: the box of each covers all of its cells.
+fn long_triangles(count: u32) -> Mesh {
+    let corners =
+        (0..count).map(|k| k as f32 * 0.01).flat_map(|z| [-200.0, -200.0, z, 200.0, 200.0, z, 200.0, 199.0, z]);
+    Mesh { positions: corners.collect(), indices: (0..3 * count).collect() }
+}
+
+fn check_long_triangles() {
+    let params = Params { clear_log: true, density: 1.0, range: 20.0, ..Params::with_defaults() };
+    for (count, is_refused) in [(20, false), (200, false), (2_000, true)] {
+        let mesh = long_triangles(count);
+        let before = ALLOCATED.current_usage();
+        let mut generator = Generator::new();
+        ALLOCATED.reset_peak_usage();
+        generator.set_log(&mesh.positions, &mesh.indices).unwrap();
+        let (real, outcome) = measure(&mut generator, &params, before, 400 << 20);
+        match outcome {
+            Ok(estimate) => {
+                let ratio = estimate as f64 / real as f64;
+                assert!(
+                    !is_refused && (1.0..=2.0).contains(&ratio),
+                    "{count} triangles: {estimate} of {real}, {ratio:.3}"
+                );
+            }
+            Err(error) => {
+                assert!(is_refused && error.key() == "clearLog", "{count} triangles: {error}");
+                // 262,144 cells under each triangle, 4 bytes a cell.
+                assert!((1.0..2.0).contains(&(error.numbers()[0] / (262_144.0 * 4.0 * 2_000.0))), "{error}");
+                assert!(error.to_string().starts_with("this colony would need about 2"), "{error}");
+                assert!(real < 40 << 20, "{real} bytes before it was refused");
+            }
+        }
+    }
+}
+
 // The only test that runs here: the allocator counts for all threads.
 #[test]
 fn the_estimate_lies_between_the_peak_and_twice_it_for_any_colony() {
     check((0..20).chain(LARGE_TRIANGLES), 200 << 20);
+    check_long_triangles();
 }
 
 #[test]

@@ -2,10 +2,11 @@
 
 use glam::DVec3;
 
+use super::log::Log;
 use super::shape::LogShape;
 use super::user_log::Surface;
 use super::work::tally;
-use crate::params::wood_ear::Log;
+use crate::params::wood_ear::Log as LogParams;
 
 /// Distance between the places at which the radius is tabulated, cm: the spacing of the visible mesh.
 const CELL: f64 = 0.8;
@@ -64,10 +65,19 @@ impl Cells {
         Cells { low, side, columns, rows }
     }
 
-    /// About the number of bytes that [`Given::new`] allocates. Seen from above, the boxes of a closed mesh's triangles
-    /// cover every cell in the middle of the log about four times.
-    pub(super) fn bytes(&self, triangles: usize) -> f64 {
-        (82 * triangles + 20 * self.columns * self.rows) as f64
+    /// Number of bytes that [`Given::new`] allocates for this log. A long triangle may lie over very many cells.
+    pub(super) fn bytes(&self, log: &Log) -> f64 {
+        let over = log.triangles.iter().map(|t| {
+            let [least, most] = self.covered(t.map(|v| log.points[v as usize] - self.low));
+            ((most[0] - least[0] + 1) * (most[1] - least[1] + 1)) as f64
+        });
+        (72 * log.triangles.len() + 4 * self.columns * self.rows) as f64 + 4.0 * over.sum::<f64>()
+    }
+
+    /// The first and the last column and row that a triangle's box lies over. Its corners are relative to the lowest
+    /// corner of the log.
+    fn covered(&self, [a, b, c]: [DVec3; 3]) -> [[usize; 2]; 2] {
+        [a.min(b).min(c), a.max(b).max(c)].map(|p| [(p.x / self.side) as usize, (p.y / self.side) as usize])
     }
 }
 
@@ -104,12 +114,11 @@ impl Given {
     }
 
     fn visit(&mut self, mut each: impl FnMut(&mut [u32], &mut [u32], usize, u32)) {
-        let Cells { side, columns, .. } = self.cells;
-        for (triangle, [a, b, c]) in (0..).zip(&self.corners) {
-            let [least, most] = [a.min(*b).min(*c), a.max(*b).max(*c)].map(|p| [p.x / side, p.y / side]);
-            for row in least[1] as usize..=most[1] as usize {
-                for column in least[0] as usize..=most[0] as usize {
-                    each(&mut self.starts, &mut self.over, row * columns + column, triangle);
+        for (triangle, corners) in (0..).zip(&self.corners) {
+            let [least, most] = self.cells.covered(*corners);
+            for row in least[1]..=most[1] {
+                for column in least[0]..=most[0] {
+                    each(&mut self.starts, &mut self.over, row * self.cells.columns + column, triangle);
                 }
             }
         }
@@ -142,7 +151,7 @@ impl Given {
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Grown {
     shape: LogShape,
-    log: Log,
+    log: LogParams,
     /// The visible mesh is flat between its vertices, so it may stand out from the table. This is an upper bound of how
     /// far, cm.
     margin: f64,
@@ -153,7 +162,7 @@ pub(super) struct Grown {
 }
 
 impl Grown {
-    pub(super) fn new(log: Log) -> Self {
+    pub(super) fn new(log: LogParams) -> Self {
         let shape = LogShape::new(log);
         // Broken ends extend beyond the log's length.
         let rows = ((log.length + 2.0 * log.radius) / CELL) as usize + 2;
@@ -169,7 +178,7 @@ impl Grown {
     }
 
     /// Whether this is the complete table of this log.
-    pub(super) fn is_of(&self, log: &Log) -> bool {
+    pub(super) fn is_of(&self, log: &LogParams) -> bool {
         self.log == *log && self.radii.len() == self.rows * self.columns
     }
 

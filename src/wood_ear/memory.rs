@@ -82,7 +82,7 @@ fn log(params: &Params, surface: Option<&Surface>, ground: f64) -> Need {
 fn ground(params: &Params, surface: Option<&Surface>) -> f64 {
     match surface {
         _ if !params.clear_log => 0.0,
-        Some(surface) => surface.cells.bytes(surface.numbers.len()),
+        Some(surface) => surface.cells.bytes(&surface.log),
         // An f32 per 0.8 cm along and around the log is about 40 bytes per cm². The table is copied when its furrows are
         // filled, so it is counted twice.
         None => 2.0 * 10.0 * (params.log.length + 2.0 * params.log.radius) * params.log.radius * 4.0,
@@ -136,7 +136,7 @@ impl Generator {
         let bytes = |held: f64| INSTANCE + HOLES * peak(held) + log.copies;
         let budget = budget as f64;
         if bytes(held) > budget {
-            over("logSpacing", bytes(0.0), budget)?;
+            over(if ground > 0.5 * making { "clearLog" } else { "logSpacing" }, bytes(0.0), budget)?;
             self.forget_colony();
             held = 0.0;
         }

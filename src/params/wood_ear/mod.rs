@@ -170,7 +170,8 @@ impl Flat for Params {
     }
 
     fn append(&mut self, _: &[f64]) -> Result<&mut Base, Error> {
-        self.bases.push(Base::with_defaults());
+        // All of its values follow.
+        self.bases.push(Base { position: [0.0; 3], range: None });
         let last = self.bases.len() - 1;
         Ok(&mut self.bases[last])
     }
