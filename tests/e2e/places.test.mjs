@@ -5,7 +5,7 @@ import { PATIENCE, holdTimers, launch, pageOf } from './browser.mjs';
 
 const ELEMENTS = {
   'rock-field': '<rock-field image-width="200" image-height="150" radius="30 10"></rock-field>',
-  'wood-ear-log': '<wood-ear-log ground="none"></wood-ear-log>',
+  'wood-ear-log': '<wood-ear-log ground="none" density="10" log-spacing="6"></wood-ear-log>',
 };
 
 let session;
