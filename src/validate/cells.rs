@@ -42,10 +42,13 @@ pub fn check_cells(sites: &Sites, cells: &Cells) -> Result<(), Violation> {
             if let Some(j) = neighbor_site(sites, cells, i, k)? {
                 edges.push((i.min(j), i.max(j), i < j, a, b));
             } else {
-                check_border(sites, a, b).map_err(|violation| violation.within(format_args!("cell {i}")))?;
+                ensure(is_on_side(sites, a, b), || {
+                    let (w, h) = (sites.width, sites.height);
+                    format!("cell {i}: its edge from {a} to {b} lies on no side of {w} × {h}")
+                })?;
             }
         }
-        let touches = sides(polygon).any(|(a, b)| check_border(sites, a, b).is_ok());
+        let touches = sides(polygon).any(|(a, b)| is_on_side(sites, a, b));
         ensure(touches == cells.touches_border(i), || format!("cell {i} touches the border: {touches}"))?;
     }
     let image = f64::from(sites.width) * f64::from(sites.height);
@@ -98,10 +101,10 @@ fn neighbor_site(sites: &Sites, cells: &Cells, i: usize, k: usize) -> Result<Opt
     Ok(Some(j))
 }
 
-fn check_border(sites: &Sites, a: DVec2, b: DVec2) -> Result<(), Violation> {
+/// Whether an edge lies on a side of the image.
+fn is_on_side(sites: &Sites, a: DVec2, b: DVec2) -> bool {
     let (w, h) = (f64::from(sites.width), f64::from(sites.height));
-    let on_side = (a.x == b.x && (a.x == 0.0 || a.x == w)) || (a.y == b.y && (a.y == 0.0 || a.y == h));
-    ensure(on_side, || format!("edge from {a} to {b} lies on no side of {w} × {h}"))
+    (a.x == b.x && (a.x == 0.0 || a.x == w)) || (a.y == b.y && (a.y == 0.0 || a.y == h))
 }
 
 /// Checks that both cells of an edge have it, in opposite directions.
