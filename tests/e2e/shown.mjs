@@ -1,0 +1,35 @@
+// What either page shows, for tests that ask.
+import assert from 'node:assert/strict';
+
+/** Not the element's own, which is inside it. */
+export const MESSAGE = 'stage-overlay > .message';
+
+/** A page with its first picture, small: a software GPU pays by the pixel. `options` are Playwright's context options. */
+export async function openPage(session, address = '', options = {}) {
+  const opened = await session.open(address, { viewport: { width: 960, height: 640 }, locale: 'en-US', colorScheme: 'light', ...options });
+  // By the clock, not by frames: those may be slow to come.
+  await opened.page.waitForFunction(() => document.querySelector('.summary') !== null, undefined, { polling: 100 });
+  await opened.page.evaluate(() => document.querySelector('rock-field, wood-ear-log').ready);
+  return opened;
+}
+
+export const message = (page) => page.locator(`${MESSAGE} p`).first().textContent();
+export const params = (page) => page.evaluate(() => document.querySelector('rock-field, wood-ear-log').params);
+
+/** The hash (FNV-1a, by bytes) of the typed arrays that `arrays` resolves with in the page: eight hexadecimal digits. */
+export async function hashOf(page, arrays) {
+  const found = await page.evaluateHandle(arrays);
+  const text = await found.evaluate((all) => {
+    let state = 0x811c9dc5;
+    for (const { buffer, byteOffset, byteLength } of all) for (const byte of new Uint8Array(buffer, byteOffset, byteLength)) state = Math.imul(state ^ byte, 0x01000193);
+    return (state >>> 0).toString(16).padStart(8, '0');
+  });
+  await found.dispose();
+  return text;
+}
+
+/** Closes what was opened; fails if the page has said an error that matches none of the known patterns. */
+export async function closeClean({ errors, close }, known = []) {
+  assert.deepEqual(errors.filter((text) => !known.some((pattern) => pattern.test(text))), []);
+  await close();
+}
