@@ -29,24 +29,39 @@ export function meshOf(log: Loose): LogMesh {
   }
   const indices = new Uint32Array(given);
   const scale = scaleOfLog(extent(positions, indices));
-  const scaled = new Float32Array(positions.length);
-  for (let i = 0; i < positions.length; i += 1) {
-    const value = (scaled[i] = positions[i]! * scale);
-    // Written so that NaN fails too.
-    if (!(Math.abs(value) <= FARTHEST)) {
-      throw refused('LogBadPosition', `vertex ${Math.floor(i / 3)} of the log has the coordinate ${value}, not within 100 m of the origin`, { value, min: -FARTHEST, max: FARTHEST });
-    }
+  const scaled = new Float32Array(positions);
+  if (scale !== 1) for (let i = 0; i < scaled.length; i += 1) scaled[i] = positions[i]! * scale;
+  const far = farAway(scaled);
+  if (far >= 0) {
+    const value = positions[far]! * scale;
+    throw refused('LogBadPosition', `vertex ${Math.floor(far / 3)} of the log has the coordinate ${value}, not within 100 m of the origin`, { value, min: -FARTHEST, max: FARTHEST });
   }
   const max = positions.length / 3 - 1;
-  for (let i = 0; i < given.length; i += 1) {
-    const value = given[i]!;
-    // As an unsigned number a fraction or a negative one would be another.
-    if (indices[i] !== value || value > max) {
-      throw refused('LogBadIndex', `triangle ${Math.floor(i / 3)} of the log names vertex ${value}, which is not there`, { value, min: 0, max });
-    }
+  const missing = notAmong(indices, given, max);
+  if (missing >= 0) {
+    const value = given[missing]!;
+    throw refused('LogBadIndex', `triangle ${Math.floor(missing / 3)} of the log names vertex ${value}, which is not there`, { value, min: 0, max });
   }
   if (!hasArea(scaled, indices)) throw refused('LogNoArea', 'no triangle of the log has an area');
   return { positions: scaled, indices, scale };
+}
+
+/** The place of the first coordinate that is not a number or too far from the origin; −1 if there is none. */
+function farAway(coordinates: Float32Array): number {
+  for (let i = 0; i < coordinates.length; i += 1) {
+    // Written so that NaN is found too.
+    if (!(Math.abs(coordinates[i]!) <= FARTHEST)) return i;
+  }
+  return -1;
+}
+
+/** The place of an index that is larger than `max`, or was given as a negative number or a fraction; −1 if there is none. */
+function notAmong(indices: Uint32Array, given: ArrayLike<number>, max: number): number {
+  for (let i = 0; i < indices.length; i += 1) if (indices[i]! > max) return i;
+  // An array of unsigned integers holds neither fractions nor negative numbers.
+  if (given instanceof Uint32Array || given instanceof Uint16Array) return -1;
+  for (let i = 0; i < indices.length; i += 1) if (indices[i] !== given[i]) return i;
+  return -1;
 }
 
 type LogErrorName = 'LogNotInThrees' | 'LogTooLarge' | 'LogBadPosition' | 'LogBadIndex' | 'LogNoArea';

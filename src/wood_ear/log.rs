@@ -183,7 +183,7 @@ fn stitch(triangles: &mut Vec<[u32; 3]>, (a, lower): (u32, Ring), (b, upper): (u
 }
 
 /// Computes unit normals from the sums of the adjacent faces' area vectors; +z if these cancel.
-pub(super) fn normals(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
+fn normals(points: &[DVec3], triangles: &[[u32; 3]]) -> Vec<DVec3> {
     let mut normals = vec![DVec3::ZERO; points.len()];
     for triangle in triangles {
         let [a, b, c] = triangle.map(|v| points[v as usize]);

@@ -2,10 +2,10 @@
 
 use std::fmt;
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
 use super::ground::Cells;
-use super::log::{Log, normals};
+use super::log::Log;
 use crate::error::fill;
 use crate::rng::Stream;
 
@@ -153,83 +153,88 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, Lo
     if let Some(at) = positions.iter().position(|c| !(-REACH..=REACH).contains(&f64::from(*c))) {
         return Err(LogError::BadPosition { vertex: at / 3, value: f64::from(positions[at]) });
     }
-    let given: Vec<DVec3> =
-        positions.chunks_exact(3).map(|p| DVec3::new(f64::from(p[0]), f64::from(p[1]), f64::from(p[2]))).collect();
-    if let Some(corner) = indices.iter().position(|v| *v as usize >= given.len()) {
-        let max = given.len() as f64 - 1.0;
+    let given = positions.len() / 3;
+    if let Some(corner) = indices.iter().position(|v| *v as usize >= given) {
+        let max = given as f64 - 1.0;
         return Err(LogError::BadIndex { triangle: corner / 3, value: indices[corner], max });
     }
-    let welded = weld(&given);
-    let mut number = vec![u32::MAX; given.len()];
+    let welded = weld(positions);
+    let mut number = vec![u32::MAX; given];
     let triangles = indices.len() / 3;
-    let (mut numbers, mut areas, mut area) = (Vec::with_capacity(triangles), Vec::with_capacity(triangles), 0.0);
-    let mut log = Log::with_capacity(given.len(), triangles);
+    let (mut numbers, mut areas) = (Vec::with_capacity(triangles), Vec::with_capacity(triangles));
+    let mut log = Log::with_capacity(given, triangles);
+    let mut normals = Vec::with_capacity(given);
+    let (mut area, mut volume, mut edges) = (0.0, 0.0, 0_u64);
     for (triangle, corners) in (0..).zip(indices.chunks_exact(3)) {
         let [a, b, c] = [corners[0], corners[1], corners[2]].map(|v| welded[v as usize]);
-        let [p, q, r] = [a, b, c].map(|v| given[v as usize]);
+        let [p, q, r] = [a, b, c].map(|v| place(positions, v).as_dvec3());
         let across = (q - p).cross(r - p);
-        if a == b || b == c || c == a || across == DVec3::ZERO {
+        if across == DVec3::ZERO {
             continue;
         }
         area += 0.5 * across.length();
         areas.push(area);
         numbers.push(triangle);
-        log.triangles.push([a, b, c].map(|v| {
+        let corners = [(a, p), (b, q), (c, r)].map(|(v, at)| {
             let slot = &mut number[v as usize];
             if *slot == u32::MAX {
                 *slot = log.points.len() as u32;
-                log.points.push(given[v as usize]);
+                log.points.push(at);
+                normals.push(DVec3::ZERO);
             }
+            normals[*slot as usize] += across;
             *slot
-        }));
+        });
+        log.triangles.push(corners);
+        // Coordinates are taken relative to one of the mesh's vertices, because far from the origin their differences
+        // would be lost.
+        volume += across.dot(p - log.points[0]);
+        let [a, b, c] = corners.map(random);
+        edges = edges.wrapping_add(b.wrapping_sub(a).wrapping_mul(c.wrapping_sub(b)).wrapping_mul(c.wrapping_sub(a)));
     }
     if log.triangles.is_empty() {
         return Err(LogError::NoArea);
     }
-    let is_turned = is_inside_out(&log);
+    // A mesh is closed if every edge occurs equally often in both directions; an open one has no inside. With a random
+    // number for each vertex, a b (b − a) of an edge is minus that of the reversed edge. The three edges of a triangle
+    // add up to the product above, so all products add up to 0 for a closed mesh, and for another one only by chance,
+    // one time in 2⁶⁰.
+    let is_turned = edges == 0 && volume < 0.0;
     if is_turned {
         log.triangles.iter_mut().for_each(|t| t.swap(1, 2));
     }
+    let sign = if is_turned { -1.0 } else { 1.0 };
     log.points.shrink_to_fit();
-    log.normals = normals(&log.points, &log.triangles);
+    log.normals = normals.into_iter().map(|sum: DVec3| (sign * sum).normalize_or(DVec3::Z)).collect();
     log.kinds = vec![0; log.points.len()];
     log.coords = vec![[0.0; 2]; log.points.len()];
     let cells = Cells::under(&log.points);
-    Ok(Surface { log, numbers, is_turned, given: given.len(), areas, cells })
+    Ok(Surface { log, numbers, is_turned, given, areas, cells })
 }
 
-/// Whether a mesh is closed and encloses a negative volume. An open mesh has no inside.
-fn is_inside_out(log: &Log) -> bool {
-    // A mesh is closed if every edge occurs equally often in both directions. The sum of the hashes of all edges minus
-    // those of the reversed edges is then 0. Otherwise it is 0 only by chance, for one mesh in 2⁶⁴.
-    let hash = |a: u32, b: u32| {
-        let h = ((u64::from(a) << 32) | u64::from(b)).wrapping_mul(0x9e37_79b9_7f4a_7c15);
-        (h ^ (h >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
-    };
-    // Coordinates are taken relative to one of the mesh's vertices, because far from the origin their differences would
-    // be lost.
-    let origin = log.points[0];
-    let (mut sum, mut volume) = (0_u64, 0.0);
-    for &[a, b, c] in &log.triangles {
-        for [p, q] in [[a, b], [b, c], [c, a]] {
-            sum = sum.wrapping_add(hash(p, q)).wrapping_sub(hash(q, p));
-        }
-        let [p, q, r] = [a, b, c].map(|v| log.points[v as usize] - origin);
-        volume += p.dot(q.cross(r));
-    }
-    sum == 0 && volume < 0.0
+/// A random number that belongs to a vertex.
+fn random(vertex: u32) -> u64 {
+    let h = (u64::from(vertex) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
+    (h ^ (h >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
+}
+
+/// The position of a vertex in a flat list.
+fn place(positions: &[f32], vertex: u32) -> Vec3 {
+    Vec3::from_slice(&positions[3 * vertex as usize..])
 }
 
 /// Returns, for each vertex, the first one at the same place. Places are found in a hash table with open addressing.
-fn weld(points: &[DVec3]) -> Vec<u32> {
-    let slots = (2 * points.len()).next_power_of_two();
+fn weld(positions: &[f32]) -> Vec<u32> {
+    let vertices = positions.len() / 3;
+    let slots = (2 * vertices).next_power_of_two();
     let mut table = vec![u32::MAX; slots];
-    (0..points.len() as u32)
+    (0..vertices as u32)
         .map(|v| {
-            let at = points[v as usize];
+            let at = place(positions, v);
             // Adding 0.0 turns −0 into 0, since both are the same place.
-            let mix =
-                |hash: u64, c: f64| (hash ^ (c + 0.0).to_bits()).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29);
+            let mix = |hash: u64, c: f32| {
+                (hash ^ u64::from((c + 0.0).to_bits())).wrapping_mul(0x9e37_79b9_7f4a_7c15).rotate_left(29)
+            };
             let mut slot = mix(mix(mix(0, at.x), at.y), at.z) as usize & (slots - 1);
             loop {
                 match table[slot] {
@@ -237,7 +242,7 @@ fn weld(points: &[DVec3]) -> Vec<u32> {
                         table[slot] = v;
                         return v;
                     }
-                    w if points[w as usize] == at => return w,
+                    w if place(positions, w) == at => return w,
                     _ => slot = (slot + 1) & (slots - 1),
                 }
             }
