@@ -2,10 +2,10 @@
 //
 // Nothing is left out of a frame to be timed: what is cheaper then would be another frame. Frames differ by what they show, and by whether
 // the sun has moved since the one before, after which its maps are drawn anew.
-import { generate } from '../www/core.ts';
-import { defaultCamera } from '../www/camera.ts';
-import { lookOf } from '../www/look.ts';
-import { presetParams } from '../www/params-flat.ts';
+import { generate } from '../www/entries/core.ts';
+import { defaultCamera } from '../www/scene/camera/camera.ts';
+import { lookOf } from '../www/rocks/look.ts';
+import { presetParams } from '../www/rocks/request.ts';
 import { loadRenderer } from '../www/renderer/load.ts';
 
 /** So many frames are drawn for a sample that it takes this long: waiting for the last of them then counts for little. */

@@ -134,7 +134,7 @@ function median(rounds, run) {
 /** The parameters' table, whose TypeScript this Node may not read. */
 async function tableOf() {
   const { transform } = await import('esbuild');
-  const source = await readFile(path.join(root, 'www', 'wood-ear.gen.ts'), 'utf8');
+  const source = await readFile(path.join(root, 'www', 'wood-ear', 'params.gen.ts'), 'utf8');
   const { code } = await transform(source, { loader: 'ts', format: 'esm' });
   return import(`data:text/javascript;base64,${Buffer.from(code).toString('base64')}`);
 }

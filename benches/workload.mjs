@@ -1,8 +1,8 @@
 // What is measured, and how: the same in Node and in a worker of a browser.
 //
 // Ours is the shipped wasm driven by the shipped session, so slices, cache and copying the buffers out are all included.
-import { flatRequest, presetParams } from '../www/params-flat.ts';
-import { fieldSession } from '../www/generator/field-session.ts';
+import { flatRequest, presetParams } from '../www/rocks/request.ts';
+import { fieldSession } from '../www/rocks/session.ts';
 import { npmStack } from './npm-stack.mjs';
 
 const WARM_UP = 3;

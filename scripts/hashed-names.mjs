@@ -5,7 +5,7 @@ import { mkdirSync, readFileSync, readdirSync, renameSync, rmSync, statSync, wri
 import path from 'node:path';
 import { Failure } from './run.mjs';
 
-/** The bundler's option, and what it comes to; www/service-worker.ts recognises the same names. */
+/** The bundler's option, and what it comes to; www/pages/service-worker.ts recognises the same names. */
 export const HASHED_NAME = '[name]-[hash]';
 export const HASHED = /-[A-Z0-9]{8}\.(js|css|wasm)(\.map)?$/;
 
@@ -33,7 +33,7 @@ export function copyHashed(file, folder, mark = '') {
 /** By plain name (`worker.js`): the name with a hash that the bundler gave the entry. */
 export function namesOf({ outputs }) {
   const entries = Object.entries(outputs).filter(([, { entryPoint }]) => entryPoint);
-  return new Map(entries.map(([file, { entryPoint }]) => [path.basename(entryPoint).replace(/\.ts$/, '.js'), path.basename(file)]));
+  return new Map(entries.map(([file]) => [plainName(path.basename(file)), path.basename(file)]));
 }
 
 /** Puts hashed names into the addresses of scripts: a script and what it fetches are of one build by that. */
@@ -56,8 +56,8 @@ export function hashedAddresses(names) {
 /** Gives the entries that people write into their pages their plain names again, each with its source map. Nothing that was built imports an entry. */
 export function withPlainNames(folder, meta, entryPoints) {
   const names = namesOf(meta);
-  for (const entryPoint of entryPoints) {
-    const plain = path.basename(entryPoint).replace(/\.ts$/, '.js');
+  for (const [name, entryPoint] of Object.entries(entryPoints)) {
+    const plain = `${name}.js`;
     const hashed = names.get(plain);
     writeFileSync(path.join(folder, plain), readFileSync(path.join(folder, hashed), 'utf8').replace(`${hashed}.map`, `${plain}.map`));
     renameSync(path.join(folder, `${hashed}.map`), path.join(folder, `${plain}.map`));

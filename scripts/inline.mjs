@@ -1,4 +1,4 @@
-// dist/inline/: the package's scripts with the worker and the wasm in them, for bundlers that take no other files along (www/inline.ts).
+// dist/inline/: the package's scripts with the worker and the wasm in them, for bundlers that take no other files along (www/entries/variants/inline.ts).
 import { readFileSync, readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { deflateSync } from 'node:zlib';
@@ -6,8 +6,8 @@ import { dist, pkg, root } from './env.mjs';
 import { Failure } from './run.mjs';
 import { bundle } from './web.mjs';
 
-const ENTRIES = ['www/rock-field.ts', 'www/element.ts', 'www/wood-ear-log.ts', 'www/core.ts'];
-/** Each with the function of www/inline-worker.ts that gives its address. */
+const ENTRIES = ['www/entries/rock-field.ts', 'www/entries/element.ts', 'www/entries/wood-ear-log.ts', 'www/entries/core.ts'];
+/** Each with the function of www/entries/variants/inline-worker.ts that gives its address. */
 const WORKERS = { worker: 'workerAddress', 'wood-ear-worker': 'woodEarWorkerAddress', 'wood-ear-file-worker': 'woodEarFileWorkerAddress' };
 
 /** The forms that bundlers recognise, and ours are written in. */
@@ -19,9 +19,9 @@ const common = { define: { 'import.meta.url': 'undefined' }, platform: 'browser'
 
 export async function buildInline(outdir = path.join(dist, 'inline')) {
   rmSync(outdir, { recursive: true, force: true });
-  const entryPoints = Object.keys(WORKERS).map((name) => `www/generator/${name}.ts`);
+  const entryPoints = Object.keys(WORKERS).map((name) => `www/entries/${name}.ts`);
   // Classic scripts, since a page without an origin (`<iframe sandbox>`) starts no module from a blob in Chromium.
-  const { outputFiles } = await bundle({ ...common, format: 'iife', entryPoints, outdir, entryNames: '[name]', write: false, inject: ['www/inline.ts'], plugins: [inline()] });
+  const { outputFiles } = await bundle({ ...common, format: 'iife', entryPoints, outdir, entryNames: '[name]', write: false, inject: ['www/entries/variants/inline.ts'], plugins: [inline()] });
   const workers = new Map(outputFiles.map(({ path: file, text }) => [path.basename(file, '.js'), text]));
   await bundle({
     ...common,
@@ -30,7 +30,7 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
     entryNames: '[name]',
     chunkNames: 'chunk-[hash]',
     splitting: true,
-    inject: ['www/inline.ts', 'www/inline-worker.ts'],
+    inject: ['www/entries/variants/inline.ts', 'www/entries/variants/inline-worker.ts'],
     plugins: [inline(workers)],
   });
   const left = readdirSync(outdir).filter((name) => /import\.meta|new URL\("\.\//.test(readFileSync(path.join(outdir, name), 'utf8')));

@@ -4,10 +4,10 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 
-/** A plugin by which a file that is imported later also imports what is there already, whichever of `entryPoints` it is imported from. */
+/** A plugin by which a file that is imported later also imports what is there already, whichever of `entryPoints` it is imported from: source files by the names of what is made of them. */
 export async function loadedBefore(entryPoints, options) {
   const { metafile } = await esbuild.build({ ...options, absWorkingDir: root, entryPoints, bundle: true, format: 'esm', outdir: 'nowhere', write: false, metafile: true });
-  const before = filesBefore(metafile.inputs, entryPoints);
+  const before = filesBefore(metafile.inputs, Object.values(entryPoints));
   return {
     name: 'loaded-before',
     setup(build) {

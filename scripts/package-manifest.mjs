@@ -6,11 +6,11 @@ import { dist, root } from './env.mjs';
 import { Failure } from './run.mjs';
 import { tables } from './tables.mjs';
 
-const SHARED = ['www/generator-element.ts', 'www/scene-element.ts'];
+const SHARED = ['www/element/generator-element.ts', 'www/scene/scene-element.ts'];
 /** Each with the files that register it and that it is written in, where the package has its class, and where the types of its kind stand. */
 const ELEMENTS = [
-  { registers: 'www/rock-field.ts', written: 'www/rock-field-element.ts', inModule: 'dist/element.js', kind: 'www/rocks.ts', table: 'ROCKS', docs: 'PARAM_DOCS' },
-  { registers: 'www/wood-ear-log.ts', written: 'www/wood-ear-log-element.ts', inModule: 'dist/wood-ear-log.js', kind: 'www/wood-ears.ts', table: 'WOOD_EARS', docs: 'WOOD_EAR_DOCS' },
+  { registers: 'www/entries/rock-field.ts', written: 'www/rocks/element.ts', inModule: 'dist/element.js', kind: 'www/rocks/table.ts', table: 'ROCKS', docs: 'PARAM_DOCS' },
+  { registers: 'www/entries/wood-ear-log.ts', written: 'www/wood-ear/element.ts', inModule: 'dist/wood-ear-log.js', kind: 'www/wood-ear/table.ts', table: 'WOOD_EARS', docs: 'WOOD_EAR_DOCS' },
 ];
 /** Where the types of members are written out. */
 const TYPES = [...ELEMENTS.map(({ written }) => written), ...SHARED, 'www/renderer/renderer.ts'];

@@ -4,7 +4,7 @@ import path from 'node:path';
 import { dist, pkg, root } from './env.mjs';
 import { Failure, run } from './run.mjs';
 
-const ENTRIES = ['www/rock-field.d.ts', 'www/element.d.ts', 'www/wood-ear-log.d.ts', 'www/core.d.ts', 'www/typings/jsx.d.ts', 'www/typings/svelte.d.ts', 'www/typings/vue.d.ts'];
+const ENTRIES = ['www/entries/rock-field.d.ts', 'www/entries/element.d.ts', 'www/entries/wood-ear-log.d.ts', 'www/entries/core.d.ts', 'www/typings/jsx.d.ts', 'www/typings/svelte.d.ts', 'www/typings/vue.d.ts'];
 
 export async function writeTypes() {
   const emitted = path.join(pkg, '.types');

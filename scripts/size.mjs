@@ -13,7 +13,7 @@ const ADVICE = {
   woodEar: 'look for formatting code and generic copies (twiggy top pkg/wood-ear_bg.wasm)',
   rendererWebgpu: 'look for a wgpu feature that crept in (cargo tree -e features --features renderer-webgpu): exports are linker roots, so what is compiled in counts',
   rendererWebgl: 'look for a wgpu feature that crept in (cargo tree -e features --features renderer-webgl)',
-  page: 'see what is in it with: npx esbuild --analyze --bundle --minify --format=esm --splitting --outdir=.cache/analyse www/main.ts; import lazily what the first picture does not need',
+  page: 'see what is in it with: npx esbuild --analyze --bundle --minify --format=esm --splitting --outdir=.cache/analyse www/pages/rocks.ts; import lazily what the first picture does not need',
 };
 
 /** Bytes after brotli: wasm and glue of each artefact, and the page's script with everything it imports at once. */
@@ -21,7 +21,7 @@ export async function measure() {
   const meta = path.join(pkg, 'web.meta.json');
   if (!existsSync(meta)) throw new Failure('there is no build to measure. Make one with: npm run build');
   const { scriptsOf } = await import('./web.mjs');
-  const scripts = scriptsOf(JSON.parse(readFileSync(meta, 'utf8')), 'www/main.ts');
+  const scripts = scriptsOf(JSON.parse(readFileSync(meta, 'utf8')), 'www/pages/rocks.ts');
   return {
     generator: await artefact('generator'),
     woodEar: await artefact('wood-ear'),

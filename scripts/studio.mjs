@@ -10,7 +10,7 @@ import { Failure } from './run.mjs';
 const pageWith = (tag) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>studio</title><link rel="icon" href="data:,">
 <style>body { margin: 0 } ${tag} { width: 64px; height: 40px } ${tag}[hidden] { display: none }</style><script type="module" src="./${tag}.js"></script>`;
 
-/** tan of half the vertical field of view, as in www/camera.ts. */
+/** tan of half the vertical field of view, as in www/renderer/limits.ts. */
 const TAN = Math.tan(Math.PI / 10);
 
 /** Looking straight down: `across` pixels of the ground fill the height of the picture. */

@@ -3,7 +3,11 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 
-const SOURCES = ['attribute-notices', 'attribute-reader', 'camera-orbit', 'element-attributes', 'error-list', 'notices', 'param-docs.gen', 'params', 'params-flat', 'renderer/quality', 'rocks', 'strings', 'strings-later', 'table', 'url-codec', 'wood-ear-docs.gen', 'wood-ears', 'docs/notice-help', 'docs/words'];
+const SOURCES = [
+  ...['base/error-list', 'table/attribute-notices', 'table/attribute-reader', 'table/notices', 'table/table', 'renderer/quality', 'scene/camera/orbit'],
+  ...['controls/strings', 'controls/strings-later', 'docs/notice-help', 'docs/words'],
+  ...['rocks/attributes', 'rocks/link', 'rocks/param-docs.gen', 'rocks/params', 'rocks/request', 'rocks/table', 'wood-ear/param-docs.gen', 'wood-ear/table'],
+];
 
 let loading;
 

@@ -1,15 +1,22 @@
-// What the bundler is told about the panel of an element, www/panel.ts: it is a file of its own, and has its styles in it.
+// What the bundler is told about the panel of an element: it is a file of its own, and has its styles in it.
 import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 
-/** Whoever loads the panel asks for panel.js, which lies beside every chunk; `names` says what it is really called. */
+/**
+ * What an element with `controls` loads when its panel is opened, by its name in dist/. In one file: what it shares with the element is little,
+ * and would be cut out of the element's file, which everybody loads.
+ */
+export const PANELS = { panel: 'www/rocks/panel.ts', 'wood-ear-panel': 'www/wood-ear/panel.ts' };
+
+/** Whoever loads a panel asks for panel.js, which lies beside every chunk; `names` says what it is really called. */
 export function panelApart(names = new Map()) {
   return {
     name: 'panel-apart',
     setup(build) {
-      build.onResolve({ filter: /\/(wood-ear-)?panel\.ts$/ }, ({ kind, path: file }) => {
-        const name = file.replace(/^.*\/(.*)\.ts$/, '$1.js');
+      build.onResolve({ filter: /\/panel\.ts$/ }, ({ kind, path: file, resolveDir }) => {
+        const source = path.relative(root, path.join(resolveDir, file)).replaceAll(path.sep, '/');
+        const name = `${Object.keys(PANELS).find((panel) => PANELS[panel] === source)}.js`;
         return kind === 'dynamic-import' ? { path: `./${names.get(name) ?? name}`, external: true } : undefined;
       });
     },
@@ -28,7 +35,7 @@ export const nodeless = {
 export const panelByAddress = {
   name: 'panel-by-address',
   setup(build) {
-    build.onResolve({ filter: /\/load-(wood-ear-)?panel\.ts$/ }, ({ path: file, resolveDir }) => ({ path: path.join(resolveDir, file.replace(/\.ts$/, '.cdn.ts')) }));
+    build.onResolve({ filter: /\/load-panel\.ts$/ }, ({ path: file, resolveDir }) => ({ path: path.join(resolveDir, file.replace(/\.ts$/, '.cdn.ts')) }));
   },
 };
 

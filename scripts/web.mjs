@@ -8,37 +8,35 @@ import { dist, hashOf, pkg, root } from './env.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { loadedBefore } from './loaded-before.mjs';
 import { Failure, step } from './run.mjs';
-import { nodeless, panelApart, panelByAddress, sheetsAsText } from './web-plugins.mjs';
+import { PANELS, nodeless, panelApart, panelByAddress, sheetsAsText } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
 
 /** What the browser build put where, for the size check and the dependency check. */
 export const metafile = path.join(pkg, 'web.meta.json');
 
 // dist/ is flat: `new URL('./worker.js', import.meta.url)` then means the same file from whichever chunk the code landed in.
-const PAGE_ENTRIES = ['www/main.ts', 'www/wood-ear.ts', 'www/styles/page.css'];
+// Every list of entries is by the name that the file has in dist/, without its ending.
+const PAGE_ENTRIES = { main: 'www/pages/rocks.ts', 'wood-ear': 'www/pages/wood-ear.ts', page: 'www/styles/page.css' };
 /** What people import or write into their pages, by names that stay. */
-const PUBLIC_ENTRIES = ['www/rock-field.ts', 'www/element.ts', 'www/wood-ear-log.ts', 'www/core.ts'];
-const NODE_ENTRIES = ['www/core.node.ts'];
+const PUBLIC_ENTRIES = named('rock-field', 'element', 'wood-ear-log', 'core');
+const NODE_ENTRIES = named('core.node');
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
-const CDN = { entryPoints: { cdn: 'www/rock-field.ts', 'wood-ear-cdn': 'www/wood-ear-log.ts' }, inject: ['www/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser' };
+const CDN = { entryPoints: { cdn: PUBLIC_ENTRIES['rock-field'], 'wood-ear-cdn': PUBLIC_ENTRIES['wood-ear-log'] }, inject: ['www/entries/variants/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser' };
 // In one file: it shares little with the pages that start it, and what it shares would be cut out of their files.
-const WORKERS = ['www/generator/worker.ts', 'www/generator/wood-ear-worker.ts', 'www/generator/wood-ear-file-worker.ts'];
-// What an element with `controls` loads when its panel is opened. In one file: what it shares with the element is little, and would
-// be cut out of the element's file, which everybody loads.
-const PANELS = ['www/panel.ts', 'www/wood-ear-panel.ts'];
+const WORKERS = named('worker', 'wood-ear-worker', 'wood-ear-file-worker');
 // The documentation is a guest of the package like any other: it loads rock-field.js and shares no chunk with the page.
 const DOCS = { entryPoints: ['www/docs/docs.ts', 'www/styles/docs.css'], entryNames: HASHED_NAME, platform: 'browser' };
-const SERVICE_WORKER = 'www/service-worker.ts';
+const SERVICE_WORKER = 'www/pages/service-worker.ts';
 const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg', 'www/apple-touch-icon.png'];
 const PAGE = 'index.html';
 /** The pages that are made of it, each with its script, what a visit needs beside it, and what it says of itself where that is not the first's. */
 const PAGES = [
-  { name: PAGE, script: 'www/main.ts', workers: ['www/generator/worker.ts'], wasm: ['generator_bg.wasm'] },
+  { name: PAGE, script: 'main', workers: ['worker'], wasm: ['generator_bg.wasm'] },
   {
     name: 'wood-ear.html',
-    script: 'www/wood-ear.ts',
+    script: 'wood-ear',
     // The log lies on rocks.
-    workers: ['www/generator/wood-ear-worker.ts', 'www/generator/worker.ts', 'www/generator/wood-ear-file-worker.ts'],
+    workers: ['wood-ear-worker', 'worker', 'wood-ear-file-worker'],
     wasm: ['wood-ear_bg.wasm', 'generator_bg.wasm'],
     title: 'rock-field – wood ears on a fallen log',
     description: 'A colony of wood-ear fungus on a fallen log, grown in the browser from one seed. Place it, let it dry, wrinkle and curl, share the link.',
@@ -49,6 +47,11 @@ const PAGES = [
 const ALWAYS_NEEDED = ['page.css', ...COPIED.map((file) => path.basename(file))];
 /** No browser asks for them. */
 const NEVER_ASKED = /\.map$|^core\.node\.js$|_bg\.wasm$/;
+
+/** Entries whose files in www/entries/ are called as what is made of them. */
+function named(...names) {
+  return Object.fromEntries(names.map((name) => [name, `www/entries/${name}.ts`]));
+}
 
 const common = { absWorkingDir: root, bundle: true, minify: true, format: 'esm', target: 'es2022', sourcemap: true, legalComments: 'none', logLevel: 'warning' };
 
@@ -75,7 +78,7 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     };
     const workers = await built({ entryPoints: WORKERS });
     const panel = await built({ entryPoints: PANELS, plugins: [sheetsAsText] });
-    const entryPoints = [...PAGE_ENTRIES, ...PUBLIC_ENTRIES];
+    const entryPoints = { ...PAGE_ENTRIES, ...PUBLIC_ENTRIES };
     const plugins = [panelApart(names), await loadedBefore(entryPoints, { plugins: [nodeless, panelApart(names)] })];
     const browser = await built({ entryPoints, chunkNames: 'chunk-[hash]', assetNames: '[name]', splitting: true, plugins });
     withPlainNames(staging, browser, PUBLIC_ENTRIES);
@@ -126,7 +129,8 @@ function rendererBytes() {
 }
 
 function requireFiles() {
-  const files = [...PAGE_ENTRIES, ...PUBLIC_ENTRIES, ...WORKERS, ...NODE_ENTRIES, ...CDN.inject, ...PANELS, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
+  const entries = [PAGE_ENTRIES, PUBLIC_ENTRIES, WORKERS, NODE_ENTRIES, PANELS].flatMap(Object.values);
+  const files = [...entries, ...CDN.inject, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
   const missing = files.filter((file) => !existsSync(path.join(root, file)));
   if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
 }
@@ -140,15 +144,16 @@ async function finish(staging, meta, hashedNames) {
   const build = hashOf(page, JSON.stringify(files)).slice(0, 16);
   for (const { name, script, title, description } of PAGES) {
     // The chunks are asked for with the page, not one import after the other.
-    const preloads = scriptsOf(meta, script).map((chunk) => `<link rel="modulepreload" href="./${chunk}">`);
+    const preloads = scriptsOf(meta, PAGE_ENTRIES[script]).map((chunk) => `<link rel="modulepreload" href="./${chunk}">`);
     const added = [`<meta name="rock-field-build" content="${build}">`, ...preloads].map((line) => `  ${line}\n  `).join('');
-    let written = withHashedNames(page.replace('src="main.js"', `src="${path.basename(script, '.ts')}.js"`), hashedNames).replace('</head>', `${added}</head>`);
+    let written = withHashedNames(page.replace('src="main.js"', `src="${script}.js"`), hashedNames).replace('</head>', `${added}</head>`);
     if (title) written = written.replace(/(?<=<title>)[^<]*/, title);
     if (description) written = written.replace(/(?<=<meta name="description" content=")[^"]*/, description);
     writeFileSync(path.join(staging, name), written);
   }
   const needed = ({ script, workers, wasm }) => {
-    const scripts = [script, ...workers].flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
+    const entries = [PAGE_ENTRIES[script], ...workers.map((worker) => WORKERS[worker])];
+    const scripts = entries.flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
     const others = [...wasm, ...ALWAYS_NEEDED].map((name) => hashedNames.get(name) ?? name);
     return [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...others])];
   };
@@ -175,7 +180,7 @@ export function scriptsOf(meta, entryPoint, { dynamic = false } = {}) {
 
 /** Files that no entry of the package asks for: `files` in package.json cannot tell them from the others. */
 function pageAlone(meta) {
-  const asked = [...PUBLIC_ENTRIES, ...PANELS, ...WORKERS].flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
+  const asked = [PUBLIC_ENTRIES, PANELS, WORKERS].flatMap(Object.values).flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
   const scripts = Object.keys(meta.outputs).map((name) => path.basename(name)).filter((name) => name.endsWith('.js'));
   return scripts.filter((name) => !asked.includes(name));
 }

@@ -3,7 +3,7 @@
 /**
  * SHA-256 of all buffers of a field, in hexadecimal; the order of the bytes is described in tests/golden.rs.
  *
- * @param {import('../www/field.ts').Field} field
+ * @param {import('../www/data/field.ts').Field} field
  * @returns {Promise<string>}
  */
 export async function hashField(field) {
@@ -22,7 +22,7 @@ export async function hashField(field) {
 /**
  * SHA-256 of the buffers of a colony; the order of the bytes is described in tests/wood_ear_properties.rs.
  *
- * @param {import('../www/colony.ts').WoodEarColony} colony
+ * @param {import('../www/data/colony.ts').WoodEarColony} colony
  * @returns {Promise<string>}
  */
 export function hashColony({ positions, normals, indices, individualStarts, vertexStarts, foot, size, base, log }) {

@@ -147,15 +147,15 @@ fn assert_generated(path: &str, content: &str) {
 
 #[test]
 fn typescript_is_generated_from_the_table() {
-    assert_generated("www/params.gen.ts", &typescript_table());
-    assert_generated("www/wood-ear.gen.ts", &wood_ear_table());
+    assert_generated("www/rocks/params.gen.ts", &typescript_table());
+    assert_generated("www/wood-ear/params.gen.ts", &wood_ear_table());
     let mut rocks = String::from(DOCS_HEAD);
     docs!(rocks, params, "PARAM_DOCS");
-    assert_generated("www/param-docs.gen.ts", &rocks);
+    assert_generated("www/rocks/param-docs.gen.ts", &rocks);
     let mut ears = String::from(DOCS_HEAD);
     docs!(ears, wood_ear, "WOOD_EAR_DOCS");
-    assert_generated("www/wood-ear-docs.gen.ts", &ears);
-    assert_generated("www/labels.ja.gen.ts", &japanese_labels());
+    assert_generated("www/wood-ear/param-docs.gen.ts", &ears);
+    assert_generated("www/controls/labels.ja.gen.ts", &japanese_labels());
 }
 
 /// The Japanese label of every parameter and choice, by the English one.
@@ -180,13 +180,13 @@ fn japanese_labels() -> String {
 }
 
 const DOCS_HEAD: &str = "// Generated from src/params/ by `UPDATE=1 cargo test --test params`; never edited.\n\n\
-     import type { Words } from './params.ts';\n\n\
+     import type { Words } from '../base/language.ts';\n\n\
      /** What every parameter does, by its key in links; apart from the table, so that no first picture waits for it. */\n";
 
 fn wood_ear_table() -> String {
     let mut out = String::from(
         "// Generated from src/params/wood_ear/ by `UPDATE=1 cargo test --test params`; never edited.\n\n\
-         import type { WoodEarPreset, WoodEarSpec } from './wood-ear-params.ts';\n\n",
+         import type { WoodEarPreset, WoodEarSpec } from './params.ts';\n\n",
     );
     writeln!(out, "export const MAX_BASES = {};\n", wood_ear::MAX_BASES).unwrap();
     out.push_str("/** Every parameter of a wood-ear colony, in the order of the flat form. */\nexport const WOOD_EAR_PARAMS = [\n");

@@ -1,9 +1,9 @@
 // What the camera frames by itself.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { cameraAxes, defaultCamera, groundPoint, TAN } from '../../www/camera.ts';
-import { SceneCamera } from '../../www/scene-camera.ts';
-import type { Subject } from '../../www/camera.ts';
+import { cameraAxes, defaultCamera, groundPoint, TAN } from '../../www/scene/camera/camera.ts';
+import { SceneCamera } from '../../www/scene/camera/scene-camera.ts';
+import type { Subject } from '../../www/scene/camera/camera.ts';
 import type { CameraState } from '../../www/renderer/renderer.ts';
 
 const SIZES = [[640, 640], [900, 300], [300, 900]] as const;

@@ -4,10 +4,10 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { Session } from '../../www/generator/session.ts';
 import type { RawSteps } from '../../www/generator/session.ts';
-import { encodeParams, resolveParams } from '../../www/params-flat.ts';
-import type { FieldRequest } from '../../www/params-flat.ts';
-import { encodeColony, resolveColony } from '../../www/wood-ear-flat.ts';
-import type { WoodEarRequest } from '../../www/wood-ear-flat.ts';
+import { encodeParams, resolveParams } from '../../www/rocks/request.ts';
+import type { FieldRequest } from '../../www/rocks/request.ts';
+import { encodeColony, resolveColony } from '../../www/wood-ear/request.ts';
+import type { WoodEarRequest } from '../../www/wood-ear/request.ts';
 
 const CAP = 256 * 2 ** 20;
 

@@ -1,13 +1,13 @@
 // The worker's side: the host, its run loops and their sessions, over a generator that does nothing but let a clock go on.
 import assert from 'node:assert/strict';
 import { beforeEach, mock, test } from 'node:test';
-import { RockFieldError } from '../../www/errors.ts';
-import type { Field } from '../../www/field.ts';
+import { RockFieldError } from '../../www/base/errors.ts';
+import type { Field } from '../../www/data/field.ts';
 import { LoopHost } from '../../www/generator/host.ts';
 import { PATIENCE_MS, PROGRESS_AFTER_MS, RunLoop } from '../../www/generator/loop.ts';
 import type { FlatRequest, FromWorker } from '../../www/generator/protocol.ts';
-import { FIELD_LOOPS, fieldSession } from '../../www/generator/field-session.ts';
-import type { RawGenerator } from '../../www/generator/field-session.ts';
+import { FIELD_LOOPS, fieldSession } from '../../www/rocks/session.ts';
+import type { RawGenerator } from '../../www/rocks/session.ts';
 import { SLICE_MS } from '../../www/generator/session.ts';
 import type { GeneratorModule } from '../../www/generator/wasm.ts';
 

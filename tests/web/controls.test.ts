@@ -2,18 +2,18 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { embedCode, panelAddress } from '../../www/controls/clipboard.ts';
-import { inNotation } from '../../www/controls/notation.ts';
-import { randomParams } from '../../www/controls/randomise.ts';
+import { inNotation } from '../../www/rocks/controls/notation.ts';
+import { randomParams } from '../../www/rocks/controls/randomise.ts';
 import { sliderScale } from '../../www/controls/slider-scale.ts';
-import { Store } from '../../www/controls/store.ts';
-import type { Edition } from '../../www/controls/scene-store.ts';
-import type { Rocks } from '../../www/rocks.ts';
-import type { Field } from '../../www/field.ts';
-import { History } from '../../www/history.ts';
-import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/params.ts';
-import type { Layer, Notation, Params, ParamSpec } from '../../www/params.ts';
-import { boundsOf, defaultParams, presetParams, resolveParams } from '../../www/params-flat.ts';
-import { decodeLink } from '../../www/url-codec.ts';
+import { Store } from '../../www/rocks/controls/store.ts';
+import type { Edition } from '../../www/controls/store.ts';
+import type { Rocks } from '../../www/rocks/table.ts';
+import type { Field } from '../../www/data/field.ts';
+import { History } from '../../www/base/history.ts';
+import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/rocks/params.ts';
+import type { Layer, Notation, Params, ParamSpec } from '../../www/rocks/params.ts';
+import { boundsOf, defaultParams, presetParams, resolveParams } from '../../www/rocks/request.ts';
+import { decodeLink } from '../../www/rocks/link.ts';
 
 const SLIDERS: readonly ParamSpec[] = PARAMS.filter(({ kind, key }) => kind !== 'choice' && key !== 'seed');
 

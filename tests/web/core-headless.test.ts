@@ -1,9 +1,9 @@
 // What the real wasm is not made to do: traps, and wasm that cannot be had.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { japaneseFailure } from '../../www/failures.ja.ts';
+import { japaneseFailure } from '../../www/base/failures.ja.ts';
 import { openGenerator, Realm } from '../../www/generator/headless.ts';
-import { STALL_MS } from '../../www/wasm-file.ts';
+import { STALL_MS } from '../../www/base/wasm-file.ts';
 import { loadGenerator } from '../../www/generator/wasm.ts';
 import type { GeneratorGlue } from '../../www/generator/wasm.ts';
 

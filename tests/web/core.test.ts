@@ -4,10 +4,10 @@ import { createHash } from 'node:crypto';
 import { test } from 'node:test';
 // @ts-expect-error: the built package, not part of the sources
 import { createGenerator, generate, presets, RockFieldError, schema } from 'rock-field/core';
-import type { Field } from '../../www/field.ts';
-import { buffersOf } from '../../www/generator/field-session.ts';
-import { PRESETS } from '../../www/params.ts';
-import { presetParams } from '../../www/params-flat.ts';
+import type { Field } from '../../www/data/field.ts';
+import { buffersOf } from '../../www/rocks/session.ts';
+import { PRESETS } from '../../www/rocks/params.ts';
+import { presetParams } from '../../www/rocks/request.ts';
 
 function hashOf(field: Field): string {
   const hash = createHash('sha256');

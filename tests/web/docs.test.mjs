@@ -3,9 +3,9 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { members, problems } from '../../scripts/docs-members.mjs';
 import { manifest } from '../../scripts/package-manifest.mjs';
-import { propertyOf } from '../../www/attribute-reader.ts';
-import { ATTRIBUTES, FIELD_ATTRIBUTES, LAYER_ATTRIBUTES } from '../../www/element-attributes.ts';
-import { PARAM_DOCS } from '../../www/param-docs.gen.ts';
+import { propertyOf } from '../../www/table/attribute-reader.ts';
+import { ATTRIBUTES, FIELD_ATTRIBUTES, LAYER_ATTRIBUTES } from '../../www/rocks/attributes.ts';
+import { PARAM_DOCS } from '../../www/rocks/param-docs.gen.ts';
 
 const found = await members();
 

@@ -1,17 +1,17 @@
 // The element without a browser: what its attributes mean, and that importing it on a server is silent.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { ATTRIBUTES, readAttributes } from '../../www/element-attributes.ts';
-import type { AttributeState } from '../../www/element-attributes.ts';
-import { orbitCamera, parseOrbit } from '../../www/camera-orbit.ts';
-import { describeField } from '../../www/field-description.ts';
-import type { Field } from '../../www/field.ts';
-import { lookOf } from '../../www/look.ts';
-import { ROCKS } from '../../www/rocks.ts';
-import { isLook, isMade, presetColor, same } from '../../www/table.ts';
-import { PARAMS, PRESETS } from '../../www/params.ts';
-import type { Layer, ParamSpec } from '../../www/params.ts';
-import { defaultLayer, defaultParams, encodeParams, presetParams, readValue, resolveParams, writeValue } from '../../www/params-flat.ts';
+import { ATTRIBUTES, readAttributes } from '../../www/rocks/attributes.ts';
+import type { AttributeState } from '../../www/rocks/attributes.ts';
+import { orbitCamera, parseOrbit } from '../../www/scene/camera/orbit.ts';
+import { describeField } from '../../www/rocks/description.ts';
+import type { Field } from '../../www/data/field.ts';
+import { lookOf } from '../../www/rocks/look.ts';
+import { ROCKS } from '../../www/rocks/table.ts';
+import { isLook, isMade, presetColor, same } from '../../www/table/table.ts';
+import { PARAMS, PRESETS } from '../../www/rocks/params.ts';
+import type { Layer, ParamSpec } from '../../www/rocks/params.ts';
+import { defaultLayer, defaultParams, encodeParams, presetParams, readValue, resolveParams, writeValue } from '../../www/rocks/request.ts';
 
 function read(given: Record<string, string>): AttributeState {
   return readAttributes((name) => given[name] ?? null);
@@ -193,7 +193,7 @@ test('what a field shows is a sentence in the language of the page', () => {
 
 test('importing the element on a server is silent and defines nothing', async (t) => {
   const said = ['log', 'info', 'warn', 'error'].map((name) => t.mock.method(console, name as 'log', () => {}));
-  const { RockFieldElement } = await import('../../www/rock-field.ts');
+  const { RockFieldElement } = await import('../../www/entries/rock-field.ts');
   assert.equal(typeof RockFieldElement, 'function');
   for (const name of ATTRIBUTES) assert(RockFieldElement.observedAttributes.includes(name), name);
   assert.doesNotThrow(() => new RockFieldElement());

@@ -3,21 +3,21 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { ATTRIBUTE_NOTICES } from '../../www/attribute-notices.ts';
+import { ATTRIBUTE_NOTICES } from '../../www/table/attribute-notices.ts';
 import { ATTRIBUTE_NOTICE_HELP, NOTICE_HELP } from '../../www/docs/notice-help.ts';
-import { ERROR_GROUPS, ERRORS } from '../../www/error-list.ts';
-import { japaneseNotice } from '../../www/notices.ja.ts';
-import { NOTICES, noticeText } from '../../www/notices.ts';
-import type { Notice } from '../../www/link.ts';
-import { defaultParams, resolveParams } from '../../www/params-flat.ts';
-import { errorText } from '../../www/strings-later.ts';
+import { ERROR_GROUPS, ERRORS } from '../../www/base/error-list.ts';
+import { japaneseNotice } from '../../www/table/notices.ja.ts';
+import { NOTICES, noticeText } from '../../www/table/notices.ts';
+import type { Notice } from '../../www/table/link.ts';
+import { defaultParams, resolveParams } from '../../www/rocks/request.ts';
+import { errorText } from '../../www/controls/strings-later.ts';
 
 const NAMES = Object.keys(ERRORS);
 
 /** The texts of all files of a folder whose name ends so, without comments. */
 function sources(folder: string, extension: string): string[] {
   const root = fileURLToPath(new URL(`../../${folder}`, import.meta.url));
-  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith(extension) && name !== 'error-list.ts');
+  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith(extension) && !name.endsWith('error-list.ts'));
   return files.map((name) => readFileSync(`${root}/${name}`, 'utf8').replaceAll(/^\s*(\/\/|\/?\*).*$/gm, ''));
 }
 

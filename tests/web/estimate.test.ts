@@ -2,8 +2,8 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Estimate } from '../../www/generator/estimate.ts';
-import { isSlowThesis, timeLeft } from '../../www/wood-ear-patience.ts';
-import { woodEarPreset } from '../../www/wood-ear-flat.ts';
+import { isSlowThesis, timeLeft } from '../../www/wood-ear/patience.ts';
+import { woodEarPreset } from '../../www/wood-ear/request.ts';
 
 test('the seconds left are those of the stage’s own pace, and none are told before it has one', () => {
   const estimate = new Estimate<'quick' | 'long'>();

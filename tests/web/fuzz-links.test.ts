@@ -1,13 +1,13 @@
 // Any text at all is read as a link, as attributes and as parameters: it never throws anything but our error, and what is read can be written and read again.
 import assert from 'node:assert/strict';
-import { readAttributes, ATTRIBUTES } from '../../www/element-attributes.ts';
-import { RockFieldError } from '../../www/errors.ts';
-import { resolveParams } from '../../www/params-flat.ts';
-import { decodeLink, encodeLink } from '../../www/url-codec.ts';
-import { readWoodEarAttributes, WOOD_EAR_ATTRIBUTES } from '../../www/wood-ear-attributes.ts';
-import { decodeWoodEarLink, encodeWoodEarLink } from '../../www/wood-ear-link.ts';
-import { ROCKS } from '../../www/rocks.ts';
-import { WOOD_EARS } from '../../www/wood-ears.ts';
+import { readAttributes, ATTRIBUTES } from '../../www/rocks/attributes.ts';
+import { RockFieldError } from '../../www/base/errors.ts';
+import { resolveParams } from '../../www/rocks/request.ts';
+import { decodeLink, encodeLink } from '../../www/rocks/link.ts';
+import { readWoodEarAttributes, WOOD_EAR_ATTRIBUTES } from '../../www/wood-ear/attributes.ts';
+import { decodeWoodEarLink, encodeWoodEarLink } from '../../www/wood-ear/link.ts';
+import { ROCKS } from '../../www/rocks/table.ts';
+import { WOOD_EARS } from '../../www/wood-ear/table.ts';
 import { fuzz } from './fuzz.ts';
 import type { Random } from './fuzz.ts';
 

@@ -2,9 +2,9 @@
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { fileURLToPath } from 'node:url';
-import { RockFieldError } from '../../www/errors.ts';
-import { MOST_TRIANGLES, MOST_VERTICES } from '../../www/log-file/limits.ts';
-import { readLogFile } from '../../www/log-file/read.ts';
+import { RockFieldError } from '../../www/base/errors.ts';
+import { MOST_TRIANGLES, MOST_VERTICES } from '../../www/wood-ear/log-file/limits.ts';
+import { readLogFile } from '../../www/wood-ear/log-file/read.ts';
 import { fuzz } from './fuzz.ts';
 
 const FOLDER = fileURLToPath(new URL('../data/logs', import.meta.url));

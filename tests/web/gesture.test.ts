@@ -1,7 +1,7 @@
 // What fingers mean, without any element: paths of touches in, meanings out.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { Fingers } from '../../www/gesture.ts';
+import { Fingers } from '../../www/scene/camera/gesture.ts';
 
 /** A short tap at (x, y). */
 function tap(fingers: Fingers, x: number, y: number, time: number): boolean {

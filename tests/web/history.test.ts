@@ -1,7 +1,7 @@
 // Undo: one step per gesture.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { CODE, History } from '../../www/history.ts';
+import { CODE, History } from '../../www/base/history.ts';
 
 test('undo and redo walk through the steps; a new edit ends redo', () => {
   const history = new History(0);

@@ -1,7 +1,7 @@
 // Scripts that are fetched when they are wanted: how long they may take.
 import assert from 'node:assert/strict';
 import { mock, test } from 'node:test';
-import { lazily } from '../../www/lazy.ts';
+import { lazily } from '../../www/base/lazy.ts';
 
 /** Timers that fire when the test says so, the first that was set first. */
 function heldTimers(): (() => void)[] {

@@ -4,11 +4,11 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { Accessor, Document, Node, Primitive, WebIO } from '@gltf-transform/core';
 import { MeshoptEncoder } from 'meshoptimizer';
-import type { RockFieldError } from '../../www/errors.ts';
-import { FARTHEST, MOST_LISTED, MOST_TRIANGLES, MOST_VERTICES } from '../../www/log-file/limits.ts';
-import { readLogFile } from '../../www/log-file/read.ts';
-import { shown } from '../../www/log-file/refusal.ts';
-import type { LogMesh } from '../../www/log-mesh.ts';
+import type { RockFieldError } from '../../www/base/errors.ts';
+import { FARTHEST, MOST_LISTED, MOST_TRIANGLES, MOST_VERTICES } from '../../www/wood-ear/log-file/limits.ts';
+import { readLogFile } from '../../www/wood-ear/log-file/read.ts';
+import { shown } from '../../www/wood-ear/log-file/refusal.ts';
+import type { LogMesh } from '../../www/wood-ear/log-mesh.ts';
 
 const stored = (name: string) => new File([readFileSync(new URL(`../data/logs/${name}`, import.meta.url))], name);
 const given = (name: string, ...parts: BlobPart[]) => new File(parts, name);

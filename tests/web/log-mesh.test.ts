@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { RockFieldError } from '../../www/errors.ts';
-import { meshOf } from '../../www/log-mesh.ts';
-import { resolveColony } from '../../www/wood-ear-flat.ts';
-import type { WoodEarLogMesh } from '../../www/wood-ear-flat.ts';
-import { WOOD_EARS } from '../../www/wood-ears.ts';
+import { RockFieldError } from '../../www/base/errors.ts';
+import { meshOf } from '../../www/wood-ear/log-mesh.ts';
+import { resolveColony } from '../../www/wood-ear/request.ts';
+import type { WoodEarLogMesh } from '../../www/wood-ear/request.ts';
+import { WOOD_EARS } from '../../www/wood-ear/table.ts';
 
 /** A tetrahedron, cm. */
 const GOOD = { positions: [0, 0, 0, 100, 0, 0, 0, 50, 0, 0, 0, 50], indices: [0, 2, 1, 0, 1, 3, 1, 2, 3, 0, 3, 2] };

@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { RockFieldError } from '../../www/errors.ts';
-import { takePicture } from '../../www/picture.ts';
+import { RockFieldError } from '../../www/base/errors.ts';
+import { takePicture } from '../../www/scene/picture.ts';
 import type { CameraState, SceneRenderer } from '../../www/renderer/renderer.ts';
 
 const CAMERA: CameraState = { azimuth: 0, elevation: 1, distance: 100, target: [0, 0, 0] };

@@ -2,14 +2,14 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { TestContext } from 'node:test';
-import { RockFieldError } from '../../www/errors.ts';
-import type { Field } from '../../www/field.ts';
-import { GeneratorClient } from '../../www/generator/client.ts';
+import { RockFieldError } from '../../www/base/errors.ts';
+import type { Field } from '../../www/data/field.ts';
+import { GeneratorClient } from '../../www/rocks/client.ts';
 import { CANCEL_MS } from '../../www/generator/worker-client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
 import { GRACE_MS, SILENCE_MS } from '../../www/generator/pool-worker.ts';
 import type { Addressed, FromWorker, StartMessage } from '../../www/generator/protocol.ts';
-import { defaultParams } from '../../www/params-flat.ts';
+import { defaultParams } from '../../www/rocks/request.ts';
 import { SilentWorker } from './fake-worker.ts';
 
 class FakeWorker extends SilentWorker {

@@ -1,7 +1,7 @@
 // How well a scene is drawn, by what its frames took: the rule, and the frames that the rule asks for.
 import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
-import { FramePacer } from '../../www/frame-pacer.ts';
+import { FramePacer } from '../../www/scene/frame-pacer.ts';
 import { AutoQuality } from '../../www/renderer/quality.ts';
 import type { Quality } from '../../www/renderer/renderer.ts';
 

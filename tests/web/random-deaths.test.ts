@@ -2,11 +2,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { mulberry32 } from '../../www/controls/mulberry32.ts';
-import { RockFieldError } from '../../www/errors.ts';
-import type { Field } from '../../www/field.ts';
-import { GeneratorClient } from '../../www/generator/client.ts';
+import { RockFieldError } from '../../www/base/errors.ts';
+import type { Field } from '../../www/data/field.ts';
+import { GeneratorClient } from '../../www/rocks/client.ts';
 import type { Addressed, StartMessage, ToWorker } from '../../www/generator/protocol.ts';
-import { defaultParams } from '../../www/params-flat.ts';
+import { defaultParams } from '../../www/rocks/request.ts';
 import { SilentWorker } from './fake-worker.ts';
 
 const STORED_SEED = 20_131_211;

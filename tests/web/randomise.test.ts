@@ -2,15 +2,15 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { createGenerator, createWoodEarGenerator } from 'rock-field/core';
-import { randomParams } from '../../www/controls/randomise.ts';
-import { randomWoodEars } from '../../www/controls/randomise-wood-ears.ts';
-import { Store } from '../../www/controls/store.ts';
-import { PRESETS } from '../../www/params.ts';
-import type { Params, Preset, PresetName } from '../../www/params.ts';
-import { presetParams, resolveParams } from '../../www/params-flat.ts';
-import { decodeLink } from '../../www/url-codec.ts';
-import { colonyRequest, WOOD_EARS } from '../../www/wood-ears.ts';
-import { WOOD_EAR_PRESETS } from '../../www/wood-ear.gen.ts';
+import { randomParams } from '../../www/rocks/controls/randomise.ts';
+import { randomWoodEars } from '../../www/wood-ear/controls/randomise.ts';
+import { Store } from '../../www/rocks/controls/store.ts';
+import { PRESETS } from '../../www/rocks/params.ts';
+import type { Params, Preset, PresetName } from '../../www/rocks/params.ts';
+import { presetParams, resolveParams } from '../../www/rocks/request.ts';
+import { decodeLink } from '../../www/rocks/link.ts';
+import { colonyRequest, WOOD_EARS } from '../../www/wood-ear/table.ts';
+import { WOOD_EAR_PRESETS } from '../../www/wood-ear/params.gen.ts';
 
 const SEEDS = [1, 2, 3, 5, 8, 13, 21, 34];
 const NATURAL = (PRESETS as readonly Preset[]).filter(({ natural }) => natural).map(({ name }) => name);

@@ -1,21 +1,21 @@
 // The catalogue: both languages say everything, and say it with the same slots.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { LAYER_ROWS } from '../../www/params-flat.ts';
-import { LABELS_JA } from '../../www/labels.ja.gen.ts';
-import { PARAM_DOCS } from '../../www/param-docs.gen.ts';
-import { PARAMS, PRESETS } from '../../www/params.ts';
-import { WOOD_EAR_DOCS } from '../../www/wood-ear-docs.gen.ts';
-import { WOOD_EAR_PARAMS } from '../../www/wood-ear.gen.ts';
-import { japaneseNotice } from '../../www/notices.ja.ts';
-import { noticeText } from '../../www/notices.ts';
-import { LATER, errorText, presetLabel } from '../../www/strings-later.ts';
-import { STRINGS_JA } from '../../www/strings.ja.ts';
-import { LANGUAGES, STRINGS, labelOf, loadJapanese, pickLanguage, presetName, translate } from '../../www/strings.ts';
-import type { StringKey } from '../../www/strings.ts';
-import { WOOD_EAR_STRINGS } from '../../www/strings-wood-ear.ts';
-import type { Words } from '../../www/params.ts';
-import { decodeLink } from '../../www/url-codec.ts';
+import { LAYER_ROWS } from '../../www/rocks/request.ts';
+import { LABELS_JA } from '../../www/controls/labels.ja.gen.ts';
+import { PARAM_DOCS } from '../../www/rocks/param-docs.gen.ts';
+import { PARAMS, PRESETS } from '../../www/rocks/params.ts';
+import { WOOD_EAR_DOCS } from '../../www/wood-ear/param-docs.gen.ts';
+import { WOOD_EAR_PARAMS } from '../../www/wood-ear/params.gen.ts';
+import { japaneseNotice } from '../../www/table/notices.ja.ts';
+import { noticeText } from '../../www/table/notices.ts';
+import { LATER, errorText, presetLabel } from '../../www/controls/strings-later.ts';
+import { STRINGS_JA } from '../../www/controls/strings.ja.ts';
+import { LANGUAGES, STRINGS, labelOf, loadJapanese, pickLanguage, presetName, translate } from '../../www/controls/strings.ts';
+import type { StringKey } from '../../www/controls/strings.ts';
+import { WOOD_EAR_STRINGS } from '../../www/wood-ear/controls/strings.ts';
+import type { Words } from '../../www/base/language.ts';
+import { decodeLink } from '../../www/rocks/link.ts';
 
 const slots = (text: string) => [...text.matchAll(/\{\w+\}/g)].map(([slot]) => slot).sort();
 

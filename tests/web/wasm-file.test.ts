@@ -1,7 +1,7 @@
 // How a wasm file is handed to what starts it.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { startWasmFile } from '../../www/wasm-file.ts';
+import { startWasmFile } from '../../www/base/wasm-file.ts';
 
 /** Whether the file was compiled while it arrived, by the number of the device's cores. */
 async function isStreamed(cores: number, heard?: (bytes: number) => void): Promise<boolean> {

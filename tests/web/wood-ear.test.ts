@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 // @ts-expect-error: the built package, not part of the sources
 import { createWoodEarGenerator, growWoodEar, RockFieldError, woodEarPresets, woodEarSchema } from 'rock-field/core';
-import type { WoodEarColony } from '../../www/colony.ts';
+import type { WoodEarColony } from '../../www/data/colony.ts';
 // @ts-expect-error: plain JavaScript
 import { hashColony } from '../golden.mjs';
 

@@ -5,11 +5,11 @@ import { copyText } from './clipboard.ts';
 import { iconButton } from './parts.ts';
 import type { Place } from './parts.ts';
 import type { TemplateResult } from 'lit';
-import { later, LATER } from '../strings-later.ts';
-import type { LaterKey } from '../strings-later.ts';
-import type { StringKey } from '../strings.ts';
-import type { Kind } from '../table.ts';
-import type { SceneStore } from './scene-store.ts';
+import { later, LATER } from './strings-later.ts';
+import type { LaterKey } from './strings-later.ts';
+import type { StringKey } from './strings.ts';
+import type { Kind } from '../table/table.ts';
+import type { SceneStore } from './store.ts';
 
 const TOAST_MS = 2500;
 /** For a sentence more. */

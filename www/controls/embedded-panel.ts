@@ -1,20 +1,20 @@
-/** The panel in an element: a store on the element's own history, wired to the element as main.ts wires the page's. */
+/** The panel in an element: a store on the element's own history, wired to the element as `pages/page.ts` wires the page's. */
 
-import { addStyles, removeStyles } from '../document-styles.ts';
-import { errorInfo } from '../errors.ts';
-import { loadJapanese, translate } from '../strings.ts';
+import { addStyles, removeStyles } from '../base/document-styles.ts';
+import { errorInfo } from '../base/errors.ts';
+import { loadJapanese, translate } from './strings.ts';
 import { embedCode } from './clipboard.ts';
 import { copyOrShow } from './dialogs.ts';
 import { hasModifier, travel } from './keys.ts';
 import { LAYOUT_STYLES, PANEL_STYLES } from './panel-styles.ts';
 import { isDialogOpen } from './parts.ts';
-import type { OpenPanel, PanelOwner } from '../controls-button.ts';
-import type { ErrorDetail } from '../error-pace.ts';
-import type { GeneratorElement, SceneEventMap } from '../generator-element.ts';
-import type { History } from '../history.ts';
-import type { Kind } from '../table.ts';
-import type { Actions, ScenePanel } from './scene-panel.ts';
-import type { Change, Edition, OpenedLink, Preferences, SceneStore } from './scene-store.ts';
+import type { OpenPanel, PanelOwner } from '../element/controls-button.ts';
+import type { ErrorDetail } from '../base/error-pace.ts';
+import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
+import type { History } from '../base/history.ts';
+import type { Kind } from '../table/table.ts';
+import type { Actions, ScenePanel } from './panel.ts';
+import type { Change, Edition, OpenedLink, Preferences, SceneStore } from './store.ts';
 
 /** From here on the panel stands beside the picture, px. */
 const BESIDE_FROM = 600;

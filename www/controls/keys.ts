@@ -1,8 +1,8 @@
 /** The page's own keys. The picture has keys too, while it has the focus. */
 
 import { isDialogOpen } from './parts.ts';
-import type { Kind } from '../table.ts';
-import type { SceneStore } from './scene-store.ts';
+import type { Kind } from '../table/table.ts';
+import type { SceneStore } from './store.ts';
 
 export interface PageActions {
   frameAll: () => void;

@@ -1,16 +1,16 @@
 /** What stands last in the panel, the page's own settings or a way to embed; and the way back to the log whose ground is edited. */
 
 import { html, nothing } from 'lit';
-import { addressOnGround, isGroundEdited } from '../scenes.ts';
-import { later } from '../strings-later.ts';
-import { LANGUAGES, LANGUAGE_NAMES } from '../strings.ts';
+import { addressOnGround, isGroundEdited } from './site.ts';
+import { later } from './strings-later.ts';
+import { LANGUAGES, LANGUAGE_NAMES } from './strings.ts';
 import { icon } from './icons.ts';
 import { segments } from './parts.ts';
-import { THEMES } from './scene-store.ts';
+import { THEMES } from './store.ts';
 import type { TemplateResult } from 'lit';
-import type { Kind } from '../table.ts';
-import type { Actions } from './scene-panel.ts';
-import type { SceneStore } from './scene-store.ts';
+import type { Kind } from '../table/table.ts';
+import type { Actions } from './panel.ts';
+import type { SceneStore } from './store.ts';
 
 export interface LastSection<K extends Kind> {
   store: SceneStore<K>;

@@ -1,6 +1,6 @@
 /** The way to what comes later; of it nothing is fetched before. */
 
-import { lazily } from '../lazy.ts';
+import { lazily } from '../base/lazy.ts';
 import type * as module from './later.ts';
 
 export type Later = typeof module;

@@ -1,7 +1,7 @@
 /** What the panel knows of its numbers before their controls are there: how they are written, and what is wrong with them. */
 
-import type { Kind, Row } from '../table.ts';
-import type { SceneStore } from './scene-store.ts';
+import type { Kind, Row } from '../table/table.ts';
+import type { SceneStore } from './store.ts';
 
 /** Digits shown of a number; its value keeps all of them. */
 const SHOWN_DIGITS = 7;

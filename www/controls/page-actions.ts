@@ -1,11 +1,11 @@
 /** What the page's buttons do, once one of them is pressed. */
 
-import { errorInfo } from '../errors.ts';
+import { errorInfo } from '../base/errors.ts';
 import { copyOrShow, showKeys } from './dialogs.ts';
 import { embedCode } from './clipboard.ts';
-import type { GeneratorElement } from '../generator-element.ts';
-import type { Draw, Kind } from '../table.ts';
-import type { SceneStore } from './scene-store.ts';
+import type { GeneratorElement } from '../element/generator-element.ts';
+import type { Draw, Kind } from '../table/table.ts';
+import type { SceneStore } from './store.ts';
 
 export interface PageParts<K extends Kind> {
   store: SceneStore<K>;

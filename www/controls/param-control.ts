@@ -2,13 +2,13 @@
 
 import { html } from 'lit';
 import { live } from 'lit/directives/live.js';
-import { labelOf, translate } from '../strings.ts';
+import { labelOf, translate } from './strings.ts';
 import { problemOf, shownNumber } from './numbers.ts';
 import { describedBy, description, mathText, menu, segments } from './parts.ts';
 import { sliderScale } from './slider-scale.ts';
 import type { TemplateResult } from 'lit';
-import type { Kind, Row } from '../table.ts';
-import type { SceneStore } from './scene-store.ts';
+import type { Kind, Row } from '../table/table.ts';
+import type { SceneStore } from './store.ts';
 
 /** How far from the middle of the thumb a finger may be to take it; the thumb is as wide as tokens.css has it for fingers. */
 const REACH_PX = 24;

@@ -1,10 +1,10 @@
 /** Where an error of the element is told. */
 
-import { errorText } from '../strings-later.ts';
-import type { ErrorInfo } from '../errors.ts';
-import type { Language } from '../params.ts';
-import type { Kind } from '../table.ts';
-import type { SceneStore } from './scene-store.ts';
+import { errorText } from './strings-later.ts';
+import type { ErrorInfo } from '../base/errors.ts';
+import type { Language } from '../base/language.ts';
+import type { Kind } from '../table/table.ts';
+import type { SceneStore } from './store.ts';
 import type { Wish } from './store-types.ts';
 
 /** How things stood when the error came. */

@@ -1,8 +1,8 @@
 /** Language and theme: this browser's, in no link. */
 
-import { LANGUAGES, pickLanguage } from '../strings.ts';
-import { THEMES } from './scene-store.ts';
-import type { Preferences } from './scene-store.ts';
+import { LANGUAGES, pickLanguage } from './strings.ts';
+import { THEMES } from './store.ts';
+import type { Preferences } from './store.ts';
 
 const KEY = 'rock-field';
 

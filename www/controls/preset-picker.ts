@@ -1,19 +1,20 @@
 /** The presets to choose from: natural grounds with a small picture each, then the figures of the two papers. */
 
 import { html, nothing } from 'lit';
-import { PRESETS } from '../params.ts';
-import { LAYER_ROWS } from '../params-flat.ts';
-import { later, presetLabel } from '../strings-later.ts';
-import { PAPERS, paperOf, presetName, translate } from '../strings.ts';
+import { PRESETS } from '../rocks/params.ts';
+import { LAYER_ROWS } from '../rocks/request.ts';
+import { later, presetLabel } from './strings-later.ts';
+import { PAPERS, paperOf, presetName, translate } from './strings.ts';
 import { showDialog } from './dialogs.ts';
 import { mathText } from './parts.ts';
 import { drawPictures, PICTURE_SIZE } from './preset-pictures.ts';
 import type { TemplateResult } from 'lit';
-import type { GeneratorElement } from '../generator-element.ts';
-import type { Language, Preset } from '../params.ts';
-import type { Kind } from '../table.ts';
+import type { GeneratorElement } from '../element/generator-element.ts';
+import type { Language } from '../base/language.ts';
+import type { Preset } from '../rocks/params.ts';
+import type { Kind } from '../table/table.ts';
 import type { Place } from './parts.ts';
-import type { SceneStore } from './scene-store.ts';
+import type { SceneStore } from './store.ts';
 
 /** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
 const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.split(' ').at(-1) ?? '');

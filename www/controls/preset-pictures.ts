@@ -1,7 +1,7 @@
 /** Small pictures of natural presets: drawn one after the other by an element that nobody sees, and kept for as long as the page is open. */
 
-import type { GeneratorElement, SceneEventMap } from '../generator-element.ts';
-import type { Kind, Table } from '../table.ts';
+import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
+import type { Kind, Table } from '../table/table.ts';
 
 /** Device pixels: twice as many as on most screens. */
 export const PICTURE_SIZE = { width: 192, height: 128 };

@@ -1,12 +1,12 @@
 /** `<stage-overlay>`: what lies on the picture: how it is drawn, what is known of it, what is going on. */
 
 import { LitElement, html, nothing } from 'lit';
-import { colorChoice, viewChoice } from './look.ts';
+import { colorChoice, viewChoice } from './view-choice.ts';
 import { iconButton } from './parts.ts';
 import { messageLine, progressLine } from './status.ts';
 import type { TemplateResult } from 'lit';
-import type { Kind } from '../table.ts';
-import type { SceneStore } from './scene-store.ts';
+import type { Kind } from '../table/table.ts';
+import type { SceneStore } from './store.ts';
 
 export interface StageActions {
   cancel: () => void;

@@ -3,10 +3,10 @@
 import { html, nothing } from 'lit';
 import { icon } from './icons.ts';
 import { iconButton } from './parts.ts';
-import { percent } from './summary.ts';
+import { percent } from '../rocks/controls/summary.ts';
 import type { TemplateResult } from 'lit';
-import type { Kind } from '../table.ts';
-import type { SceneStore } from './scene-store.ts';
+import type { Kind } from '../table/table.ts';
+import type { SceneStore } from './store.ts';
 
 /** Only text goes in here: much of it comes from links. */
 export function messageLine<K extends Kind>(store: SceneStore<K>): TemplateResult | typeof nothing {

@@ -1,8 +1,8 @@
 /** What the store of a scene holds and tells. */
 
-import type { Notice, SceneLink } from '../link.ts';
-import type { Language } from '../params.ts';
-import type { Kind, Row } from '../table.ts';
+import type { Notice, SceneLink } from '../table/link.ts';
+import type { Language } from '../base/language.ts';
+import type { Kind, Row } from '../table/table.ts';
 
 export type Theme = 'auto' | 'light' | 'dark';
 

@@ -3,7 +3,7 @@
 import { copyButton } from './copy.ts';
 import { keep } from './keeper.ts';
 import { LiveExample } from './live-example.ts';
-import type { KeepMessage } from '../service-worker.ts';
+import type { KeepMessage } from '../pages/service-worker.ts';
 
 customElements.define('live-example', LiveExample);
 

@@ -1,12 +1,12 @@
-/** Generators without a worker, for Node, workers and bundlers: what `core.ts` and `core.node.ts` share. */
+/** Generators without a worker, for Node, workers and bundlers: what `entries/core.ts` and `core.node.ts` share. */
 
-import { errorInfo, RockFieldError, scriptUnavailable } from '../errors.ts';
-import type { Field } from '../field.ts';
-import { checkNumber, objectOf, wrongType } from '../param-checks.ts';
-import { encodeParams, flatRequest, resolveParams } from '../params-flat.ts';
-import type { FieldRequest } from '../params-flat.ts';
+import { errorInfo, RockFieldError, scriptUnavailable } from '../base/errors.ts';
+import type { Field } from '../data/field.ts';
+import { checkNumber, objectOf, wrongType } from '../table/param-checks.ts';
+import { encodeParams, flatRequest, resolveParams } from '../rocks/request.ts';
+import type { FieldRequest } from '../rocks/request.ts';
 import { defaultMaxBytes } from './budget.ts';
-import { fieldSession } from './field-session.ts';
+import { fieldSession } from '../rocks/session.ts';
 import type { FlatRequest, Progress, StageName } from './protocol.ts';
 import type { RunOptions } from './session.ts';
 import { loadGenerator } from './wasm.ts';

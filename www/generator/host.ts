@@ -5,7 +5,7 @@
  * with it whatever the others said after that.
  */
 
-import { errorInfo } from '../errors.ts';
+import { errorInfo } from '../base/errors.ts';
 import type { RunLoop } from './loop.ts';
 import type { FromLoop, FromWorker, ToWorker } from './protocol.ts';
 

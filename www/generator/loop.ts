@@ -7,7 +7,7 @@
  * A run whose preview has been shown is superseded at once: what follows is nobody's any more. A cancelled run has no protection either.
  */
 
-import { abortError, errorInfo, isCoded } from '../errors.ts';
+import { abortError, errorInfo, isCoded } from '../base/errors.ts';
 import type { FromLoop, Progress, StartMessage, ToLoop } from './protocol.ts';
 import type { RunOptions } from './session.ts';
 

@@ -10,14 +10,14 @@
  * | starting | the first message                 | after `START_MS` the script is fetched here too: while its bytes come in, the     |
  * |          |                                   | network is slow. `GRACE_MS` after the last one every client fails                 |
  * | loading  | `started`, said by the script     | as in `ready`: it answers pings while its wasm arrives (how long that may take    |
- * |          |                                   | is the worker's own matter, see `wasm-file.ts`)                                   |
+ * |          |                                   | is the worker's own matter, see `base/wasm-file.ts`)                              |
  * | ready    | `ready`, said once wasm is there  | after `SILENCE_MS` it is pinged; no answer within `GRACE_MS` means it is lost     |
  *
  * A lost worker's clients ask a new one, once; a second loss during the same request is reported (`worker-client.ts`). An answer that
  * counts fewer messages than were sent means that a message got lost, which is the same as a lost worker.
  */
 
-import { RockFieldError } from '../errors.ts';
+import { RockFieldError } from '../base/errors.ts';
 import type { Addressed, FromLoop, FromWorker, ToLoop, ToWorker } from './protocol.ts';
 
 /** A busy worker reports every 50 ms; the copies of the largest field take a few hundred. */

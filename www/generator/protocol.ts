@@ -8,7 +8,7 @@
  * when its turn comes.
  */
 
-import type { ErrorInfo } from '../errors.ts';
+import type { ErrorInfo } from '../base/errors.ts';
 
 export type StageName = 'sites' | 'cells' | 'selection' | 'shape' | 'mesh';
 

@@ -1,6 +1,6 @@
 /** Drives one generator of the wasm: slices, time per stage, abort, and the buffers as what they are called here. In the worker and in Node. */
 
-import { errorInfo, isCoded, RockFieldError } from '../errors.ts';
+import { errorInfo, isCoded, RockFieldError } from '../base/errors.ts';
 import { Estimate } from './estimate.ts';
 import type { Progress } from './protocol.ts';
 

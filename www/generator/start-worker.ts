@@ -1,6 +1,6 @@
 /** Starts every worker of the package, wherever the page stands. */
 
-import { lazily } from '../lazy.ts';
+import { lazily } from '../base/lazy.ts';
 import type { WorkerLike } from './pool-worker.ts';
 
 /** The part of `trustedTypes` that is used; TypeScript's DOM library has none of it. */

@@ -1,8 +1,8 @@
 /** Brings the generator's wasm up. The glue is given by the module that imports it. */
 
 import type { InitInput } from '../../pkg/generator.js';
-import { started, startWasmFile, unavailable } from '../wasm-file.ts';
-import type { RawGenerator } from './field-session.ts';
+import { started, startWasmFile, unavailable } from '../base/wasm-file.ts';
+import type { RawGenerator } from '../rocks/session.ts';
 
 /** What pkg/generator.js exports, as far as it is used. */
 export interface GeneratorModule {

@@ -1,8 +1,8 @@
 /** The page's side of the protocol for one generator, whatever it generates: the latest request wins, and is asked again when its worker was lost. */
 
-import { abortError, RockFieldError } from '../errors.ts';
-import type { ErrorInfo } from '../errors.ts';
-import type { OnResult } from '../runs.ts';
+import { abortError, RockFieldError } from '../base/errors.ts';
+import type { ErrorInfo } from '../base/errors.ts';
+import type { OnResult } from './runs.ts';
 import { defaultMaxBytes } from './budget.ts';
 import { poolOf } from './pool.ts';
 import type { Seat } from './pool.ts';

@@ -1,6 +1,6 @@
 /** The two renderer artefacts: what they export (`src/bindings/renderer.rs`, `renderer_wood.rs`), and how one is fetched and started. */
 
-import { lazily, tellMissingFile } from '../lazy.ts';
+import { lazily, tellMissingFile } from '../base/lazy.ts';
 import type { GpuBackend } from './device.ts';
 
 export interface RawDevice {
@@ -126,7 +126,7 @@ export async function loadArtefact(backend: GpuBackend): Promise<RendererModule>
   const module = await loading;
   if (trapped.delete(backend)) {
     module.__wbg_reset_state();
-    import('../renderer-recovery.ts').then(({ ignoreStale }) => ignoreStale(), () => undefined);
+    import('./recovery.ts').then(({ ignoreStale }) => ignoreStale(), () => undefined);
   }
   return module;
 }
@@ -138,7 +138,7 @@ async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   const stop = new AbortController();
   const response = fetch(url, { signal: stop.signal });
   response.catch(() => undefined);
-  const scripts = Promise.all([load() as Promise<RendererModule>, lazily(() => import('../wasm-file.ts'), true)]);
+  const scripts = Promise.all([load() as Promise<RendererModule>, lazily(() => import('../base/wasm-file.ts'), true)]);
   // A request that nobody reads would keep the next one for the same file waiting.
   scripts.catch(() => stop.abort());
   const [module, { startWasmFile }] = await scripts;

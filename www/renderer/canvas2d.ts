@@ -3,7 +3,7 @@
  * the `diagrams` view, the selected cells with theirs in all others.
  */
 
-import type { Field, FieldLayer } from '../field.ts';
+import type { Field, FieldLayer } from '../data/field.ts';
 import { FOV_Y } from './limits.ts';
 import type { CameraState, Look, SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 

@@ -1,7 +1,7 @@
 /** The wasm renderer, on WebGPU or WebGL2, behind the page's `SceneRenderer`. */
 
-import type { Field } from '../field.ts';
-import { PARAMS } from '../params.ts';
+import type { Field } from '../data/field.ts';
+import { PARAMS } from '../rocks/params.ts';
 import type { RawRenderer } from './artefact.ts';
 import { joinDevice } from './device.ts';
 import type { GpuBackend, LossListener, SharedDevice } from './device.ts';

@@ -1,6 +1,6 @@
 /** Finds the best backend that really works and makes a renderer of it. */
 
-import { lazily } from '../lazy.ts';
+import { lazily } from '../base/lazy.ts';
 import { GpuRenderer } from './gpu.ts';
 import type { Backend, SceneRenderer } from './renderer.ts';
 

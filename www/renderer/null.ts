@@ -1,6 +1,6 @@
 /** Draws nothing and records every call, for tests that have no graphics. */
 
-import type { Field } from '../field.ts';
+import type { Field } from '../data/field.ts';
 import type { CameraState, Look, Quality, SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 
 export type RecordedCall =

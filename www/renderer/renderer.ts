@@ -4,9 +4,9 @@
  * World: plane x right, y up, in pixels of the image; z up. Nothing is drawn but by `render()`.
  */
 
-import type { WoodEarColony } from '../colony.ts';
-import type { Field } from '../field.ts';
-import type { Layer, PARAMS, Params, ParamSpec } from '../params.ts';
+import type { WoodEarColony } from '../data/colony.ts';
+import type { Field } from '../data/field.ts';
+import type { Layer, PARAMS, Params, ParamSpec } from '../rocks/params.ts';
 
 /** `3d` and `wireframe` are seen through the camera; `diagrams` and `selection` are plans, north (+y) up. */
 export type View = '3d' | 'wireframe' | 'diagrams' | 'selection';

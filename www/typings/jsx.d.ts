@@ -1,8 +1,8 @@
 /** `rock-field/jsx`: `<rock-field>` and `<wood-ear-log>` in the JSX of React 19. */
 
 import type { HTMLAttributes, RefAttributes } from 'react';
-import type { RockFieldElement } from '../element.ts';
-import type { WoodEarLogElement } from '../wood-ear-log.ts';
+import type { RockFieldElement } from '../entries/element.ts';
+import type { WoodEarLogElement } from '../entries/wood-ear-log.ts';
 import type { RockFieldListeners, RockFieldProps, WoodEarLogListeners, WoodEarLogProps } from './props.ts';
 
 declare module 'react' {

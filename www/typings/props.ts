@@ -1,10 +1,10 @@
 /** What can be written on the elements in a template: attributes and properties by name, and listeners as each framework spells them. */
 
-import type { Backend, RockFieldElement, RockFieldEventMap } from '../element.ts';
-import type { ParameterProperties } from '../parameter-properties.ts';
-import type { ReflectedProperties } from '../reflected-properties.ts';
-import type { WoodEarPresetName, WoodEarProperties } from '../wood-ear-flat.ts';
-import type { WoodEarLogElement, WoodEarLogEventMap } from '../wood-ear-log.ts';
+import type { Backend, RockFieldElement, RockFieldEventMap } from '../entries/element.ts';
+import type { ParameterProperties } from '../table/parameter-properties.ts';
+import type { ReflectedProperties } from '../table/reflected-properties.ts';
+import type { WoodEarPresetName, WoodEarProperties } from '../wood-ear/request.ts';
+import type { WoodEarLogElement, WoodEarLogEventMap } from '../entries/wood-ear-log.ts';
 
 type Parameters<Properties> = { [Name in keyof Properties]: Properties[Name] | Text<Properties[Name]> };
 type Reflected<Preset extends string> = { [Name in keyof ReflectedProperties<Preset>]: Exclude<ReflectedProperties<Preset>[Name], ''> };

@@ -1,8 +1,8 @@
 /** `rock-field/vue`: `<rock-field>` and `<wood-ear-log>` in the templates of Vue 3. */
 
 import type { EmitFn, HTMLAttributes, PublicProps } from 'vue';
-import type { RockFieldElement, RockFieldEventMap } from '../element.ts';
-import type { WoodEarLogElement, WoodEarLogEventMap } from '../wood-ear-log.ts';
+import type { RockFieldElement, RockFieldEventMap } from '../entries/element.ts';
+import type { WoodEarLogElement, WoodEarLogEventMap } from '../entries/wood-ear-log.ts';
 import type { RockFieldProps, WoodEarLogProps } from './props.ts';
 
 type Listened<EventMap> = { [Type in keyof EventMap]: (event: EventMap[Type]) => void };

@@ -1,0 +1,282 @@
+/** What every scene's panel has: everything that can be set, in one column, beside the page's picture or in an element with `controls`. */
+
+import { LitElement, html, nothing } from 'lit';
+import { sceneAddress, SCENES } from './site.ts';
+import { labelOf } from './strings.ts';
+import { icon } from './icons.ts';
+import { loadLater } from './load-later.ts';
+import { colorChoice, viewChoice } from './view-choice.ts';
+import { fillNumberFields, problemOf } from './numbers.ts';
+import { description, iconButton } from './parts.ts';
+import { messageLine, progressLine } from './status.ts';
+import type { TemplateResult } from 'lit';
+import type { GeneratorElement } from '../element/generator-element.ts';
+import type { StringKey } from './strings.ts';
+import type { Kind, Row } from '../table/table.ts';
+import type { Later } from './load-later.ts';
+import type { Place } from './parts.ts';
+import type { Problem, SceneStore } from './store.ts';
+
+/** What the panel's place does that the store cannot. */
+export interface Actions<K extends Kind> {
+  freshSeed: () => void;
+  randomise: () => void;
+  /** An element like the one whose panel this is. */
+  newElement: () => GeneratorElement<K>;
+  share: () => void;
+  /** The link to what is shown; the page's alone. */
+  link?: () => string;
+  /** Absent where nobody knows the address of a script to embed. */
+  embed?: (() => void) | undefined;
+  /** Lists the page's keys. */
+  help?: () => void;
+  /** An element's panel alone is closed, and cancels in itself: on the page, `<stage-overlay>` has that. */
+  close?: () => void;
+  cancel?: () => void;
+}
+
+export abstract class ScenePanel<K extends Kind> extends LitElement {
+  static override properties = { store: { attribute: false }, actions: { attribute: false }, isEmbedded: { attribute: false }, isOpen: { state: true } };
+
+  declare store: SceneStore<K>;
+  declare actions: Actions<K>;
+  /** In an element, not on the page: without what is the page's alone. */
+  declare isEmbedded: boolean;
+  /** On narrow screens the panel is a sheet that can be folded away. */
+  declare isOpen: boolean;
+
+  #unsubscribe: (() => void) | undefined;
+  #seenProblem: Problem | null = null;
+  protected later: Later | undefined;
+  #loading: Promise<Later> | undefined;
+
+  constructor() {
+    super();
+    this.isEmbedded = false;
+    this.isOpen = false;
+    // What is being pointed at, or has the focus, is explained in the line below.
+    this.addEventListener('pointerover', (event) => event.pointerType !== 'touch' && this.#explain(event));
+    this.addEventListener('pointerleave', () => this.#explain(null));
+    this.addEventListener('focusin', (event) => this.#explain(event));
+  }
+
+  /** In the tree it stands in, whose styles it has; labels and descriptions are found by id there. */
+  protected override createRenderRoot(): HTMLElement {
+    return this;
+  }
+
+  override connectedCallback(): void {
+    super.connectedCallback();
+    this.#unsubscribe = this.store.subscribe(() => this.requestUpdate());
+    void this.store.loadDocs();
+    this.loadLater().catch((thrown: unknown) => console.warn(thrown));
+  }
+
+  override disconnectedCallback(): void {
+    super.disconnectedCallback();
+    this.#unsubscribe?.();
+  }
+
+  protected override updated(): void {
+    fillNumberFields(this);
+    this.classList.toggle('is-open', this.isOpen);
+    const { problem } = this.store;
+    if (problem && problem !== this.#seenProblem) this.#reveal();
+    this.#seenProblem = problem;
+    if ((this.store.result || this.store.messages.length > 0) && !this.later) this.loadLater().catch((thrown: unknown) => console.warn(thrown));
+  }
+
+  protected loadLater(): Promise<Later> {
+    this.#loading ??= loadLater();
+    const loading = this.#loading;
+    loading.then(
+      (later) => {
+        this.later = later;
+        this.requestUpdate();
+      },
+      () => (this.#loading = undefined),
+    );
+    return loading;
+  }
+
+  /** A message under a control that nobody sees is no message. */
+  #reveal(): void {
+    const line = this.querySelector('.control-problem');
+    if (!line) return;
+    line.closest('details')?.setAttribute('open', '');
+    this.isOpen = true;
+    void this.updateComplete.then(() => line.scrollIntoView({ block: 'nearest' }));
+  }
+
+  /** The text of the scene's own that a key stands for. */
+  protected abstract words(key: 'presetHelp' | 'shareHelp' | 'embedHelp'): string;
+  protected abstract presetName(): string;
+  /** Opens the list of presets. `place`: where dialogs appear. */
+  protected abstract choosePreset(later: Later, place: Place): void;
+  /** Between the preset and the statistics. */
+  protected abstract sections(): TemplateResult;
+  /** The figures of the result. */
+  protected abstract figures(): TemplateResult | undefined;
+
+  protected override render(): TemplateResult {
+    const { store, actions, isEmbedded } = this;
+    return html`
+      ${this.#toolbar()} ${isEmbedded ? messageLine(store) : nothing}
+      <div class="panel-body">
+        ${this.#start()} ${isEmbedded ? this.#view() : nothing} ${this.sections()} ${this.#statistics()}
+        ${this.later?.lastSection({ store, actions, isEmbedded, embedHelp: this.words('embedHelp') })}
+      </div>
+      <p class="help-line is-idle" aria-hidden="true" .textContent=${this.#hint()}></p>
+      ${actions.cancel ? progressLine(store, actions.cancel) : nothing}
+    `;
+  }
+
+  #hint(): string {
+    return this.store.text(this.isEmbedded ? 'helpHintShort' : 'helpHint');
+  }
+
+  #toolbar(): TemplateResult {
+    const { store, actions } = this;
+    const t = (key: StringKey) => store.text(key);
+    return html`
+      <div class="toolbar">
+        ${this.isEmbedded ? html`<h2 class="panel-title">${t('controls')}</h2>` : this.#pageTitle()}
+        ${iconButton({ icon: 'undo', label: t('undo'), action: () => store.undo(), disabled: !store.canUndo })}
+        ${iconButton({ icon: 'redo', label: t('redo'), action: () => store.redo(), disabled: !store.canRedo })}
+        ${iconButton({ icon: 'reset', label: t('reset'), action: () => store.reset(), disabled: !store.isEdited })}
+        ${iconButton({ icon: 'randomise', label: t('randomise'), action: actions.randomise })}
+        <button class="button button-primary share" type="button" title=${this.isEmbedded ? t('shareSettingsHelp') : this.words('shareHelp')} aria-label=${t('share')} @click=${actions.share}>
+          ${icon('share')}<span>${t('share')}</span>
+        </button>
+        ${actions.close ? iconButton({ icon: 'close', label: t('close'), action: actions.close, kind: 'close' }) : nothing}
+      </div>
+    `;
+  }
+
+  #pageTitle(): TemplateResult {
+    const { store } = this;
+    return html`
+      <button class="button sheet-toggle" type="button" aria-expanded=${this.isOpen} @click=${() => (this.isOpen = !this.isOpen)}>
+        ${icon('down')}${store.text('controls')}
+      </button>
+      <h1 class="wordmark"><img src="icon.svg" alt="" width="20" height="20" />${store.text('title')}</h1>
+    `;
+  }
+
+  /** Preset and seed: where everybody begins. */
+  #start(): TemplateResult {
+    const { store } = this;
+    const { params, language } = store;
+    const seed = store.table.rows[0] as Row;
+    const problem = problemOf(store, seed, null);
+    return html`
+      <section class="start" aria-label=${store.text('preset')}>
+        ${this.isEmbedded ? nothing : this.#scenes()}
+        <div class="control" data-param="preset" data-help=${this.words('presetHelp')}>
+          <div class="control-head">
+            <span class="control-label" id="preset-label">${store.text('preset')}</span>
+            ${store.isEdited ? html`<span class="quiet">${store.text('edited')}</span>` : nothing}
+          </div>
+          <button class="select preset-button" type="button" id="preset" aria-haspopup="dialog" aria-labelledby="preset-label preset-name" aria-describedby="preset-help" @click=${this.#openPresets}>
+            <span id="preset-name">${this.presetName()}</span>${icon('down')}
+          </button>
+          ${description('preset', this.words('presetHelp'), null)}
+        </div>
+        <div class="control" data-param="seed" data-help=${store.help(seed)}>
+          <label class="control-label" for="seed-number">${labelOf(language, seed.label)}</label>
+          <div class="field-row">
+            ${this.later?.numberField({ store, spec: seed, item: null, id: 'seed', shown: String(params.seed), unit: '', problem }) ?? html`<span class="number"></span>`}
+            ${iconButton({ icon: 'previous', label: store.text('previousSeed'), action: () => store.setSeed(params.seed - 1) })}
+            ${iconButton({ icon: 'next', label: store.text('nextSeed'), action: () => store.setSeed(params.seed + 1) })}
+            ${iconButton({ icon: 'dice', label: store.text('freshSeed'), action: this.actions.freshSeed })}
+          </div>
+          ${description('seed', store.help(seed), problem)}
+        </div>
+      </section>
+    `;
+  }
+
+  /** The pages, one for each scene. */
+  #scenes(): TemplateResult {
+    const { store } = this;
+    const here = location.pathname.endsWith(SCENES[1].href);
+    return html`
+      <nav class="segment-row scenes" aria-label=${store.text('scenes')}>
+        ${SCENES.map(({ name, href }, index) => {
+          const isHere = here === (index === 1);
+          return html`<a class="segment" href=${sceneAddress(href)} aria-current=${isHere ? 'page' : nothing} @click=${({ currentTarget }: Event) => ((currentTarget as HTMLAnchorElement).href = sceneAddress(href))}><span>${store.text(name)}</span></a>`;
+        })}
+      </nav>
+      ${here ? nothing : this.later?.wayToLog(store, this.actions)}
+    `;
+  }
+
+  /** The item at a place of the list, the last, or what adds one takes the focus when the list has changed. */
+  protected async focusItem(index: number): Promise<void> {
+    await this.updateComplete;
+    const items = [...this.querySelectorAll('.layers > .layer')];
+    const at = items[index] ?? items.at(-1);
+    const target = at?.querySelector<HTMLElement>('.layer-toggle') ?? this.querySelector<HTMLElement>('.section-head .button');
+    target?.focus();
+  }
+
+  /** On the page this lies on the picture. */
+  #view(): TemplateResult {
+    return html`<section class="section" aria-label=${this.store.text('view')}>${viewChoice(this.store, false)} ${colorChoice(this.store, false)}</section>`;
+  }
+
+  /** A natural scene has all of its look to set, another the light alone. */
+  protected look(): TemplateResult {
+    const { store } = this;
+    const isNatural = store.color === 'natural';
+    const rows = store.table.rows.filter(({ stage, key }) => stage === 'look' && (isNatural || key.startsWith('sun')));
+    return this.section(store.text('look'), rows, isNatural);
+  }
+
+  protected section(heading: string, rows: readonly Row[], isOpen = true): TemplateResult {
+    return html`
+      <details class="section" ?open=${isOpen}>
+        <summary><h2>${heading}</h2>${icon('down')}</summary>
+        ${rows.map((row) => this.control(row, null))}
+      </details>
+    `;
+  }
+
+  /** The control of a row, as soon as it is loaded. */
+  protected control(row: Row, item: number | null): TemplateResult | undefined {
+    return this.later?.paramControl(this.store, row, item);
+  }
+
+  #openPresets = async (): Promise<void> => {
+    const root = this.getRootNode();
+    this.choosePreset(await this.loadLater(), root instanceof ShadowRoot ? root : document.body);
+  };
+
+  #statistics(): TemplateResult {
+    return html`
+      <details class="section" ?open=${true}>
+        <summary><h2>${this.store.text('statistics')}</h2>${icon('down')}</summary>
+        ${this.figures() ?? html`<p class="quiet">${this.store.text('notYet')}</p>`}
+      </details>
+      <p class="visually-hidden" role="status">${this.store.progress ? '' : this.store.summary()}</p>
+    `;
+  }
+
+  #explain(event: Event | null): void {
+    const line = this.querySelector('.help-line');
+    const { activeElement } = this.getRootNode() as Document | ShadowRoot;
+    const target = event?.target instanceof Element ? event.target : activeElement;
+    const help = (target as HTMLElement | null)?.closest<HTMLElement>('[data-help]')?.dataset.help;
+    if (!line) return;
+    // Not by a render: a pointer crosses many controls, and only this line changes.
+    line.textContent = help || this.#hint();
+    line.classList.toggle('is-idle', !help);
+  }
+}
+
+/** Under the first name that is free: a page may have another copy of this script. Made by `new` alone, so any name will do. */
+export function register(name: string, element: CustomElementConstructor, count = 1): void {
+  const free = count === 1 ? name : `${name}-${count}`;
+  if (customElements.get(free)) register(name, element, count + 1);
+  else customElements.define(free, element);
+}

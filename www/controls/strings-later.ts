@@ -1,0 +1,104 @@
+/** The sentences of what comes later: errors, the statistics, the presets to choose from, the keys. As in `strings.ts`. */
+
+import type { ErrorInfo, ErrorName } from '../base/errors.ts';
+import { japaneseFailure } from '../base/failures.ja.ts';
+import { filled } from '../base/filled.ts';
+import type { Slots } from '../base/filled.ts';
+import { shown } from '../table/param-checks.ts';
+import { figureOf } from './strings.ts';
+import type { Language, Words } from '../base/language.ts';
+import type { Preset } from '../rocks/params.ts';
+
+export const LATER = {
+  keepShape: { en: 'Keep height and taper when the radius changes', ja: '半径を変えても幅と高さを保つ' },
+  stopBy: { en: 'Fill by', ja: '配置の基準' },
+  stopByHelp: { en: 'Grant cells until an area is filled, or until there is a number of rocks.', ja: '面積率に達するまで、または岩の個数に達するまでセルを割り当てます。' },
+  byArea: { en: 'Area', ja: '面積' },
+  byCount: { en: 'Count', ja: '個数' },
+  docsHelp: { en: 'How to put these rocks on a page of yours, with live examples.', ja: 'この岩を自分のページに埋め込む方法（英語）。' },
+  pageFailed: { en: 'Something on this page failed: {message}', ja: 'ページでエラーが発生しました：{message}' },
+  layerCount: { en: '{n} layers', ja: '{n} 層' },
+  natural: { en: 'Natural grounds', ja: '自然の地面' },
+  copied: { en: 'Link copied', ja: 'リンクをコピーしました' },
+  embedCopied: { en: 'Embed code copied', ja: '埋め込みコードをコピーしました' },
+  copyByHand: { en: 'The browser does not let this page copy. Copy the text here:', ja: 'ブラウザがコピーを許可していません。ここからコピーしてください：' },
+  rocks: { en: 'Rocks', ja: '岩' },
+  triangles: { en: 'Triangles', ja: '三角形' },
+  covered: { en: 'Ground covered', ja: '被覆率' },
+  sites: { en: 'Sites', ja: '母点' },
+  ofTarget: { en: 'of N_p', ja: '／ N_p' },
+  asked: { en: 'A_s asked', ja: 'A_s 要求' },
+  reached: { en: 'Reached', ja: '達成' },
+  sitesSaturated: { en: 'No free pixel was left', ja: '空き画素がなくなりました' },
+  cellsSaturated: { en: 'Ran out of free cells', ja: '空きセルがなくなりました' },
+  saturatedKey: { en: '● saturated: no free pixel (sites) or no free cell (area) was left.', ja: '● 飽和：空き画素（母点）または空きセル（面積）がなくなりました。' },
+  saturated: { en: 'saturated', ja: '飽和' },
+  time: { en: 'Time, ms', ja: '時間（ms）' },
+  total: { en: 'Total', ja: '合計' },
+  cached: { en: 'A dash: taken from the cache.', ja: '「–」はキャッシュから再利用。' },
+  backend: { en: 'Drawn with', ja: '描画' },
+  keysPicture: { en: 'In the picture', ja: '画像の操作' },
+  keysPage: { en: 'Anywhere on the page', ja: 'ページ全体' },
+  orbit: { en: 'Orbit', ja: '回転' },
+  orbitBy: { en: 'drag, one finger, or arrow keys', ja: 'ドラッグ、1本指、矢印キー' },
+  pan: { en: 'Pan', ja: '移動' },
+  panBy: { en: 'right drag, two fingers, or Shift + arrow keys', ja: '右ドラッグ、2本指、Shift + 矢印キー' },
+  zoom: { en: 'Zoom', ja: '拡大・縮小' },
+  zoomBy: { en: 'wheel, pinch, or + and −', ja: 'ホイール、ピンチ、+ と −' },
+  frameBy: { en: 'F or double-click; again: closer', ja: 'F またはダブルクリック（もう一度で近づく）' },
+  viewsBy: { en: '1, 2, 3, 4', ja: '1、2、3、4' },
+  seeds: { en: 'Previous, next seed', ja: '前・次のシード' },
+  seedsBy: { en: '[ and ]', ja: '[ と ]' },
+  helpBy: { en: '?', ja: '?' },
+  sliders: { en: 'Sliders', ja: 'スライダー' },
+  slidersBy: { en: 'arrow keys, Page Up, Page Down, Home, End', ja: '矢印キー、Page Up、Page Down、Home、End' },
+  undoBy: { en: 'Ctrl + Z or ⌘ Z', ja: 'Ctrl + Z または ⌘ Z' },
+  redoBy: { en: 'Shift + Ctrl + Z or Shift + ⌘ Z', ja: 'Shift + Ctrl + Z または Shift + ⌘ Z' },
+  layLog: { en: 'Lay the log on these rocks', ja: 'この岩の上に丸太を置く' },
+  shapeClamped: { en: 'Some heights or tapers have reached their bounds. They come back with the radius.', ja: '一部の高さや幅が範囲の端に達しました。半径を戻すと元の値に戻ります。' },
+  notationClamped: { en: 'Some values are past the bounds of the new notation and were moved to them.', ja: '新しい単位系の範囲を超える値は、範囲の端に変更されました。' },
+} as const satisfies Record<string, Words>;
+
+export type LaterKey = keyof typeof LATER;
+
+export function later(language: Language, key: LaterKey, slots: Slots = {}): string {
+  return filled(LATER[key][language], slots);
+}
+
+/** Errors of the element that a person at the page can read and act on; any other shows its own message. */
+const ERRORS: Partial<Record<ErrorName, Words>> = {
+  OutOfRange: { en: '{value} must be between {min} and {max}.', ja: '{value} は使えません。{min} 〜 {max} の範囲で指定してください。' },
+  NotAnInteger: { en: '{value} must be a whole number.', ja: '{value} は整数でなければなりません。' },
+  TooManyLayers: { en: 'At most {max} layers.', ja: '層は {max} 個までです。' },
+  OverBudget: {
+    en: 'This would need about {valueMiB} MiB of memory, and this device’s budget is {maxMiB} MiB, so it is not shown.',
+    ja: 'この設定には約 {valueMiB} MiB のメモリが必要ですが、上限が {maxMiB} MiB のため表示できません。',
+  },
+};
+
+export function errorText(language: Language, error: ErrorInfo): string {
+  const words = ERRORS[error.name];
+  // Nothing is to be filled into these, and they quote what files say.
+  if (error.words) return error.words[language];
+  if (!words) return language === 'ja' ? japaneseFailure(error.message) : error.message;
+  const mebibytes = (bytes: unknown) => (typeof bytes === 'number' ? Math.ceil(bytes / 2 ** 20) : '?');
+  const { min, max } = error;
+  return filled(words[language], { value: shown(error.value), min, max, valueMiB: mebibytes(error.value), maxMiB: mebibytes(max) });
+}
+
+/** `journal-fig11a` → `Fig. 11 (a)`, with what sets it apart: `r 90 · c_h1 45`, or the layers' areas. */
+export function presetLabel(language: Language, preset: Preset, columns: readonly string[]): string {
+  const { layers } = preset;
+  const figure = unbroken(figureOf(preset.name));
+  const areas = layers.map(([, area = 0]) => Math.round(100 * area)).join(' / ');
+  if (layers.length > 1) return `${figure} – ${unbroken(later(language, 'layerCount', { n: layers.length }))} · ${unbroken(`${areas} %`)}`;
+  const [only = []] = layers;
+  // The area is 0.5 in all of them.
+  const numbers = only.flatMap((value, index) => (index !== 1 && value !== 0 ? [unbroken(`${columns[index]} ${value}`)] : []));
+  return `${figure} – ${numbers.join(' · ')}`;
+}
+
+/** A number stays in one line with what belongs to it. */
+function unbroken(text: string): string {
+  return text.replaceAll(' ', '\u00a0');
+}

@@ -1,0 +1,42 @@
+/** `rock-field/core` for Node: the same as `core.ts`, with the wasm read from the file beside this script. */
+
+import { readFile } from 'node:fs/promises';
+import * as glue from '../../pkg/generator.js';
+import type { WoodEarColony } from '../data/colony.ts';
+import type { Field } from '../data/field.ts';
+import { generateOnce, openGenerator, Realm } from '../generator/headless.ts';
+import type { FieldGenerator, GenerateOptions, GeneratorOptions } from '../generator/headless.ts';
+import { growOnce, openWoodEars } from '../wood-ear/headless.ts';
+import type { WoodEarGenerator, WoodEarOptions } from '../wood-ear/headless.ts';
+import type { WoodEarModule } from '../wood-ear/session.ts';
+import type { FieldRequest } from '../rocks/request.ts';
+import type { WoodEarRequest } from '../wood-ear/request.ts';
+
+export { RockFieldError } from '../base/errors.ts';
+export type { ErrorInfo, ErrorName } from '../base/errors.ts';
+export { presets, schema } from '../rocks/catalogue.ts';
+export { woodEarPresets, woodEarSchema } from '../wood-ear/catalogue.ts';
+
+const realm = new Realm(glue, () => readFile(new URL('./generator_bg.wasm', import.meta.url)));
+// Fetched when a colony is first asked for.
+const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(() => import('../../pkg/wood-ear.js'), () => readFile(new URL('./wood-ear_bg.wasm', import.meta.url)));
+
+/** A generator that keeps its stages between runs; free it with `dispose()`. */
+export function createGenerator(options?: GeneratorOptions): Promise<FieldGenerator> {
+  return openGenerator(realm, options);
+}
+
+/** One field, no cache kept. */
+export function generate(request?: FieldRequest, options?: GenerateOptions): Promise<Field> {
+  return generateOnce(realm, request, options);
+}
+
+/** A generator of wood ears that keeps its stages between runs; free it with `dispose()`. */
+export function createWoodEarGenerator(options?: GeneratorOptions): Promise<WoodEarGenerator> {
+  return openWoodEars(woodEars, options);
+}
+
+/** One colony of wood ears on its log, no cache kept. */
+export function growWoodEar(request?: WoodEarRequest, options?: WoodEarOptions & GeneratorOptions): Promise<WoodEarColony> {
+  return growOnce(woodEars, request, options);
+}

@@ -1,8 +1,0 @@
-/** The panel of wood ears, on demand, from beside the classic script: of another origin it has no address to import relative to. */
-
-import { lazily } from './lazy.ts';
-import type * as Panel from './wood-ear-panel.ts';
-
-export function loadWoodEarPanel(): Promise<typeof Panel> {
-  return lazily(() => import(new URL('./wood-ear-panel.js', import.meta.url).href));
-}

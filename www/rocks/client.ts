@@ -1,0 +1,31 @@
+/** The page's side of the rocks' generator. */
+
+import type { Field } from '../data/field.ts';
+import { flatRequest } from './request.ts';
+import type { Params } from './params.ts';
+import type { FlatRequest, StageName } from '../generator/protocol.ts';
+import { startWorker } from '../generator/start-worker.ts';
+import { WorkerClient } from '../generator/worker-client.ts';
+import type { ClientOptions } from '../generator/worker-client.ts';
+import type { WorkerLike } from '../generator/pool-worker.ts';
+
+/** Parameters, perhaps with what stands among the rocks. */
+export type FieldJob = Params & {
+  /** Where no rock may grow: six numbers for each triangle, px. */
+  footprint?: Float64Array;
+};
+
+export class GeneratorClient extends WorkerClient<FieldJob, FlatRequest, Field, StageName> {
+  constructor(options: ClientOptions<FieldJob, Field> = {}) {
+    super(options, spawnWorker);
+  }
+
+  protected override encode({ footprint, ...params }: FieldJob, maxBytes: number): FlatRequest {
+    return { ...flatRequest(params, maxBytes), footprint };
+  }
+}
+
+function spawnWorker(): WorkerLike {
+  // This literal form is the one that bundlers recognise.
+  return startWorker(() => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }));
+}

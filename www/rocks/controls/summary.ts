@@ -1,0 +1,26 @@
+/** What is known of the field that is shown, in a line. */
+
+import type { Kind } from '../../table/table.ts';
+import type { SceneStore } from '../../controls/store.ts';
+import type { Store } from './store.ts';
+
+export function percent<K extends Kind>(store: SceneStore<K>, share: number): string {
+  // Plus zero: an empty sum may be −0.
+  return (share + 0).toLocaleString(store.language, { style: 'percent', minimumFractionDigits: 1, maximumFractionDigits: 1 });
+}
+
+export function rockCount(store: Store, n: number): string {
+  return n === 1 ? store.text('oneRock') : store.text('someRocks', { n: n.toLocaleString(store.language) });
+}
+
+/** One line: `3,105 rocks · 48,930 triangles · 84.0 % covered`. */
+export function summary(store: Store): string {
+  const { field } = store;
+  if (!field) return store.text('notYet');
+  const { rocks, triangles, coveredFraction } = field.stats;
+  return store.text('summary', {
+    rocks: rockCount(store, rocks),
+    triangles: triangles.toLocaleString(store.language),
+    covered: percent(store, coveredFraction),
+  });
+}

@@ -1,0 +1,94 @@
+/** `<rock-field>`: parameters in, a live field of rocks out. The class alone; `entries/rock-field.ts` registers it. */
+
+import { FIELD_ATTRIBUTES, LAYER_ATTRIBUTES, readAttributes } from './attributes.ts';
+import type { Field, FieldStats } from '../data/field.ts';
+import { GeneratorClient } from './client.ts';
+import type { StageName } from '../generator/protocol.ts';
+import { GeneratorElement, observedAttributes } from '../element/generator-element.ts';
+import type { Scene, SceneEventMap } from '../element/generator-element.ts';
+import { lazily } from '../base/lazy.ts';
+import { loadPanel } from './load-panel.ts';
+import { lookOf } from './look.ts';
+import type { Layer } from './params.ts';
+import type { LayerRequest } from './request.ts';
+import { RowProperties } from '../table/parameter-properties.ts';
+import type { ParameterProperties } from '../table/parameter-properties.ts';
+import { defineReflectedProperties } from '../table/reflected-properties.ts';
+import type { ReflectedProperties } from '../table/reflected-properties.ts';
+import { ROCKS } from './table.ts';
+import type { Rocks } from './table.ts';
+import { Runs } from '../generator/runs.ts';
+import { encodeLink } from './link.ts';
+
+export interface RockFieldEventMap extends SceneEventMap<StageName> {
+  /** A field is finished and on screen. `superseded`: a newer one is on its way. */
+  generate: CustomEvent<{ stats: FieldStats; field: Field; superseded: boolean }>;
+}
+
+const SCENE: Scene<Rocks> = {
+  table: ROCKS,
+  properties: new RowProperties(ROCKS, [...ROCKS.rows, ...ROCKS.itemRows]),
+  rowAttributes: FIELD_ATTRIBUTES,
+  itemAttributes: [...LAYER_ATTRIBUTES.keys()],
+  ownAttributes: {},
+  list: 'layers',
+  readAttributes,
+  newRuns: (host) => new Runs(host, (options) => new GeneratorClient(options)),
+  lookOf,
+  groundSize: ({ imageWidth, imageHeight }) => [imageWidth, imageHeight],
+  encode: encodeLink,
+  describe: async (field, metresPerPixel, language) => (await lazily(() => import('./description.ts'))).describeField(field, metresPerPixel, language),
+  random: async (params, draw) => (await lazily(() => import('./controls/randomise.ts'))).randomParams(params, draw),
+  loadPanel,
+};
+
+/** The accessors are made from lists: of the parameter table, and of attributes. */
+export interface RockFieldElement extends ParameterProperties, ReflectedProperties {
+  addEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | AddEventListenerOptions): void;
+  addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
+  removeEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | EventListenerOptions): void;
+  removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
+}
+
+type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEventMap;
+
+/**
+ * @attribute preset - Name of a preset; default `journal-fig1`.
+ * @attribute seed - Whole number of 32 bits. Like every other parameter of the table in kebab case it replaces what `src` or the preset says.
+ * @attribute radius - Disc radii, one per layer: `90 30 10`. Every other parameter of a layer is such a list too.
+ * @attribute view - `3d`, `wireframe`, `diagrams` or `selection`.
+ * @attribute color - `layer`, `rock`, `plain` or `natural`; when absent, `natural` for natural presets and `layer` for the papers'.
+ * @fires generate - A field is finished and on screen; `detail` has its statistics.
+ */
+export class RockFieldElement extends GeneratorElement<Rocks> {
+  static readonly observedAttributes: readonly string[] = observedAttributes(SCENE);
+
+  constructor() {
+    super(SCENE);
+  }
+
+  /** The layers as objects; what an entry leaves out has the table's default. */
+  get layers(): Layer[] {
+    return this.params.layers;
+  }
+
+  set layers(layers: readonly LayerRequest[]) {
+    this.params = { ...this.params, layers: layers as Layer[] };
+  }
+
+  /** The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */
+  getField(): Promise<Field> {
+    return this.newest();
+  }
+
+  protected override present(field: Field): boolean {
+    return this.showField(field);
+  }
+
+  protected override detailOf(field: Field, superseded: boolean): RockFieldEventMap['generate']['detail'] {
+    return { stats: field.stats, field, superseded };
+  }
+}
+
+SCENE.properties.define(RockFieldElement.prototype);
+defineReflectedProperties(RockFieldElement.prototype);

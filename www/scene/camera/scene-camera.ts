@@ -1,0 +1,152 @@
+/** Where the eye is: moved by the user, flying, turning by itself, or framing the whole field, whatever its size. */
+
+import { AutoRotation } from './auto-rotation.ts';
+import { CameraFlight } from './flight.ts';
+import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './orbit.ts';
+import type { Orbit } from './orbit.ts';
+import { boxCamera, defaultCamera, subjectCamera } from './camera.ts';
+import type { Subject } from './camera.ts';
+import type { CameraState } from '../../renderer/renderer.ts';
+
+/** What is framed, and through what. */
+export interface Frame {
+  /** Width and height of the ground, px. */
+  extent: [number, number];
+  aspect: number;
+  /** Seen from straight above, whatever the camera's angles. */
+  plan: boolean;
+  /** Fill the picture with ground. */
+  closeUp: boolean;
+  /** What is framed instead of all of the ground. */
+  subject: Subject | null;
+  /** Of the highest rock, px. */
+  height: () => number;
+}
+
+/** Share of the picture that the whole field takes. */
+const WHOLE_ROOM = 0.9;
+
+export class SceneCamera {
+  /** Null while the field is framed, whatever its size. */
+  #camera: CameraState | null = null;
+  /** From where all of the field is shown, with a margin; null: as the default camera frames it. */
+  #whole: Pick<CameraState, 'azimuth' | 'elevation'> | null = null;
+  /** How the default camera framed the field before another colour was chosen, which must not move it. */
+  #heldCloseUp: boolean | undefined;
+  #flight: CameraFlight | undefined;
+  /** What the framing is when the page asks for another than ours. */
+  #orbit: Orbit | null = null;
+  #metresPerPixel = METRES_PER_PIXEL;
+  #rotation = new AutoRotation();
+  #frame: () => Frame;
+
+  constructor(frame: () => Frame) {
+    this.#frame = frame;
+  }
+
+  get current(): CameraState {
+    return this.forAspect();
+  }
+
+  set current(camera: CameraState | null) {
+    this.#flight = undefined;
+    this.#rotation.angle = 0;
+    this.#whole = null;
+    this.#heldCloseUp = undefined;
+    this.#camera = camera && structuredClone(camera);
+  }
+
+  /** The default camera, for the present aspect or another. */
+  framing(aspect = this.#frame().aspect, closeUp = this.#frame().closeUp, plan = this.#frame().plan): CameraState {
+    const { extent, subject } = this.#frame();
+    const camera = subject ? subjectCamera(subject, aspect, plan) : defaultCamera(...extent, aspect, plan, closeUp);
+    if (!this.#orbit) return camera;
+    const orbited = orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel);
+    return subject ? { ...orbited, target: camera.target } : orbited;
+  }
+
+  /** As `current`, for a picture of another aspect. */
+  forAspect(aspect?: number): CameraState {
+    return this.#at(this.#camera ?? this.#framed(aspect));
+  }
+
+  /** What is shown while nobody has moved the camera. */
+  #framed(aspect = this.#frame().aspect): CameraState {
+    const { extent: [width, height], plan, subject, height: rocks } = this.#frame();
+    // Plans are framed whole as they are.
+    if (!this.#whole || plan) return this.framing(aspect, this.#heldCloseUp);
+    const { azimuth, elevation } = this.#whole;
+    const high = Math.max(rocks(), subject?.high[2] ?? 0);
+    return boxCamera({ low: [0, 0, 0], high: [width, height, high] }, aspect, azimuth, elevation, WHOLE_ROOM);
+  }
+
+  /** Whether the camera is the default one, which no link has to tell. */
+  get isDefault(): boolean {
+    const { closeUp } = this.#frame();
+    return this.framed && !this.#whole && (this.#heldCloseUp ?? closeUp) === closeUp;
+  }
+
+  /** The colour is about to change: what frames the field stays where it is until `release`. */
+  hold(): void {
+    if (this.isDefault) this.#heldCloseUp = this.#frame().closeUp;
+  }
+
+  release(): void {
+    this.#heldCloseUp = undefined;
+  }
+
+  /** Whether the field is framed, that is, nobody has moved the camera since. */
+  get framed(): boolean {
+    return this.#camera === null || this.#flight !== undefined;
+  }
+
+  setFraming(orbit: Orbit | null, metresPerPixel: number): void {
+    this.#orbit = orbit;
+    this.#metresPerPixel = metresPerPixel;
+  }
+
+  /**
+   * Frames all of the field with a margin, seen as now; where that is so already, as the default camera does. With `now`, in ms, it
+   * flies there. Returns where it will be.
+   */
+  frameAll(now: number | null): CameraState {
+    const from = this.current;
+    const whole = this.framed && this.#whole ? null : { azimuth: from.azimuth, elevation: from.elevation };
+    this.current = null;
+    if (!this.#frame().plan) this.#whole = whole;
+    const to = this.#framed();
+    if (now !== null) this.#flight = new CameraFlight(from, to, now);
+    return to;
+  }
+
+  stay(): void {
+    this.#flight = undefined;
+  }
+
+  /** The user has moved: what turns by itself waits. */
+  pauseRotation(now: number): void {
+    this.#rotation.pause(now);
+  }
+
+  /** On to the frame at `now`. True while there is more to come. */
+  advance(now: number, rotates: boolean): boolean {
+    if (this.#flight) {
+      this.#camera = this.#flight.at(now);
+      if (!this.#camera) this.#flight = undefined;
+    }
+    const turns = rotates && !this.#flight && !this.#frame().plan;
+    if (turns) this.#rotation.advance(now);
+    else this.#rotation.rest();
+    return this.#flight !== undefined || turns;
+  }
+
+  #at(camera: CameraState): CameraState {
+    const { angle } = this.#rotation;
+    return angle === 0 ? structuredClone(camera) : turnCamera(camera, this.#centre(), angle);
+  }
+
+  #centre(): [number, number] {
+    const { extent: [width, height], subject } = this.#frame();
+    return subject ? [(subject.low[0] + subject.high[0]) / 2, (subject.low[1] + subject.high[1]) / 2] : [width / 2, height / 2];
+  }
+}

@@ -1,0 +1,130 @@
+/** The picture as a file. */
+
+import { RockFieldError } from '../base/errors.ts';
+import type { ErrorName } from '../base/errors.ts';
+import { errorText } from './renderer-keeper.ts';
+import type { CameraState, Quality, SceneRenderer } from '../renderer/renderer.ts';
+import type { StageSize } from './stage-size.ts';
+import { MAX_PIXELS } from '../renderer/limits.ts';
+
+export interface PictureOptions {
+  /** Device pixels; one follows from the other, and both from the size on the screen, when left out. */
+  width?: number;
+  height?: number;
+  /** `image/png`, `image/jpeg` or `image/webp`. */
+  type?: string;
+  /** 0 … 1, of lossy types. */
+  quality?: number;
+}
+
+/** Of a picture that has no place on the screen, px. */
+const UNSEEN_SIZE: [number, number] = [300, 150];
+
+/** A device that is lost again and again is waited for no longer than this. */
+const LOSSES_MS = 120_000;
+
+/** What the picture is of. */
+interface Pictured {
+  /** Resolves when there is what to draw and what to draw it with. */
+  drawable(): Promise<void>;
+  renderer(): SceneRenderer | undefined;
+  size(): StageSize | undefined;
+  best(): Quality | null;
+  camera(aspect: number): CameraState;
+  redraw(): void;
+}
+
+/** The picture as a file, as soon as there is one; taken again when the device was lost meanwhile, since it is blank then. */
+export async function picture(options: PictureOptions, scene: Pictured): Promise<Blob> {
+  for (const end = performance.now() + LOSSES_MS; ; ) {
+    await scene.drawable();
+    const renderer = scene.renderer();
+    const stage = scene.size();
+    if (!renderer || !stage) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
+    // In a tab that nobody sees, nobody has told the size yet.
+    if (stage.isEmpty) stage.measure();
+    const size = pictureSize(options, stage.isEmpty ? UNSEEN_SIZE : stage.pixels);
+    const best = scene.best();
+    if (best) renderer.setQuality(best);
+    const taken = takePicture(renderer, size, scene.camera(size[0] / size[1]), options);
+    // In the same task the screen gets its own picture back.
+    renderer.resize(...stage.pixels);
+    scene.redraw();
+    const blob = await taken.catch((thrown: unknown) => {
+      if (!renderer.isLost) throw thrown;
+    });
+    if (blob && (await isSound(renderer))) return blob;
+    if (performance.now() > end) throw new RockFieldError({ name: 'NoPicture', message: 'the graphics device is lost again and again' });
+  }
+}
+
+/**
+ * Width and height in pixels.
+ *
+ * @throws {RockFieldError} `OutOfRange` for a size that cannot be drawn.
+ */
+function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHeight]: [number, number]): [number, number] {
+  const size: [number, number] = [
+    width ?? Math.round((ownWidth * (height ?? ownHeight)) / ownHeight),
+    height ?? Math.round((ownHeight * (width ?? ownWidth)) / ownWidth),
+  ];
+  const sides = [['width', size[0]], ['height', size[1]]] as const;
+  // What follows from a wrong side is wrong too: the side that was given is named.
+  for (const [key, value] of width === undefined ? [...sides].reverse() : sides) {
+    if (Number.isInteger(value) && value >= 1 && size[0] * size[1] <= MAX_PIXELS) continue;
+    const message = `${key} is ${value}; a picture has whole numbers of pixels, at most ${MAX_PIXELS} together`;
+    throw new RockFieldError({ name: 'OutOfRange', key, value, min: 1, max: MAX_PIXELS, message });
+  }
+  return size;
+}
+
+/**
+ * Draws through `camera` at `size` and takes what is in the canvas, at once; only the encoding comes later.
+ *
+ * @throws {RockFieldError} `OutOfRange` for a size that this device does not draw, `NoPicture` where the browser makes no file, and what the
+ *   renderer refuses, by its name.
+ */
+export async function takePicture(renderer: SceneRenderer, size: [number, number], camera: CameraState, { type = 'image/png', quality }: PictureOptions): Promise<Blob> {
+  try {
+    draw(renderer, size, camera);
+  } catch (thrown) {
+    if (thrown instanceof RockFieldError) throw thrown;
+    const name = RENDERER_ERRORS.find((known) => thrown instanceof Error && thrown.name === known);
+    throw new RockFieldError({ name: name ?? 'RendererFailed', message: name ? errorText(thrown) : `the picture could not be made: ${errorText(thrown)}` }, { cause: thrown });
+  }
+  const blob = await new Promise<Blob | null>((resolve) => renderer.canvas.toBlob(resolve, type, quality));
+  if (!blob) throw new RockFieldError({ name: 'NoPicture', message: 'the browser made no file of the picture' });
+  return blob;
+}
+
+/** What a renderer says of itself (`src/render/error.rs`) when it is asked for a picture. */
+const RENDERER_ERRORS = ['NoSurface', 'FieldTooLarge', 'MalformedField'] as const satisfies readonly ErrorName[];
+
+function draw(renderer: SceneRenderer, size: [number, number], camera: CameraState): void {
+  renderer.resize(...size);
+  // A device has its own limit, and draws no larger.
+  for (const [key, value, drawn] of [['width', size[0], renderer.canvas.width], ['height', size[1], renderer.canvas.height]] as const) {
+    if (drawn === value) continue;
+    throw new RockFieldError({ name: 'OutOfRange', key, value, min: 1, max: drawn, message: `${key} is ${value}; this device draws at most ${drawn} pixels in a row` });
+  }
+  renderer.setCamera(camera);
+  renderer.render();
+}
+
+/** Between a loss and the news of it. */
+const LOSS_MS = 50;
+
+/** The little of a WebGPU canvas that is used; TypeScript's DOM library has none of it. */
+interface GpuContext {
+  getConfiguration?(): { device: { lost: Promise<unknown>; queue: { onSubmittedWorkDone(): Promise<unknown> } } } | null;
+}
+
+/** Whether what was drawn last was drawn: WebGPU and 2D canvases tell of a loss some time after they have given a blank picture. */
+async function isSound(renderer: SceneRenderer): Promise<boolean> {
+  if (renderer.backend === 'webgpu') {
+    const device = (renderer.canvas.getContext('webgpu') as GpuContext | null)?.getConfiguration?.()?.device;
+    if (device) await Promise.race([device.lost, device.queue.onSubmittedWorkDone().catch(() => undefined)]);
+  }
+  if (renderer.backend !== 'webgl') await Promise.race([renderer.lost, new Promise((resolve) => setTimeout(resolve, LOSS_MS))]);
+  return !renderer.isLost;
+}

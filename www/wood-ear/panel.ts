@@ -1,0 +1,26 @@
+/** `wood-ear-panel.js`: what a `<wood-ear-log controls>` loads when its panel is opened for the first time. */
+
+import { panelAddress } from '../controls/clipboard.ts';
+import { EmbeddedPanel } from '../controls/embedded-panel.ts';
+import { WoodEarPanel } from './controls/panel.ts';
+import { WoodEarStore } from './controls/store.ts';
+import { errorInfo, isAbort } from '../base/errors.ts';
+import type { OpenPanel, PanelOwner } from '../element/controls-button.ts';
+import type { WoodEarLogElement } from './element.ts';
+import type { WoodEars } from './table.ts';
+
+export function openPanel(owner: PanelOwner<WoodEars>, close: () => void): OpenPanel {
+  const element = owner.element as unknown as WoodEarLogElement;
+  return new EmbeddedPanel(owner, close, {
+    newStore: (link, preferences, history) => new WoodEarStore(link, preferences, history),
+    panel: new WoodEarPanel(),
+    script: panelAddress(import.meta.url),
+    actions: {
+      loadLog: (file: File) => {
+        element.loadLog(file).catch((thrown: unknown) => {
+          if (!isAbort(thrown)) element.dispatchEvent(new CustomEvent('error', { detail: { error: errorInfo(thrown) }, composed: true }));
+        });
+      },
+    },
+  });
+}
