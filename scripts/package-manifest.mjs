@@ -13,7 +13,7 @@ const ELEMENTS = [
   { registers: 'www/entries/wood-ear-log.ts', written: 'www/wood-ear/element.ts', inModule: 'dist/wood-ear-log.js', kind: 'www/wood-ear/table.ts', table: 'WOOD_EARS', docs: 'WOOD_EAR_DOCS' },
 ];
 /** Where the types of members are written out. */
-const TYPES = [...ELEMENTS.map(({ written }) => written), ...SHARED, 'www/renderer/renderer.ts'];
+const TYPES = [...ELEMENTS.map(({ written }) => written), ...SHARED, 'www/base/view.ts'];
 
 /** Said about every element by the platform, not by this package. */
 const LIFECYCLE = ['connectedCallback', 'disconnectedCallback', 'attributeChangedCallback', 'observedAttributes'];

@@ -4,9 +4,9 @@ import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 
 const SOURCES = [
-  ...['base/error-list', 'table/attribute-notices', 'table/attribute-reader', 'table/notices', 'table/table', 'renderer/quality', 'scene/camera/orbit'],
+  ...['base/error-list', 'base/view', 'table/notices', 'table/table', 'scene/camera/orbit', 'element/attribute-notices', 'element/attribute-reader'],
   ...['controls/strings', 'controls/strings-later', 'docs/notice-help', 'docs/words'],
-  ...['rocks/attributes', 'rocks/link', 'rocks/param-docs.gen', 'rocks/params', 'rocks/request', 'rocks/table', 'wood-ear/param-docs.gen', 'wood-ear/table'],
+  ...['rocks/attributes', 'rocks/link', 'rocks/param-docs.gen', 'rocks/params', 'rocks/request', 'rocks/table', 'rocks/words', 'rocks/controls/preset-groups', 'wood-ear/param-docs.gen', 'wood-ear/table'],
 ];
 
 let loading;

@@ -94,7 +94,7 @@ fn kind_of(kind: Kind) -> (&'static str, Option<&'static [&'static str]>) {
 fn typescript_table() -> String {
     let mut out = String::from(
         "// Generated from src/params/table.rs by `UPDATE=1 cargo test --test params`; never edited.\n\n\
-         import type { ParamSpec, Preset } from './params.ts';\n\n",
+         import type { ParamSpec, Preset } from './spec.ts';\n\n",
     );
     writeln!(out, "export const MAX_LAYERS = {MAX_LAYERS};\n").unwrap();
     out.push_str("/** Every parameter, in the order of the flat form. */\nexport const PARAMS = [\n");
@@ -186,7 +186,7 @@ const DOCS_HEAD: &str = "// Generated from src/params/ by `UPDATE=1 cargo test -
 fn wood_ear_table() -> String {
     let mut out = String::from(
         "// Generated from src/params/wood_ear/ by `UPDATE=1 cargo test --test params`; never edited.\n\n\
-         import type { WoodEarPreset, WoodEarSpec } from './params.ts';\n\n",
+         import type { WoodEarPreset, WoodEarSpec } from './spec.ts';\n\n",
     );
     writeln!(out, "export const MAX_BASES = {};\n", wood_ear::MAX_BASES).unwrap();
     out.push_str("/** Every parameter of a wood-ear colony, in the order of the flat form. */\nexport const WOOD_EAR_PARAMS = [\n");

@@ -4,7 +4,7 @@ import { test } from 'node:test';
 import { cameraAxes, defaultCamera, groundPoint, TAN } from '../../www/scene/camera/camera.ts';
 import { SceneCamera } from '../../www/scene/camera/scene-camera.ts';
 import type { Subject } from '../../www/scene/camera/camera.ts';
-import type { CameraState } from '../../www/renderer/renderer.ts';
+import type { CameraState } from '../../www/base/view.ts';
 
 const SIZES = [[640, 640], [900, 300], [300, 900]] as const;
 const ASPECTS = [0.3, 0.5, 1, 1.6, 3];

@@ -7,9 +7,8 @@ import { LoopHost } from '../../www/generator/host.ts';
 import { PATIENCE_MS, PROGRESS_AFTER_MS, RunLoop } from '../../www/generator/loop.ts';
 import type { FlatRequest, FromWorker } from '../../www/generator/protocol.ts';
 import { FIELD_LOOPS, fieldSession } from '../../www/rocks/session.ts';
-import type { RawGenerator } from '../../www/rocks/session.ts';
+import type { GeneratorModule, RawGenerator } from '../../www/rocks/session.ts';
 import { SLICE_MS } from '../../www/generator/session.ts';
-import type { GeneratorModule } from '../../www/generator/wasm.ts';
 
 const STEP_MS = 2;
 

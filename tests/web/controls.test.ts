@@ -6,12 +6,14 @@ import { inNotation } from '../../www/rocks/controls/notation.ts';
 import { randomParams } from '../../www/rocks/controls/randomise.ts';
 import { sliderScale } from '../../www/controls/slider-scale.ts';
 import { Store } from '../../www/rocks/controls/store.ts';
-import type { Edition } from '../../www/controls/store.ts';
+import type { Edition } from '../../www/table/table.ts';
 import type { Rocks } from '../../www/rocks/table.ts';
 import type { Field } from '../../www/data/field.ts';
 import { History } from '../../www/base/history.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/rocks/params.ts';
-import type { Layer, Notation, Params, ParamSpec } from '../../www/rocks/params.ts';
+import type { Notation } from '../../www/table/row.ts';
+import type { ParamSpec } from '../../www/rocks/spec.ts';
+import type { Layer, Params } from '../../www/rocks/params.ts';
 import { boundsOf, defaultParams, presetParams, resolveParams } from '../../www/rocks/request.ts';
 import { decodeLink } from '../../www/rocks/link.ts';
 

@@ -2,10 +2,11 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { japaneseFailure } from '../../www/base/failures.ja.ts';
-import { openGenerator, Realm } from '../../www/generator/headless.ts';
+import { openGenerator } from '../../www/rocks/headless.ts';
+import { Realm } from '../../www/generator/headless.ts';
 import { STALL_MS } from '../../www/base/wasm-file.ts';
 import { loadGenerator } from '../../www/generator/wasm.ts';
-import type { GeneratorGlue } from '../../www/generator/wasm.ts';
+import type { GeneratorGlue } from '../../www/rocks/session.ts';
 
 const TRAP_SEED = 666;
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { members, problems } from '../../scripts/docs-members.mjs';
 import { manifest } from '../../scripts/package-manifest.mjs';
-import { propertyOf } from '../../www/table/attribute-reader.ts';
+import { propertyOf } from '../../www/element/attribute-reader.ts';
 import { ATTRIBUTES, FIELD_ATTRIBUTES, LAYER_ATTRIBUTES } from '../../www/rocks/attributes.ts';
 import { PARAM_DOCS } from '../../www/rocks/param-docs.gen.ts';
 

@@ -8,9 +8,11 @@ import { describeField } from '../../www/rocks/description.ts';
 import type { Field } from '../../www/data/field.ts';
 import { lookOf } from '../../www/rocks/look.ts';
 import { ROCKS } from '../../www/rocks/table.ts';
-import { isLook, isMade, presetColor, same } from '../../www/table/table.ts';
+import { isLook, isMade } from '../../www/table/row.ts';
+import { presetColor, same } from '../../www/table/table.ts';
 import { PARAMS, PRESETS } from '../../www/rocks/params.ts';
-import type { Layer, ParamSpec } from '../../www/rocks/params.ts';
+import type { ParamSpec } from '../../www/rocks/spec.ts';
+import type { Layer } from '../../www/rocks/params.ts';
 import { defaultLayer, defaultParams, encodeParams, presetParams, readValue, resolveParams, writeValue } from '../../www/rocks/request.ts';
 
 function read(given: Record<string, string>): AttributeState {
@@ -168,7 +170,8 @@ test('layers of other ids, or another number, are other rocks', () => {
 test('the look is every row of it, with the material of each layer by id', () => {
   const params = presetParams('lava-field');
   const { variation, wetness, moss, dust, ground, sunAzimuth, sunElevation } = params;
-  assert.deepEqual(lookOf(params), { variation, wetness, moss, dust, ground, sunAzimuth, sunElevation, layers: params.layers.map(({ id }) => ({ id, material: 'basalt' })) });
+  const place = (key: string, word: string) => (PARAMS as readonly ParamSpec[]).find((row) => row.key === key)!.choices.findIndex(({ value }) => value === word);
+  assert.deepEqual(lookOf(params), { variation, wetness, moss, dust, ground: place('ground', ground), sunAzimuth, sunElevation, layers: params.layers.map(({ id }) => ({ id, material: place('material', 'basalt') })) });
 });
 
 test('an orbit looks at the middle of the field from where it says', () => {

@@ -3,12 +3,12 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import { test } from 'node:test';
 import { fileURLToPath } from 'node:url';
-import { ATTRIBUTE_NOTICES } from '../../www/table/attribute-notices.ts';
+import { ATTRIBUTE_NOTICES } from '../../www/element/attribute-notices.ts';
 import { ATTRIBUTE_NOTICE_HELP, NOTICE_HELP } from '../../www/docs/notice-help.ts';
 import { ERROR_GROUPS, ERRORS } from '../../www/base/error-list.ts';
 import { japaneseNotice } from '../../www/table/notices.ja.ts';
 import { NOTICES, noticeText } from '../../www/table/notices.ts';
-import type { Notice } from '../../www/table/link.ts';
+import type { Notice } from '../../www/table/notices.ts';
 import { defaultParams, resolveParams } from '../../www/rocks/request.ts';
 import { errorText } from '../../www/controls/strings-later.ts';
 

@@ -1,8 +1,7 @@
 // Links as they arrive: through chat programs, mail, HTML, analytics and hands. Old links give what they always gave.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { PARAMS } from '../../www/rocks/params.ts';
-import { PRESETS } from '../../www/rocks/params.ts';
+import { PARAMS, PRESETS } from '../../www/rocks/params.ts';
 import { presetParams } from '../../www/rocks/request.ts';
 import { CAMERA_BOUNDS } from '../../www/table/camera-bounds.ts';
 import { isLink } from '../../www/table/link.ts';
@@ -11,7 +10,7 @@ import { decodeLink, encodeLink } from '../../www/rocks/link.ts';
 import { WOOD_EAR_PARAMS, WOOD_EAR_PRESETS } from '../../www/wood-ear/params.gen.ts';
 import { decodeWoodEarLink, encodeWoodEarLink } from '../../www/wood-ear/link.ts';
 import { WOOD_EARS } from '../../www/wood-ear/table.ts';
-import type { CameraState } from '../../www/renderer/renderer.ts';
+import type { CameraState } from '../../www/base/view.ts';
 
 const TABLES = [ROCKS, WOOD_EARS] as const;
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { Interaction } from '../../www/rocks/attributes.ts';
 import { OrbitControls } from '../../www/scene/camera/orbit-controls.ts';
-import type { CameraState } from '../../www/renderer/renderer.ts';
+import type { CameraState } from '../../www/base/view.ts';
 
 const START: CameraState = { azimuth: 0.5, elevation: 0.6, distance: 1000, target: [500, 400, 0] };
 

@@ -2,7 +2,8 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { RockFieldError } from '../../www/base/errors.ts';
 import { takePicture } from '../../www/scene/picture.ts';
-import type { CameraState, SceneRenderer } from '../../www/renderer/renderer.ts';
+import type { CameraState } from '../../www/base/view.ts';
+import type { SceneRenderer } from '../../www/renderer/renderer.ts';
 
 const CAMERA: CameraState = { azimuth: 0, elevation: 1, distance: 100, target: [0, 0, 0] };
 

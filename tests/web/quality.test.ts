@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
 import { FramePacer } from '../../www/scene/frame-pacer.ts';
 import { AutoQuality } from '../../www/renderer/quality.ts';
-import type { Quality } from '../../www/renderer/renderer.ts';
+import type { Quality } from '../../www/base/view.ts';
 
 /** A motion of frames that take as long as the level's entry says, and its levels in the order they came. */
 function move(auto: AutoQuality, frames: number, ms: Record<Quality, number>, from = 0): { levels: Quality[]; end: number } {

@@ -3,7 +3,8 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { RockFieldError } from '../../www/base/errors.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/rocks/params.ts';
-import type { Params, ParamSpec } from '../../www/rocks/params.ts';
+import type { ParamSpec } from '../../www/rocks/spec.ts';
+import type { Params } from '../../www/rocks/params.ts';
 import { boundsOf, clampParams, copyParams, defaultLayer, defaultParams, encodeParams, FIELD_ROWS, LAYER_ROWS, presetParams, readValue, resolveParams, writeValue } from '../../www/rocks/request.ts';
 
 const NOTATIONS = ['px', 'relative'] as const;

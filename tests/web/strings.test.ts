@@ -9,10 +9,13 @@ import { WOOD_EAR_DOCS } from '../../www/wood-ear/param-docs.gen.ts';
 import { WOOD_EAR_PARAMS } from '../../www/wood-ear/params.gen.ts';
 import { japaneseNotice } from '../../www/table/notices.ja.ts';
 import { noticeText } from '../../www/table/notices.ts';
-import { LATER, errorText, presetLabel } from '../../www/controls/strings-later.ts';
+import { presetLabel } from '../../www/rocks/controls/preset-groups.ts';
+import { LATER, errorText } from '../../www/controls/strings-later.ts';
 import { STRINGS_JA } from '../../www/controls/strings.ja.ts';
-import { LANGUAGES, STRINGS, labelOf, loadJapanese, pickLanguage, presetName, translate } from '../../www/controls/strings.ts';
-import type { StringKey } from '../../www/controls/strings.ts';
+import { STRINGS } from '../../www/controls/strings.en.ts';
+import { presetName } from '../../www/rocks/words.ts';
+import { LANGUAGES, labelOf, loadJapanese, pickLanguage, translate } from '../../www/controls/strings.ts';
+import type { StringKey } from '../../www/controls/strings.en.ts';
 import { WOOD_EAR_STRINGS } from '../../www/wood-ear/controls/strings.ts';
 import type { Words } from '../../www/base/language.ts';
 import { decodeLink } from '../../www/rocks/link.ts';
@@ -72,6 +75,7 @@ test('no sentence has two places', () => {
 test('each preset has a name of its own in both languages', () => {
   for (const language of LANGUAGES) assert.equal(new Set(PRESETS.map((preset) => presetName(language, preset))).size, PRESETS.length);
   assert.deepEqual([presetName('en', { name: 'riverbed' }), presetName('ja', { name: 'riverbed' }), presetName('en', { name: 'journal-fig12a' })], ['Riverbed', '河原', 'Journal (2011), Fig. 12 (a)']);
+  for (const preset of PRESETS) assert.notEqual(presetName('en', preset), presetName('ja', preset), `${preset.name} has no name in Japanese`);
 });
 
 test('each preset of a paper has a name of its own', () => {

@@ -7,7 +7,7 @@ import type { Place } from './parts.ts';
 import type { TemplateResult } from 'lit';
 import { later, LATER } from './strings-later.ts';
 import type { LaterKey } from './strings-later.ts';
-import type { StringKey } from './strings.ts';
+import type { StringKey } from './strings.en.ts';
 import type { Kind } from '../table/table.ts';
 import type { SceneStore } from './store.ts';
 

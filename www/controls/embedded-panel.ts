@@ -12,9 +12,9 @@ import type { OpenPanel, PanelOwner } from '../element/controls-button.ts';
 import type { ErrorDetail } from '../base/error-pace.ts';
 import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
 import type { History } from '../base/history.ts';
-import type { Kind } from '../table/table.ts';
+import type { Edition, Kind } from '../table/table.ts';
 import type { Actions, ScenePanel } from './panel.ts';
-import type { Change, Edition, OpenedLink, Preferences, SceneStore } from './store.ts';
+import type { Change, OpenedLink, Preferences, SceneStore } from './store.ts';
 
 /** From here on the panel stands beside the picture, px. */
 const BESIDE_FROM = 600;

@@ -1,6 +1,7 @@
 /** What the first picture does not need, in one file that is loaded when it stands, or earlier if somebody is quick. */
 
-export { choosePreset, presetGroups } from './preset-picker.ts';
+export { choosePreset } from './preset-picker.ts';
+export { presetGroups } from '../rocks/controls/preset-groups.ts';
 export { nextLayer } from '../rocks/controls/next-layer.ts';
 export { lastSection, wayToLog } from './last-section.ts';
 export { layerControls } from '../rocks/controls/layer-controls.ts';

@@ -1,6 +1,7 @@
 /** What the panel knows of its numbers before their controls are there: how they are written, and what is wrong with them. */
 
-import type { Kind, Row } from '../table/table.ts';
+import type { Row } from '../table/row.ts';
+import type { Kind } from '../table/table.ts';
 import type { SceneStore } from './store.ts';
 
 /** Digits shown of a number; its value keeps all of them. */
@@ -25,4 +26,9 @@ export function fillNumberFields(root: ParentNode): void {
 
 export function shownNumber(value: number): string {
   return String(Number.isInteger(value) ? value : Number(value.toPrecision(SHOWN_DIGITS)));
+}
+
+export function percent<K extends Kind>(store: SceneStore<K>, share: number): string {
+  // Plus zero: an empty sum may be −0.
+  return (share + 0).toLocaleString(store.language, { style: 'percent', minimumFractionDigits: 1, maximumFractionDigits: 1 });
 }

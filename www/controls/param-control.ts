@@ -7,7 +7,8 @@ import { problemOf, shownNumber } from './numbers.ts';
 import { describedBy, description, mathText, menu, segments } from './parts.ts';
 import { sliderScale } from './slider-scale.ts';
 import type { TemplateResult } from 'lit';
-import type { Kind, Row } from '../table/table.ts';
+import type { Row } from '../table/row.ts';
+import type { Kind } from '../table/table.ts';
 import type { SceneStore } from './store.ts';
 
 /** How far from the middle of the thumb a finger may be to take it; the thumb is as wide as tokens.css has it for fingers. */

@@ -1,23 +1,15 @@
-/** The presets to choose from: natural grounds with a small picture each, then the figures of the two papers. */
+/** The presets to choose from, in groups; those that are found in nature with a small picture each. */
 
 import { html, nothing } from 'lit';
-import { PRESETS } from '../rocks/params.ts';
-import { LAYER_ROWS } from '../rocks/request.ts';
-import { later, presetLabel } from './strings-later.ts';
-import { PAPERS, paperOf, presetName, translate } from './strings.ts';
 import { showDialog } from './dialogs.ts';
 import { mathText } from './parts.ts';
 import { drawPictures, PICTURE_SIZE } from './preset-pictures.ts';
 import type { TemplateResult } from 'lit';
 import type { GeneratorElement } from '../element/generator-element.ts';
-import type { Language } from '../base/language.ts';
-import type { Preset } from '../rocks/params.ts';
 import type { Kind } from '../table/table.ts';
 import type { Place } from './parts.ts';
 import type { SceneStore } from './store.ts';
 
-/** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
-const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.split(' ').at(-1) ?? '');
 /** Letters that follow each other closely are the beginning of one name. */
 const TYPING_MS = 700;
 
@@ -30,20 +22,6 @@ export interface PresetGroup {
   /** Each with a small picture. */
   isPictured: boolean;
   presets: readonly { name: string; words: string }[];
-}
-
-/** The natural grounds, then the figures of the papers. */
-export function presetGroups(language: Language): PresetGroup[] {
-  const presets: readonly Preset[] = PRESETS;
-  const group = (label: string, isPictured: boolean, belongs: (preset: Preset) => boolean, words: (preset: Preset) => string): PresetGroup => ({
-    label,
-    isPictured,
-    presets: presets.filter((preset) => Boolean(preset.natural) === isPictured && belongs(preset)).map((preset) => ({ name: preset.name, words: words(preset) })),
-  });
-  return [
-    group(later(language, 'natural'), true, () => true, (preset) => presetName(language, preset)),
-    ...PAPERS.map((paper) => group(translate(language, paper), false, ({ name }) => paperOf(name) === paper, (preset) => presetLabel(language, preset, COLUMNS))),
-  ];
 }
 
 /** Opens the list; what is chosen becomes the store's. `newElement` makes an element for the pictures; null: there are none. */

@@ -1,6 +1,6 @@
 /** Between a value and its place on a slider. */
 
-import type { Bounds } from '../rocks/params.ts';
+import type { Bounds } from '../table/row.ts';
 
 /** Stops of a logarithmic slider in an octave, so that powers of two are stops; about 1.5 % from one to the next. */
 const STOPS_PER_OCTAVE = 48;

@@ -3,7 +3,7 @@
 import { html, nothing } from 'lit';
 import { icon } from './icons.ts';
 import { iconButton } from './parts.ts';
-import { percent } from '../rocks/controls/summary.ts';
+import { percent } from './numbers.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind } from '../table/table.ts';
 import type { SceneStore } from './store.ts';

@@ -1,16 +1,11 @@
 /** What the store of a scene holds and tells. */
 
-import type { Notice, SceneLink } from '../table/link.ts';
+import type { Notice } from '../table/notices.ts';
+import type { SceneLink } from '../table/link.ts';
+import type { Theme } from '../base/view.ts';
 import type { Language } from '../base/language.ts';
-import type { Kind, Row } from '../table/table.ts';
-
-export type Theme = 'auto' | 'light' | 'dark';
-
-/** What undo goes back to: what is made, not the look. */
-export interface Edition<K extends Kind> {
-  params: K['params'];
-  preset: K['preset'];
-}
+import type { Row } from '../table/row.ts';
+import type { Kind } from '../table/table.ts';
 
 /** A message that belongs under a control. It is put into words when it is shown, in the language of that moment. */
 export interface Problem {

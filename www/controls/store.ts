@@ -8,12 +8,14 @@ import { loadLater } from './load-later.ts';
 import type { Later } from './load-later.ts';
 import type { ErrorInfo } from '../base/errors.ts';
 import type { Progress } from '../generator/protocol.ts';
-import type { Notice, SceneLink } from '../table/link.ts';
+import type { Notice } from '../table/notices.ts';
+import type { SceneLink } from '../table/link.ts';
 import type { Language, Words } from '../base/language.ts';
-import type { Backend, CameraState, ColorMode, View } from '../renderer/renderer.ts';
-import type { StringKey } from './strings.ts';
-import type { Draw, Kind, Row, Table } from '../table/table.ts';
-import type { Change, Edition, Line, Message, Offer, OpenedLink, Preferences, Problem, Remedy, Seen, Theme, Wish } from './store-types.ts';
+import type { Backend, CameraState, ColorMode, Theme, View } from '../base/view.ts';
+import type { StringKey } from './strings.en.ts';
+import type { Row } from '../table/row.ts';
+import type { Draw, Edition, Kind, Table } from '../table/table.ts';
+import type { Change, Line, Message, Offer, OpenedLink, Preferences, Problem, Remedy, Seen, Wish } from './store-types.ts';
 
 export type * from './store-types.ts';
 

@@ -5,9 +5,7 @@ import { japaneseFailure } from '../base/failures.ja.ts';
 import { filled } from '../base/filled.ts';
 import type { Slots } from '../base/filled.ts';
 import { shown } from '../table/param-checks.ts';
-import { figureOf } from './strings.ts';
 import type { Language, Words } from '../base/language.ts';
-import type { Preset } from '../rocks/params.ts';
 
 export const LATER = {
   keepShape: { en: 'Keep height and taper when the radius changes', ja: '半径を変えても幅と高さを保つ' },
@@ -84,21 +82,4 @@ export function errorText(language: Language, error: ErrorInfo): string {
   const mebibytes = (bytes: unknown) => (typeof bytes === 'number' ? Math.ceil(bytes / 2 ** 20) : '?');
   const { min, max } = error;
   return filled(words[language], { value: shown(error.value), min, max, valueMiB: mebibytes(error.value), maxMiB: mebibytes(max) });
-}
-
-/** `journal-fig11a` → `Fig. 11 (a)`, with what sets it apart: `r 90 · c_h1 45`, or the layers' areas. */
-export function presetLabel(language: Language, preset: Preset, columns: readonly string[]): string {
-  const { layers } = preset;
-  const figure = unbroken(figureOf(preset.name));
-  const areas = layers.map(([, area = 0]) => Math.round(100 * area)).join(' / ');
-  if (layers.length > 1) return `${figure} – ${unbroken(later(language, 'layerCount', { n: layers.length }))} · ${unbroken(`${areas} %`)}`;
-  const [only = []] = layers;
-  // The area is 0.5 in all of them.
-  const numbers = only.flatMap((value, index) => (index !== 1 && value !== 0 ? [unbroken(`${columns[index]} ${value}`)] : []));
-  return `${figure} – ${numbers.join(' · ')}`;
-}
-
-/** A number stays in one line with what belongs to it. */
-function unbroken(text: string): string {
-  return text.replaceAll(' ', '\u00a0');
 }

@@ -1,20 +1,21 @@
 /** The sentences of the page and the panel in Japanese; see `strings.ts`. Vocabulary: site 母点, cell セル, layer 層, seed シード, rock 岩. */
 
-import type { NaturalName, StringKey } from './strings.ts';
+import { LABELS_JA as LABELS } from './labels.ja.gen.ts';
+import type { StringKey } from './strings.en.ts';
 
-export { LABELS_JA } from './labels.ja.gen.ts';
-
-export const NATURAL_NAMES_JA: Record<NaturalName, string> = {
-  riverbed: '河原',
-  'beach-cobbles': '浜の丸石',
-  scree: 'ガレ場',
-  moraine: 'モレーン',
-  'desert-pavement': '砂漠の礫原',
-  'lava-field': '溶岩原',
-  'dry-garden': '枯山水',
-  'forest-floor': '林床',
-  'quarry-rubble': '採石場の砕石',
-  shingle: '砂利浜',
+/** What is called by an English name in the tables: parameters, choices, and the natural presets of rocks. */
+export const LABELS_JA: Readonly<Record<string, string>> = {
+  ...LABELS,
+  Riverbed: '河原',
+  'Beach cobbles': '浜の丸石',
+  Scree: 'ガレ場',
+  Moraine: 'モレーン',
+  'Desert pavement': '砂漠の礫原',
+  'Lava field': '溶岩原',
+  'Dry garden': '枯山水',
+  'Forest floor': '林床',
+  'Quarry rubble': '採石場の砕石',
+  Shingle: '砂利浜',
 };
 
 /** Titles of the pages, by element. */

@@ -1,7 +1,7 @@
 /** What the documentation says about each notice: where it comes from, and what helps. Markdown within a line. */
 
-import type { AttributeNoticeCode } from '../table/attribute-notices.ts';
-import type { NoticeCode } from '../table/link.ts';
+import type { AttributeNoticeCode } from '../element/attribute-notices.ts';
+import type { NoticeCode } from '../table/notices.ts';
 
 interface NoticeHelp {
   cause: string;

@@ -3,13 +3,12 @@
  * wanted. Of the panel itself this file knows nothing but that it can be opened, told of changes and closed.
  */
 
-import type { Edition } from '../controls/store.ts';
+import type { Draw, Edition, Kind } from '../table/table.ts';
 import { addStyles } from '../base/document-styles.ts';
 import type { History } from '../base/history.ts';
 import type { Language } from '../base/language.ts';
-import type { ColorMode } from '../renderer/renderer.ts';
+import type { ColorMode } from '../base/view.ts';
 import type { GeneratorElement } from './generator-element.ts';
-import type { Draw, Kind } from '../table/table.ts';
 
 /** What the panel needs of its element beside what is public. */
 export interface PanelOwner<K extends Kind> {

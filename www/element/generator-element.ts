@@ -1,10 +1,12 @@
 /** What every element of a generator shares: parameters by attribute, property and link, runs, undo, the panel. */
 
-import { checkChoice, INTERACTIONS, SCENE_ATTRIBUTES, THEMES } from '../table/attribute-reader.ts';
-import type { Interaction, SceneAttributes, Theme } from '../table/attribute-reader.ts';
+import { INTERACTIONS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
+import { checkChoice, SCENE_ATTRIBUTES } from './attribute-reader.ts';
+import type { Backend, CameraState, ColorMode, Interaction, Theme, View, WantedQuality } from '../base/view.ts';
+import type { SceneAttributes } from './attribute-reader.ts';
 import { checkCamera } from '../table/camera-bounds.ts';
 import { METRES_PER_PIXEL } from '../scene/camera/orbit.ts';
-import type { Edition } from '../controls/store.ts';
+import type { Draw, Edition, Kind, Table } from '../table/table.ts';
 import { CAN_SHOW } from '../base/document-styles.ts';
 import type { ControlsButton, PanelModule } from './controls-button.ts';
 import { errorInfo, isAbort, RockFieldError, UNAVAILABLE } from '../base/errors.ts';
@@ -13,16 +15,15 @@ import type { Progress } from '../generator/protocol.ts';
 import { CODE, History } from '../base/history.ts';
 import type { SceneLink } from '../table/link.ts';
 import type { Language } from '../base/language.ts';
-import type { RowProperties } from '../table/parameter-properties.ts';
+import type { RowProperties } from './parameter-properties.ts';
 import { lazily } from '../base/lazy.ts';
-import { REFLECTED_PROPERTIES, writeAttribute } from '../table/reflected-properties.ts';
-import { QUALITY_CHOICES } from '../renderer/quality.ts';
-import type { WantedQuality } from '../renderer/quality.ts';
-import type { Backend, CameraState, ColorMode, Look, View } from '../renderer/renderer.ts';
+import { REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
+import type { Look } from '../data/look.ts';
 import type { Runs, RunsHost } from '../generator/runs.ts';
 import { SceneElement } from '../scene/scene-element.ts';
-import { isLook, isMade, presetColor, same } from '../table/table.ts';
-import type { Draw, Kind, Row, Table } from '../table/table.ts';
+import { isLook, isMade } from '../table/row.ts';
+import { presetColor, same } from '../table/table.ts';
+import type { Row } from '../table/row.ts';
 
 /** The events, by name, with their details. None bubbles; all are composed. */
 export interface SceneEventMap<Stage extends string> {

@@ -6,5 +6,4 @@ export type { ErrorInfo, ErrorName } from '../base/errors.ts';
 export type { Field, FieldLayer, FieldStats, StageTimes } from '../data/field.ts';
 export type { Progress } from '../generator/protocol.ts';
 export type { Layer, Params, PresetName } from '../rocks/params.ts';
-export type { Backend, CameraState, ColorMode, View } from '../renderer/renderer.ts';
-export type { Theme } from '../table/attribute-reader.ts';
+export type { Backend, CameraState, ColorMode, Theme, View } from '../base/view.ts';

@@ -1,45 +1,15 @@
-/** Generators without a worker, for Node, workers and bundlers: what `entries/core.ts` and `core.node.ts` share. */
+/** A generator without a worker, for Node, workers and bundlers, whatever it generates. */
 
-import { errorInfo, RockFieldError, scriptUnavailable } from '../base/errors.ts';
-import type { Field } from '../data/field.ts';
+import { RockFieldError, scriptUnavailable } from '../base/errors.ts';
 import { checkNumber, objectOf, wrongType } from '../table/param-checks.ts';
-import { encodeParams, flatRequest, resolveParams } from '../rocks/request.ts';
-import type { FieldRequest } from '../rocks/request.ts';
 import { defaultMaxBytes } from './budget.ts';
-import { fieldSession } from '../rocks/session.ts';
-import type { FlatRequest, Progress, StageName } from './protocol.ts';
 import type { RunOptions } from './session.ts';
 import { loadGenerator } from './wasm.ts';
-import type { GeneratorModule, Glue, WasmSource } from './wasm.ts';
-
-export interface GenerateOptions {
-  /** Aborting rejects with the signal's reason; finished stages are kept. */
-  signal?: AbortSignal | undefined;
-  /** Called every 16 ms or so. */
-  onProgress?: ((progress: Progress) => void) | undefined;
-  /** Default 1.5 GiB, 512 MiB on devices that report 4 GB or less. */
-  maxBytes?: number | undefined;
-}
+import type { Glue, WasmSource } from './wasm.ts';
 
 export interface GeneratorOptions {
   /** The wasm: an address, bytes, a response or a compiled module. Default: the file beside this script. */
   wasm?: WasmSource | Promise<WasmSource> | undefined;
-}
-
-/** Keeps the stages of its last run, so that the next one re-runs only from the first stage that changed. */
-export interface FieldGenerator {
-  /**
-   * The field of a request. Calls run one after the other; every one is answered.
-   *
-   * @throws {RockFieldError} naming key, value and bounds; nothing has changed.
-   */
-  generate(request?: FieldRequest, options?: GenerateOptions): Promise<Field>;
-  /** A fresh random seed. */
-  freshSeed(): number;
-  /** Bytes a request is expected to need at its peak. Where little ground is shared by layers of large rocks, only the run itself can tell, and says so in time. */
-  memoryEstimate(request?: FieldRequest): number;
-  /** Frees the cache; calls after it reject. */
-  dispose(): void;
 }
 
 /** The wasm of a realm: one instance, which all generators share, and which is replaced after a trap. */
@@ -95,20 +65,6 @@ export class Realm<Module> {
     this.#trapped = false;
     this.#instance += 1;
     return this.#instance;
-  }
-}
-
-export async function openGenerator(realm: Realm<GeneratorModule>, { wasm }: GeneratorOptions = {}): Promise<FieldGenerator> {
-  return new HeadlessFields(realm, await realm.load(wasm));
-}
-
-/** One field, no cache kept. */
-export async function generateOnce(realm: Realm<GeneratorModule>, request?: FieldRequest, options?: GenerateOptions): Promise<Field> {
-  const generator = await openGenerator(realm);
-  try {
-    return await generator.generate(request, options);
-  } finally {
-    generator.dispose();
   }
 }
 
@@ -201,25 +157,5 @@ export abstract class Headless<Module extends { fresh_seed(): number }, Request,
       this.#instance = instance;
     }
     return this.#session;
-  }
-}
-
-class HeadlessFields extends Headless<GeneratorModule, FieldRequest, FlatRequest, Field, StageName> implements FieldGenerator {
-  protected encode(request: FieldRequest | undefined, maxBytes: number): FlatRequest {
-    return flatRequest(resolveParams(request), maxBytes);
-  }
-
-  protected open(module: GeneratorModule) {
-    return fieldSession(new module.Generator());
-  }
-
-  memoryEstimate(request: FieldRequest = {}): number {
-    const flat = encodeParams(resolveParams(request));
-    const module = this.sound();
-    try {
-      return module.memory_estimate(flat);
-    } catch (thrown) {
-      throw new RockFieldError(errorInfo(thrown), { cause: thrown });
-    }
   }
 }

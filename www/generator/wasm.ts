@@ -2,14 +2,6 @@
 
 import type { InitInput } from '../../pkg/generator.js';
 import { started, startWasmFile, unavailable } from '../base/wasm-file.ts';
-import type { RawGenerator } from '../rocks/session.ts';
-
-/** What pkg/generator.js exports, as far as it is used. */
-export interface GeneratorModule {
-  Generator: new () => RawGenerator;
-  fresh_seed(): number;
-  memory_estimate(params: Float64Array): number;
-}
 
 /** A module before its wasm is there. */
 export type Glue<Module> = Module & {
@@ -17,8 +9,6 @@ export type Glue<Module> = Module & {
   /** Behind a flag of the wasm-bindgen CLI: a new instance of the same module. */
   __wbg_reset_state?: () => void;
 };
-
-export type GeneratorGlue = Glue<GeneratorModule>;
 
 /** Where the wasm comes from: an address, bytes, a response, or a compiled module. */
 export type WasmSource = InitInput;

@@ -11,12 +11,12 @@ import { isLink } from '../table/link.ts';
 import { rememberScene } from '../controls/site.ts';
 import { pageTitle, translate } from '../controls/strings.ts';
 import type { Actions, ScenePanel } from '../controls/panel.ts';
-import type { Change, Edition, OpenedLink, Preferences, SceneStore } from '../controls/store.ts';
+import type { Draw, Edition, Kind } from '../table/table.ts';
+import type { Change, OpenedLink, Preferences, SceneStore } from '../controls/store.ts';
 import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
 import type { History } from '../base/history.ts';
 import type { SceneLink } from '../table/link.ts';
-import type { StringKey } from '../controls/strings.ts';
-import type { Draw, Kind } from '../table/table.ts';
+import type { StringKey } from '../controls/strings.en.ts';
 
 /** A drag makes some 60 edits a second; Safari allows 100 changes of the address in 30 s. */
 const ADDRESS_DELAY_MS = 300;

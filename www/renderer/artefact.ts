@@ -1,7 +1,7 @@
 /** The two renderer artefacts: what they export (`src/bindings/renderer.rs`, `renderer_wood.rs`), and how one is fetched and started. */
 
 import { lazily, tellMissingFile } from '../base/lazy.ts';
-import type { GpuBackend } from './device.ts';
+import type { GpuBackend } from '../base/view.ts';
 
 export interface RawDevice {
   maxSide(): number;
@@ -126,7 +126,7 @@ export async function loadArtefact(backend: GpuBackend): Promise<RendererModule>
   const module = await loading;
   if (trapped.delete(backend)) {
     module.__wbg_reset_state();
-    import('./recovery.ts').then(({ ignoreStale }) => ignoreStale(), () => undefined);
+    import('./stale-errors.ts').then(({ ignoreStale }) => ignoreStale(), () => undefined);
   }
   return module;
 }

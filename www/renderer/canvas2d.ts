@@ -5,7 +5,9 @@
 
 import type { Field, FieldLayer } from '../data/field.ts';
 import { FOV_Y } from './limits.ts';
-import type { CameraState, Look, SceneRenderer, SceneStyle, Wood } from './renderer.ts';
+import type { CameraState } from '../base/view.ts';
+import type { Look } from '../data/look.ts';
+import type { SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 
 /** As INK in `src/render/palette.rs`: by layer id modulo 8. */
 const INK = ['#cd5e3c', '#e8b24a', '#4a8fbc', '#7ca450', '#986c9e', '#d6c8ac', '#707880', '#409e8e'];

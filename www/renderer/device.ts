@@ -6,9 +6,9 @@
  */
 
 import type { RawDevice, RendererModule } from './artefact.ts';
+import type { GpuBackend } from '../base/view.ts';
 import { instanceOf, loadArtefact, markTrapped } from './artefact.ts';
 
-export type GpuBackend = 'webgpu' | 'webgl';
 export type LossListener = (reason: string) => void;
 
 const CONTEXT_LOST = 'the WebGL context was lost';

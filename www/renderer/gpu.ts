@@ -1,12 +1,13 @@
 /** The wasm renderer, on WebGPU or WebGL2, behind the page's `SceneRenderer`. */
 
 import type { Field } from '../data/field.ts';
-import { PARAMS } from '../rocks/params.ts';
 import type { RawRenderer } from './artefact.ts';
 import { joinDevice } from './device.ts';
-import type { GpuBackend, LossListener, SharedDevice } from './device.ts';
-import { QUALITIES } from './renderer.ts';
-import type { CameraState, ColorMode, Flesh, Look, Quality, SceneRenderer, SceneStyle, View, Wood } from './renderer.ts';
+import type { CameraState, ColorMode, GpuBackend, Quality, View } from '../base/view.ts';
+import type { LossListener, SharedDevice } from './device.ts';
+import { QUALITIES } from '../base/view.ts';
+import type { Flesh, Look } from '../data/look.ts';
+import type { SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 
 // The order of these two lists is the meaning of the numbers in `RawRenderer.setStyle`.
 const VIEWS: readonly View[] = ['3d', 'wireframe', 'diagrams', 'selection'];
@@ -15,12 +16,6 @@ const COLORS: readonly ColorMode[] = ['layer', 'rock', 'plain', 'natural'];
 // The order of these two is that of the numbers in `RawRenderer.setLook`.
 const LOOK = ['variation', 'wetness', 'moss', 'dust', 'ground', 'sunAzimuth', 'sunElevation'] as const satisfies readonly (keyof Look)[];
 const FLESH = ['moisture', 'variation', 'translucency', 'velvet'] as const satisfies readonly (keyof Flesh)[];
-
-/** A choice as the number it is in the table. */
-function choice(key: 'ground' | 'material', word: string): number {
-  const row = PARAMS.find((param) => param.key === key);
-  return Math.max(0, row?.choices.findIndex(({ value }) => value === word) ?? 0);
-}
 
 /** Layer id and site index of every rock: what a rock's colour is drawn from, whatever happens to the others. */
 function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
@@ -136,9 +131,9 @@ export class GpuRenderer implements SceneRenderer {
 
   setLook(look: Look): void {
     const { layers, flesh } = look;
-    const values = [...LOOK.map((key) => (key === 'ground' ? choice(key, look[key]) : look[key])), ...FLESH.map((key) => flesh?.[key] ?? 0)];
+    const values = [...LOOK.map((key) => look[key]), ...FLESH.map((key) => flesh?.[key] ?? 0)];
     const ids = layers.map(({ id }) => id);
-    const materials = layers.map(({ material }) => choice('material', material));
+    const materials = layers.map(({ material }) => material);
     this.#guard(() => this.#raw.setLook(Float32Array.from(values), Uint32Array.from(ids), Uint8Array.from(materials)));
   }
 

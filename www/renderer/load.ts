@@ -2,7 +2,8 @@
 
 import { lazily } from '../base/lazy.ts';
 import { GpuRenderer } from './gpu.ts';
-import type { Backend, SceneRenderer } from './renderer.ts';
+import type { Backend } from '../base/view.ts';
+import type { SceneRenderer } from './renderer.ts';
 
 /** `auto` tries WebGPU, WebGL2, then canvas 2D; a name asks for that backend alone. */
 export type WantedBackend = 'auto' | Backend;

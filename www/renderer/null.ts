@@ -1,7 +1,9 @@
 /** Draws nothing and records every call, for tests that have no graphics. */
 
 import type { Field } from '../data/field.ts';
-import type { CameraState, Look, Quality, SceneRenderer, SceneStyle, Wood } from './renderer.ts';
+import type { CameraState, Quality } from '../base/view.ts';
+import type { Look } from '../data/look.ts';
+import type { SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 
 export type RecordedCall =
   | { name: 'setField'; rocks: number }

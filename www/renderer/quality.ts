@@ -5,12 +5,8 @@
  * while too many are under way, so the time between frames tells when there is too much to do. It never tells how much less there could be.
  */
 
-import { QUALITIES } from './renderer.ts';
-import type { Quality } from './renderer.ts';
-
-/** As the attribute has it. */
-export const QUALITY_CHOICES = ['auto', ...QUALITIES] as const;
-export type WantedQuality = (typeof QUALITY_CHOICES)[number];
+import { QUALITIES } from '../base/view.ts';
+import type { Quality } from '../base/view.ts';
 
 const BEST = QUALITIES.length - 1;
 /** Before anything is known of the device. */

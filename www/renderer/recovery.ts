@@ -144,15 +144,3 @@ function reasonOf(refusals: readonly Refusal[], losses: number, isTooMany: boole
   if (losses > 0) return 'lost';
   return errors.every(({ message }) => ABSENT.test(message)) ? 'noGpu' : 'refused';
 }
-
-/** To be called after a new instance has taken the place of a renderer's wasm that trapped: errors that callbacks of the old one still throw are not reported. */
-export function ignoreStale(): void {
-  for (const type of ['error', 'unhandledrejection']) addEventListener(type, ignoreIfStale, true);
-}
-
-function ignoreIfStale(event: Event): void {
-  const { error, reason } = event as Event & { error?: unknown; reason?: unknown };
-  if (!/previous WASM instance/i.test(String(error ?? reason))) return;
-  event.preventDefault();
-  event.stopImmediatePropagation();
-}

@@ -1,9 +1,9 @@
 /**
- * What the attributes of `<rock-field>` say; see `table/attribute-reader.ts`. Those of a layer list all layers, `radius="90 30 10"`.
+ * What the attributes of `<rock-field>` say; see `element/attribute-reader.ts`. Those of a layer list all layers, `radius="90 30 10"`.
  */
 
-import { attributesOf, AttributeReader, SCENE_ATTRIBUTES } from '../table/attribute-reader.ts';
-import type { SceneAttributes } from '../table/attribute-reader.ts';
+import { attributesOf, AttributeReader, SCENE_ATTRIBUTES } from '../element/attribute-reader.ts';
+import type { SceneAttributes } from '../element/attribute-reader.ts';
 import { isReadable } from '../table/link.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import type { Params } from './params.ts';

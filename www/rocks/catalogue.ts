@@ -2,7 +2,9 @@
 
 import { PARAM_DOCS } from './param-docs.gen.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
-import type { Notation, Params, ParamSpec, PresetName } from './params.ts';
+import type { Notation } from '../table/row.ts';
+import type { ParamSpec } from './spec.ts';
+import type { Params, PresetName } from './params.ts';
 import { boundsOf, defaultOf, FIELD_ROWS, LAYER_ROWS, presetParams } from './request.ts';
 
 export type JsonSchema = { readonly [key: string]: unknown };

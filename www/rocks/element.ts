@@ -9,12 +9,11 @@ import type { Scene, SceneEventMap } from '../element/generator-element.ts';
 import { lazily } from '../base/lazy.ts';
 import { loadPanel } from './load-panel.ts';
 import { lookOf } from './look.ts';
-import type { Layer } from './params.ts';
+import type { Layer, ParameterProperties, PresetName } from './params.ts';
 import type { LayerRequest } from './request.ts';
-import { RowProperties } from '../table/parameter-properties.ts';
-import type { ParameterProperties } from '../table/parameter-properties.ts';
-import { defineReflectedProperties } from '../table/reflected-properties.ts';
-import type { ReflectedProperties } from '../table/reflected-properties.ts';
+import { RowProperties } from '../element/parameter-properties.ts';
+import { defineReflectedProperties } from '../element/reflected-properties.ts';
+import type { ReflectedProperties } from '../element/reflected-properties.ts';
 import { ROCKS } from './table.ts';
 import type { Rocks } from './table.ts';
 import { Runs } from '../generator/runs.ts';
@@ -43,7 +42,7 @@ const SCENE: Scene<Rocks> = {
 };
 
 /** The accessors are made from lists: of the parameter table, and of attributes. */
-export interface RockFieldElement extends ParameterProperties, ReflectedProperties {
+export interface RockFieldElement extends ParameterProperties, ReflectedProperties<PresetName> {
   addEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | AddEventListenerOptions): void;
   addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
   removeEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | EventListenerOptions): void;

@@ -5,10 +5,10 @@ import type { DecodedScene, LinkReader, SceneLink } from '../table/link.ts';
 import type { Params } from './params.ts';
 import { ROCKS } from './table.ts';
 import type { Rocks } from './table.ts';
-import type { CameraState } from '../renderer/renderer.ts';
+import type { CameraState } from '../base/view.ts';
 
 export { LINK_VERSION, MAX_LINK_LENGTH } from '../table/link.ts';
-export type { Notice, NoticeCode } from '../table/link.ts';
+export type { Notice, NoticeCode } from '../table/notices.ts';
 
 export const VIEWS = ROCKS.views;
 export const COLORS = ROCKS.colors;

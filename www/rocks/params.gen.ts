@@ -1,6 +1,6 @@
 // Generated from src/params/table.rs by `UPDATE=1 cargo test --test params`; never edited.
 
-import type { ParamSpec, Preset } from './params.ts';
+import type { ParamSpec, Preset } from './spec.ts';
 
 export const MAX_LAYERS = 8;
 

@@ -9,8 +9,9 @@ import type { FlatRequest } from '../generator/protocol.ts';
 import { checkNumber, checkValue, isList, objectOf, rejectUnknown, unknownPreset, wrongType } from '../table/param-checks.ts';
 import type { Loose, Place } from '../table/param-checks.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from './params.ts';
-import type { Bounds, Layer, Notation, Params, ParamSpec, Preset, PresetName } from './params.ts';
-import type { Row } from '../table/table.ts';
+import type { Bounds, Notation, Row } from '../table/row.ts';
+import type { ParamSpec, Preset } from './spec.ts';
+import type { Layer, Params, PresetName } from './params.ts';
 
 /** What code may ask for: a preset fills everything, each key given then replaces it, `layers` replaces the whole list. */
 export type FieldRequest = { preset?: PresetName | undefined } & { [K in Exclude<keyof Params, 'layers'>]?: Params[K] | undefined } & {

@@ -6,7 +6,7 @@ import { STAGES } from '../generator/protocol.ts';
 import type { FlatRequest, StageName } from '../generator/protocol.ts';
 import { Session } from '../generator/session.ts';
 import type { Craft, RawSteps } from '../generator/session.ts';
-import type { GeneratorModule } from '../generator/wasm.ts';
+import type { Glue } from '../generator/wasm.ts';
 
 /** The class of the same name in pkg/generator.d.ts, as far as it is used. */
 export interface RawGenerator extends RawSteps {
@@ -28,6 +28,15 @@ export interface RawGenerator extends RawSteps {
   /** `[rocks, triangles, coveredFraction, layers]` */
   summary(): Float64Array;
 }
+
+/** What pkg/generator.js exports, as far as it is used. */
+export interface GeneratorModule {
+  Generator: new () => RawGenerator;
+  fresh_seed(): number;
+  memory_estimate(params: Float64Array): number;
+}
+
+export type GeneratorGlue = Glue<GeneratorModule>;
 
 const NOTHING: Float64Array = new Float64Array();
 

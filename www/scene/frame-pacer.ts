@@ -4,8 +4,7 @@
  */
 
 import { AutoQuality } from '../renderer/quality.ts';
-import type { WantedQuality } from '../renderer/quality.ts';
-import type { Quality } from '../renderer/renderer.ts';
+import type { Quality, WantedQuality } from '../base/view.ts';
 
 /** Who asks for no frame for so long is at rest. */
 const REST_MS = 150;

@@ -3,7 +3,8 @@
 import { RockFieldError } from '../base/errors.ts';
 import type { ErrorName } from '../base/errors.ts';
 import { errorText } from './renderer-keeper.ts';
-import type { CameraState, Quality, SceneRenderer } from '../renderer/renderer.ts';
+import type { CameraState, Quality } from '../base/view.ts';
+import type { SceneRenderer } from '../renderer/renderer.ts';
 import type { StageSize } from './stage-size.ts';
 import { MAX_PIXELS } from '../renderer/limits.ts';
 

@@ -6,7 +6,8 @@ import type { Language } from '../base/language.ts';
 import type { Recovery } from '../renderer/recovery.ts';
 import { backendsOf, loadRenderer } from '../renderer/load.ts';
 import type { Refusal, WantedBackend } from '../renderer/load.ts';
-import type { Backend, SceneRenderer } from '../renderer/renderer.ts';
+import type { Backend } from '../base/view.ts';
+import type { SceneRenderer } from '../renderer/renderer.ts';
 
 /** More losses than this within so short a time are no accident: the plan is drawn without the GPU for a while. */
 const MAX_LOSSES = 3;

@@ -5,7 +5,8 @@ import { lazily } from '../base/lazy.ts';
 import type { Language } from '../base/language.ts';
 import { loadingText } from '../renderer/loading.ts';
 import { rendererArrived } from '../renderer/artefact.ts';
-import type { CameraState, SceneRenderer, SceneStyle, Wood } from '../renderer/renderer.ts';
+import type { CameraState } from '../base/view.ts';
+import type { SceneRenderer, SceneStyle, Wood } from '../renderer/renderer.ts';
 import type { SceneTree } from './tree.ts';
 
 /** A renderer that comes within this needs no plan before it. */

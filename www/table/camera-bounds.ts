@@ -1,7 +1,7 @@
 /** Where a camera can be: what is assigned and what links hold lies within these, so that every link can be read again. */
 
 import { checkNumber, isList, objectOf, wrongType } from './param-checks.ts';
-import type { CameraState } from '../renderer/renderer.ts';
+import type { CameraState } from '../base/view.ts';
 
 /** px: nothing of the largest field is to be seen from farther away; hands reach 250,000. */
 const REACH = 1e6;

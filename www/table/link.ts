@@ -7,11 +7,12 @@
  */
 
 import { noticeText } from './notices.ts';
+import type { Notice, NoticeCode } from './notices.ts';
 import { CAMERA_BOUNDS } from './camera-bounds.ts';
-import type { Bounds } from '../rocks/params.ts';
-import type { CameraState, ColorMode, View } from '../renderer/renderer.ts';
+import type { Bounds, Row } from './row.ts';
+import type { CameraState, ColorMode, View } from '../base/view.ts';
 import { presetColor } from './table.ts';
-import type { Kind, Row, Table } from './table.ts';
+import type { Kind, Table } from './table.ts';
 
 /** Grows when an old link would otherwise mean another picture. */
 export const LINK_VERSION = '1';
@@ -32,37 +33,6 @@ const FOREIGN = /^(utm_|mc_|_)|clid$/;
 /** What sentences, brackets and chat programs leave at the ends of an address, and characters that cannot be seen. No value begins or ends so. */
 const HEAD = /^[\s\p{Cf}"'“‘<(*`]+/u;
 const TAIL = /[\s\p{Cf}"'”’>)\]}*_~`|.,:;!?…、。」』]/u;
-
-export type NoticeCode =
-  | 'too-long'
-  | 'unknown-key'
-  | 'unknown-version'
-  | 'unknown-preset'
-  | 'unknown-choice'
-  | 'not-a-number'
-  | 'clamped'
-  | 'not-whole'
-  | 'repeated'
-  | 'unequal-lists'
-  | 'too-many-layers'
-  | 'too-many-bases'
-  | 'bad-ids'
-  | 'bad-camera';
-
-/** One thing in a link that could not be taken as it stood. Its strings come from the link: show them as text only. */
-export interface Notice {
-  code: NoticeCode;
-  /** The key at fault, or several. */
-  key: string;
-  /** What stood there, shortened. */
-  given: string;
-  /** What is used instead. */
-  used: string;
-  min?: number;
-  max?: number;
-  /** In English, for the console and for embedders. */
-  text: string;
-}
 
 /** What a link holds. */
 export interface SceneLink<K extends Kind> {

@@ -1,7 +1,7 @@
 /** What may be wrong with a link, in Japanese; see `notices.ts`. */
 
 import { filled } from '../base/filled.ts';
-import type { Notice } from './link.ts';
+import type { Notice } from './notices.ts';
 
 const NOTICES: Record<Notice['code'], string> = {
   'too-long': 'リンクが {given} 文字あります。最初の {used} 文字だけを読み込みました。',

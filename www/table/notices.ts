@@ -1,7 +1,37 @@
 /** What may be wrong with a link, in English: an element reads links too. `notices.ja.ts` has the same in Japanese, for the page. */
 
 import { filled } from '../base/filled.ts';
-import type { Notice } from './link.ts';
+
+export type NoticeCode =
+  | 'too-long'
+  | 'unknown-key'
+  | 'unknown-version'
+  | 'unknown-preset'
+  | 'unknown-choice'
+  | 'not-a-number'
+  | 'clamped'
+  | 'not-whole'
+  | 'repeated'
+  | 'unequal-lists'
+  | 'too-many-layers'
+  | 'too-many-bases'
+  | 'bad-ids'
+  | 'bad-camera';
+
+/** One thing in a link that could not be taken as it stood. Its strings come from the link: show them as text only. */
+export interface Notice {
+  code: NoticeCode;
+  /** The key at fault, or several. */
+  key: string;
+  /** What stood there, shortened. */
+  given: string;
+  /** What is used instead. */
+  used: string;
+  min?: number;
+  max?: number;
+  /** In English, for the console and for embedders. */
+  text: string;
+}
 
 /** `{key}` names what is wrong. */
 export const NOTICES: Record<Notice['code'], string> = {

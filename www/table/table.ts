@@ -1,27 +1,8 @@
 /** What the parts that all generators share know of one: its types, and its parameter table. */
 
 import type { Words } from '../base/language.ts';
-import type { Bounds, Notation } from '../rocks/params.ts';
-import type { ColorMode, View } from '../renderer/renderer.ts';
-
-/** One row of a parameter table. */
-export interface Row extends Bounds {
-  key: string;
-  /** Part of a triple: 0 base, 1 per rock, 2 per vertex. */
-  component: number | null;
-  url: string;
-  /** Of the whole, or of each item of the list that goes with it. */
-  scope: 'field' | 'layer' | 'base';
-  kind: 'real' | 'integer' | 'optional-real' | 'optional-integer' | 'choice';
-  /** First stage an edit re-runs; `look` re-runs none and is drawn at once. */
-  stage: string;
-  /** Bounds in the conference's notation where they differ. */
-  relative: Bounds | null;
-  unit: Record<Notation, string>;
-  /** In English, as those of the choices; `labelOf` has them in Japanese. */
-  label: string;
-  choices: readonly { value: string; label: string }[];
-}
+import type { Bounds, Row } from './row.ts';
+import type { ColorMode, View } from '../base/view.ts';
 
 /** The types of a generator. */
 export interface Kind {
@@ -31,6 +12,12 @@ export interface Kind {
   preset: string;
   result: object;
   stage: string;
+}
+
+/** What undo goes back to: what is made, not the look. */
+export interface Edition<K extends Kind> {
+  params: K['params'];
+  preset: K['preset'];
 }
 
 /** Parameters by lot: of which seed, near which preset, and without touching what. */
@@ -79,8 +66,6 @@ export function presetColor<K extends Kind>({ presets, colors }: Table<K>, prese
   return presets.find(({ name }) => name === preset)?.natural ? 'natural' : (colors[0] ?? 'plain');
 }
 
-export const isLook = ({ stage }: Row): boolean => stage === 'look';
-export const isMade = (row: Row): boolean => !isLook(row);
 const any = (): boolean => true;
 
 /** Whether both say the same in the rows that count. */

@@ -1,8 +1,8 @@
 /** What can be written on the elements in a template: attributes and properties by name, and listeners as each framework spells them. */
 
 import type { Backend, RockFieldElement, RockFieldEventMap } from '../entries/element.ts';
-import type { ParameterProperties } from '../table/parameter-properties.ts';
-import type { ReflectedProperties } from '../table/reflected-properties.ts';
+import type { ParameterProperties, PresetName } from '../rocks/params.ts';
+import type { ReflectedProperties } from '../element/reflected-properties.ts';
 import type { WoodEarPresetName, WoodEarProperties } from '../wood-ear/request.ts';
 import type { WoodEarLogElement, WoodEarLogEventMap } from '../entries/wood-ear-log.ts';
 
@@ -26,7 +26,7 @@ type Text<Value> = Value extends string | boolean ? Value : Value extends number
 type Kebab<Name extends string> = Name extends `${infer First}${infer Rest}` ? `${First extends Lowercase<First> ? First : `-${Lowercase<First>}`}${Kebab<Rest>}` : '';
 
 /** Properties whose attribute has another name. */
-type Renamed<Properties> = Properties & Pick<ReflectedProperties, 'autoRotate'> & Pick<RockFieldElement, 'cameraOrbit' | 'metresPerPixel'>;
+type Renamed<Properties> = Properties & Pick<ReflectedProperties<string>, 'autoRotate'> & Pick<RockFieldElement, 'cameraOrbit' | 'metresPerPixel'>;
 type Attributes<Properties> = {
   [Name in keyof Properties & string as Kebab<Name> extends Name ? never : Kebab<Name>]: Text<Properties[Name]> | Extract<Properties[Name], number>;
 };
@@ -34,7 +34,7 @@ type Attributes<Properties> = {
 type Optional<Props> = { [Name in keyof Props]?: Props[Name] | undefined };
 
 export type RockFieldProps = Optional<
-  Parameters<ParameterProperties> & Reflected<NonNullable<Exclude<ReflectedProperties['preset'], ''>>> & Pick<RockFieldElement, SceneProperty | 'layers'> & Shared & Attributes<Renamed<ParameterProperties>>
+  Parameters<ParameterProperties> & Reflected<PresetName> & Pick<RockFieldElement, SceneProperty | 'layers'> & Shared & Attributes<Renamed<ParameterProperties>>
 >;
 
 export type WoodEarLogProps = Optional<

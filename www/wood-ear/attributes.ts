@@ -1,10 +1,10 @@
 /**
- * What the attributes of `<wood-ear-log>` say; see `table/attribute-reader.ts`. `bases` lists where colonies spread from, `x y z` or
+ * What the attributes of `<wood-ear-log>` say; see `element/attribute-reader.ts`. `bases` lists where colonies spread from, `x y z` or
  * `x y z range`, with commas between them; `ground` is a preset of rocks, a link to a field of them, or `none`.
  */
 
-import { attributesOf, AttributeReader, quote } from '../table/attribute-reader.ts';
-import type { SceneAttributes } from '../table/attribute-reader.ts';
+import { attributesOf, AttributeReader, quote } from '../element/attribute-reader.ts';
+import type { SceneAttributes } from '../element/attribute-reader.ts';
 import { PRESETS } from '../rocks/params.ts';
 import { decodeWoodEarLink, readGround } from './link.ts';
 import type { WoodEarBase } from './request.ts';

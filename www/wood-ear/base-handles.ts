@@ -7,7 +7,7 @@
 import { addStyles } from '../base/document-styles.ts';
 import { project, rayThrough } from '../scene/camera/pick.ts';
 import type { Language } from '../base/language.ts';
-import type { CameraState } from '../renderer/renderer.ts';
+import type { CameraState } from '../base/view.ts';
 import { sayBase } from './words.ts';
 
 type Vector = [number, number, number];

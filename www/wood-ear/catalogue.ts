@@ -2,7 +2,7 @@
 
 import { BASE_ROWS, COLONY_ROWS, LOG_ROWS, logName, woodEarDefault, woodEarPreset } from './request.ts';
 import type { WoodEarParams, WoodEarPresetName } from './request.ts';
-import type { WoodEarSpec } from './params.ts';
+import type { WoodEarSpec } from './spec.ts';
 import { WOOD_EAR_DOCS } from './param-docs.gen.ts';
 import { MAX_BASES, WOOD_EAR_PRESETS } from './params.gen.ts';
 import { frozen } from '../rocks/catalogue.ts';

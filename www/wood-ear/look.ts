@@ -1,7 +1,7 @@
 /** What of a colony's parameters a renderer shows beyond its mesh, with the look of what the log lies on. */
 
 import { lookOf } from '../rocks/look.ts';
-import type { Look } from '../renderer/renderer.ts';
+import type { Look } from '../data/look.ts';
 import { decodeLink } from '../rocks/link.ts';
 import type { WoodEarSceneParams } from './table.ts';
 

@@ -6,11 +6,15 @@ import { WoodEarPanel } from './controls/panel.ts';
 import { WoodEarStore } from './controls/store.ts';
 import { errorInfo, isAbort } from '../base/errors.ts';
 import type { OpenPanel, PanelOwner } from '../element/controls-button.ts';
-import type { WoodEarLogElement } from './element.ts';
 import type { WoodEars } from './table.ts';
 
+/** The part of `<wood-ear-log>` that no other element has. */
+interface LogReader {
+  loadLog(file: File): Promise<unknown>;
+}
+
 export function openPanel(owner: PanelOwner<WoodEars>, close: () => void): OpenPanel {
-  const element = owner.element as unknown as WoodEarLogElement;
+  const element = owner.element as unknown as HTMLElement & LogReader;
   return new EmbeddedPanel(owner, close, {
     newStore: (link, preferences, history) => new WoodEarStore(link, preferences, history),
     panel: new WoodEarPanel(),

@@ -1,6 +1,6 @@
 // Generated from src/params/wood_ear/ by `UPDATE=1 cargo test --test params`; never edited.
 
-import type { WoodEarPreset, WoodEarSpec } from './params.ts';
+import type { WoodEarPreset, WoodEarSpec } from './spec.ts';
 
 export const MAX_BASES = 16;
 

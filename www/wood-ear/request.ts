@@ -5,7 +5,7 @@ import { meshOf } from './log-mesh.ts';
 import type { LogMesh } from './log-mesh.ts';
 import { checkValue, isList, objectOf, rejectUnknown, unknownPreset, wrongType } from '../table/param-checks.ts';
 import type { Loose, Place } from '../table/param-checks.ts';
-import type { WoodEarPreset, WoodEarSpec } from './params.ts';
+import type { WoodEarPreset, WoodEarSpec } from './spec.ts';
 import { MAX_BASES, WOOD_EAR_PARAMS, WOOD_EAR_PRESETS } from './params.gen.ts';
 
 type Row = (typeof WOOD_EAR_PARAMS)[number];

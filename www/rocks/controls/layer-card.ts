@@ -8,7 +8,8 @@ import { problemOf, shownNumber } from '../../controls/numbers.ts';
 import { iconButton } from '../../controls/parts.ts';
 import { rockCount } from './summary.ts';
 import type { TemplateResult } from 'lit';
-import type { Layer, ParamSpec } from '../params.ts';
+import type { ParamSpec } from '../spec.ts';
+import type { Layer } from '../params.ts';
 import type { Later } from '../../controls/load-later.ts';
 import type { Store } from './store.ts';
 

@@ -7,7 +7,8 @@ import { icon } from '../../controls/icons.ts';
 import { paramControl } from '../../controls/param-control.ts';
 import { segments } from '../../controls/parts.ts';
 import type { TemplateResult } from 'lit';
-import type { Layer, ParamSpec } from '../params.ts';
+import type { ParamSpec } from '../spec.ts';
+import type { Layer } from '../params.ts';
 import type { Store } from './store.ts';
 
 /** What a switch to counting starts from when nothing has been generated yet. */

@@ -1,7 +1,8 @@
 /** The layer that is added to others. */
 
 import { boundsOf, defaultLayer, LAYER_ROWS } from '../request.ts';
-import type { Layer, Params, ParamSpec } from '../params.ts';
+import type { ParamSpec } from '../spec.ts';
+import type { Layer, Params } from '../params.ts';
 
 /** A layer that is added has no more than some 10,000 cells: the finest of Fig. 1 has r = 10 at 1024 px. */
 const FINEST_SHARE = 100;

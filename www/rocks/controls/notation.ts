@@ -1,7 +1,8 @@
 /** From the journal's notation to the conference's and back, so that the rocks stay the same. */
 
 import { LAYER_ROWS, boundsOf, readValue, writeValue } from '../request.ts';
-import type { Layer, Notation, Params } from '../params.ts';
+import type { Notation } from '../../table/row.ts';
+import type { Layer, Params } from '../params.ts';
 
 /** The same field in another notation; `clamped` when a value had to give way to that notation's bounds. */
 export function inNotation(params: Params, notation: Notation): { params: Params; clamped: boolean } {

@@ -2,7 +2,7 @@
 
 import { html, nothing } from 'lit';
 import { MAX_LAYERS } from '../params.ts';
-import { presetName } from '../../controls/strings.ts';
+import { presetName } from '../words.ts';
 import { icon } from '../../controls/icons.ts';
 import { hasProblem, layerCard } from './layer-card.ts';
 import { description } from '../../controls/parts.ts';

@@ -4,7 +4,8 @@
  */
 
 import { PRESETS } from '../params.ts';
-import type { Layer, Params, Preset, Triple } from '../params.ts';
+import type { Preset } from '../spec.ts';
+import type { Layer, Params, Triple } from '../params.ts';
 import { clampParams, defaultLayer, defaultParams, presetParams } from '../request.ts';
 import type { Draw } from '../../table/table.ts';
 import { mulberry32 } from '../../controls/mulberry32.ts';

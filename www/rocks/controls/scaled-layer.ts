@@ -1,7 +1,8 @@
 /** A layer of rocks in another size. */
 
 import { boundsOf, LAYER_ROWS, readValue, writeValue } from '../request.ts';
-import type { Layer, Notation } from '../params.ts';
+import type { Notation } from '../../table/row.ts';
+import type { Layer } from '../params.ts';
 
 /** Digits kept, so that links stay short. */
 const DIGITS = 4;

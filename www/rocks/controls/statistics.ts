@@ -5,7 +5,7 @@ import { STAGES } from '../../generator/protocol.ts';
 import { later } from '../../controls/strings-later.ts';
 import { BACKENDS } from '../../controls/backends.ts';
 import { mathText } from '../../controls/parts.ts';
-import { percent } from './summary.ts';
+import { percent } from '../../controls/numbers.ts';
 import type { TemplateResult } from 'lit';
 import type { FieldLayer } from '../../data/field.ts';
 import type { Store } from './store.ts';

@@ -9,10 +9,10 @@ import type { Later } from '../../controls/load-later.ts';
 import type { Field } from '../../data/field.ts';
 import type { StageName } from '../../generator/protocol.ts';
 import type { History } from '../../base/history.ts';
-import type { Notation } from '../params.ts';
+import type { Notation, Row } from '../../table/row.ts';
 import type { Rocks } from '../table.ts';
-import type { Row } from '../../table/table.ts';
-import type { Edition, OpenedLink, Preferences } from '../../controls/store.ts';
+import type { Edition } from '../../table/table.ts';
+import type { OpenedLink, Preferences } from '../../controls/store.ts';
 
 /** Colours of the renderer's palette, which layers have by their ids. */
 const COLORS = 8;

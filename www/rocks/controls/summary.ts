@@ -1,13 +1,7 @@
 /** What is known of the field that is shown, in a line. */
 
-import type { Kind } from '../../table/table.ts';
-import type { SceneStore } from '../../controls/store.ts';
+import { percent } from '../../controls/numbers.ts';
 import type { Store } from './store.ts';
-
-export function percent<K extends Kind>(store: SceneStore<K>, share: number): string {
-  // Plus zero: an empty sum may be −0.
-  return (share + 0).toLocaleString(store.language, { style: 'percent', minimumFractionDigits: 1, maximumFractionDigits: 1 });
-}
 
 export function rockCount(store: Store, n: number): string {
   return n === 1 ? store.text('oneRock') : store.text('someRocks', { n: n.toLocaleString(store.language) });

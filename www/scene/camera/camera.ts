@@ -9,7 +9,7 @@
  */
 
 import { FOV_Y } from '../../renderer/limits.ts';
-import type { CameraState, View } from '../../renderer/renderer.ts';
+import type { CameraState, View } from '../../base/view.ts';
 
 /** Half the picture's height at a distance of one. */
 export const TAN = Math.tan(FOV_Y / 2);

@@ -1,6 +1,6 @@
 /** A short flight from one camera to another: the short way round, distances in equal factors, gently off and gently on. */
 
-import type { CameraState } from '../../renderer/renderer.ts';
+import type { CameraState } from '../../base/view.ts';
 
 const FLIGHT_MS = 350;
 

@@ -1,7 +1,7 @@
 /** The moves of the orbit camera as pure functions: orbiting, zooming, panning. The conventions are those of `camera.ts`. */
 
 import { groundPoint, MIN_DISTANCE_PX, TAN } from './camera.ts';
-import type { CameraState } from '../../renderer/renderer.ts';
+import type { CameraState } from '../../base/view.ts';
 
 const MIN_ELEVATION = (5 * Math.PI) / 180;
 const MAX_ELEVATION = Math.PI / 2;

@@ -5,9 +5,8 @@
  */
 
 import { orbit, pan, zoom } from './moves.ts';
-import type { Interaction } from '../../table/attribute-reader.ts';
+import type { CameraState, Interaction } from '../../base/view.ts';
 import { Fingers } from './gesture.ts';
-import type { CameraState } from '../../renderer/renderer.ts';
 
 export interface OrbitControlsOptions {
   /** After every move the user made. */

@@ -4,7 +4,7 @@
  */
 
 import { CAMERA_BOUNDS } from '../../table/camera-bounds.ts';
-import type { CameraState } from '../../renderer/renderer.ts';
+import type { CameraState } from '../../base/view.ts';
 
 /** One pixel of the image is a centimetre. */
 export const METRES_PER_PIXEL = 0.01;

@@ -1,7 +1,7 @@
 /** What of a mesh lies under a point of the picture, and where a point of the world is in the picture. */
 
 import { cameraAxes, TAN } from './camera.ts';
-import type { CameraState } from '../../renderer/renderer.ts';
+import type { CameraState } from '../../base/view.ts';
 
 type Vector = [number, number, number];
 

@@ -6,7 +6,7 @@ import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './orbit.ts';
 import type { Orbit } from './orbit.ts';
 import { boxCamera, defaultCamera, subjectCamera } from './camera.ts';
 import type { Subject } from './camera.ts';
-import type { CameraState } from '../../renderer/renderer.ts';
+import type { CameraState } from '../../base/view.ts';
 
 /** What is framed, and through what. */
 export interface Frame {

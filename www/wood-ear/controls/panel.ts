@@ -2,7 +2,7 @@
 
 import { html, nothing } from 'lit';
 import { PRESETS } from '../../rocks/params.ts';
-import { presetName } from '../../controls/strings.ts';
+import { presetName } from '../../rocks/words.ts';
 import { woodEarPresetName, woodEarText } from './strings.ts';
 import { beginGroundEdit } from '../../controls/site.ts';
 import { decodeLink } from '../../rocks/link.ts';
@@ -16,7 +16,7 @@ import { woodEarStatistics } from './statistics.ts';
 import type { TemplateResult } from 'lit';
 import type { PresetName } from '../../rocks/params.ts';
 import type { WoodEarStringKey } from './strings.ts';
-import type { Row } from '../../table/table.ts';
+import type { Row } from '../../table/row.ts';
 import type { WoodEarBase } from '../request.ts';
 import type { WoodEars } from '../table.ts';
 import type { Later } from '../../controls/load-later.ts';

@@ -3,7 +3,7 @@
 import { html, nothing } from 'lit';
 import { woodEarText } from './strings.ts';
 import { BACKENDS } from '../../controls/backends.ts';
-import { percent } from '../../rocks/controls/summary.ts';
+import { percent } from '../../controls/numbers.ts';
 import type { TemplateResult } from 'lit';
 import type { WoodEarStage } from '../session.ts';
 import type { WoodEarStringKey } from './strings.ts';

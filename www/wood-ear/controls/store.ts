@@ -10,7 +10,8 @@ import type { WoodEarPresetName } from '../request.ts';
 import type { WoodEars } from '../table.ts';
 import { isSlowThesis, timeLeft } from '../patience.ts';
 import { saySlow } from '../words.ts';
-import type { Edition, Offer, OpenedLink, Preferences } from '../../controls/store.ts';
+import type { Edition } from '../../table/table.ts';
+import type { Offer, OpenedLink, Preferences } from '../../controls/store.ts';
 
 export class WoodEarStore extends SceneStore<WoodEars> {
   constructor(link: OpenedLink<WoodEars>, preferences: Preferences, history?: History<Edition<WoodEars>>) {

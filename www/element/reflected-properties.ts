@@ -1,10 +1,9 @@
 /** Properties that are their attributes and nothing else. Frameworks assign a property where there is one; only so is `false` no text. */
 
-import type { Loading } from './attribute-reader.ts';
-import { wrongType } from './param-checks.ts';
-import type { PresetName } from '../rocks/params.ts';
+import type { Loading } from '../base/view.ts';
+import { wrongType } from '../table/param-checks.ts';
 
-export interface ReflectedProperties<Preset extends string = PresetName> {
+export interface ReflectedProperties<Preset extends string> {
   src: string;
   preset: Preset | '';
   loading: Loading | '';
@@ -13,8 +12,8 @@ export interface ReflectedProperties<Preset extends string = PresetName> {
   autoRotate: boolean;
 }
 
-const TEXTS: readonly (keyof ReflectedProperties)[] = ['src', 'preset', 'loading', 'poster'];
-const FLAGS: Readonly<Partial<Record<keyof ReflectedProperties, string>>> = { disabled: 'disabled', autoRotate: 'auto-rotate' };
+const TEXTS: readonly (keyof ReflectedProperties<string>)[] = ['src', 'preset', 'loading', 'poster'];
+const FLAGS: Readonly<Partial<Record<keyof ReflectedProperties<string>, string>>> = { disabled: 'disabled', autoRotate: 'auto-rotate' };
 
 export const REFLECTED_PROPERTIES: readonly string[] = [...TEXTS, ...Object.keys(FLAGS)];
 

@@ -2,20 +2,11 @@
 
 import { attributeOf, propertyOf } from './attribute-reader.ts';
 import { RockFieldError } from '../base/errors.ts';
-import { isList } from './param-checks.ts';
-import type { Layer, Params, Triple } from '../rocks/params.ts';
+import { isList } from '../table/param-checks.ts';
 import { writeAttribute } from './reflected-properties.ts';
-import { same } from './table.ts';
-import type { Kind, Row, Table } from './table.ts';
-
-type LayerKey = Exclude<keyof Layer, 'id'>;
-
-/** The layers' values of one parameter as a list, whose length is the number of layers; of a triple, one list for each part. */
-type LayerProperties = {
-  [Key in LayerKey as Layer[Key] extends Triple ? `${Key}${'Base' | 'Rock' | 'Vertex'}` : Key]: (Layer[Key] extends Triple ? number : Layer[Key])[];
-};
-
-export type ParameterProperties = Omit<Params, 'layers'> & LayerProperties;
+import { same } from '../table/table.ts';
+import type { Row } from '../table/row.ts';
+import type { Kind, Table } from '../table/table.ts';
 
 /** The rows of a table that are properties: of its items each as a list, or none where items are a property themselves. */
 export class RowProperties<K extends Kind> {

@@ -1,6 +1,6 @@
 /** The parameters of a wood-ear colony, and their table (generated from the Rust one). */
 
-import type { Row } from '../table/table.ts';
+import type { Row } from '../table/row.ts';
 
 /** One row of the table. Lengths are in cm; nothing is in the conference's notation. */
 export interface WoodEarSpec extends Row {

@@ -10,23 +10,15 @@ import { attributeNoticeText } from './attribute-notices.ts';
 import type { AttributeNoticeCode } from './attribute-notices.ts';
 import { METRES_PER_PIXEL, parseOrbit } from '../scene/camera/orbit.ts';
 import type { Orbit } from '../scene/camera/orbit.ts';
+import { INTERACTIONS, LOADINGS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
+import type { ColorMode, Interaction, Loading, Theme, WantedQuality } from '../base/view.ts';
 import { errorInfo, RockFieldError } from '../base/errors.ts';
 import type { Slots } from '../base/filled.ts';
-import type { SceneLink } from './link.ts';
-import { shown } from './param-checks.ts';
-import type { Bounds } from '../rocks/params.ts';
-import { QUALITY_CHOICES } from '../renderer/quality.ts';
-import type { WantedQuality } from '../renderer/quality.ts';
-import type { ColorMode } from '../renderer/renderer.ts';
-import { presetColor } from './table.ts';
-import type { Kind, Row, Table } from './table.ts';
-
-export const INTERACTIONS = ['cooperative', 'always', 'none'] as const;
-export type Interaction = (typeof INTERACTIONS)[number];
-export const THEMES = ['auto', 'light', 'dark'] as const;
-export type Theme = (typeof THEMES)[number];
-export const LOADINGS = ['eager', 'lazy'] as const;
-export type Loading = (typeof LOADINGS)[number];
+import type { SceneLink } from '../table/link.ts';
+import { shown } from '../table/param-checks.ts';
+import type { Bounds, Row } from '../table/row.ts';
+import { presetColor } from '../table/table.ts';
+import type { Kind, Table } from '../table/table.ts';
 
 /** @throws {RockFieldError} naming the value and the choices. */
 export function checkChoice<T extends string>(key: string, value: T, choices: readonly T[]): T {
