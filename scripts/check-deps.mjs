@@ -1,26 +1,9 @@
-// The dependency rule: who may use whom. What it says is in RULES; the rest finds out who does.
+// The dependency rule: who may use whom. For the modules of src/, it is in check-rust-deps.mjs.
 import { existsSync, readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
+import { rustProblems } from './check-rust-deps.mjs';
 import { cargoEnv, pkg, root } from './env.mjs';
 import { Failure, capture, isMain, main } from './run.mjs';
-
-const BASE = ['bitmap', 'mesh', 'noise', 'rng', 'params', 'error'];
-
-/** Module of src/ → the modules it may use, beside itself. A longer name wins: `bindings/renderer` before `bindings`. */
-const RULES = {
-  ...Object.fromEntries(BASE.map((name) => [name, BASE])),
-  // What the stages will allocate is computed from what they are: the two know each other.
-  memory: [...BASE, 'rocks'],
-  rocks: [...BASE, 'memory'],
-  wood_ear: BASE,
-  export: BASE,
-  validate: [...BASE, 'rocks', 'wood_ear'],
-  'bindings/generator': [...BASE, 'memory', 'rocks', 'export'],
-  'bindings/wood_ear': [...BASE, 'wood_ear', 'export'],
-  'bindings/error': ['error'],
-  'bindings/renderer': ['render'],
-  render: [],
-};
 
 /** Crates an artefact must not have in its tree. */
 const FORBIDDEN_CRATES = [
@@ -35,59 +18,9 @@ const WASM_IMPORTERS = ['www/entries/worker.ts', 'www/entries/wood-ear-worker.ts
 const ELEMENTS = ['www/entries/rock-field.ts', 'www/scene/scene-element.ts', 'www/entries/wood-ear-log.ts'];
 
 export async function check() {
-  const problems = [...rust(), ...crates(), ...web(), ...browserGraph()];
+  const problems = [...rustProblems(path.join(root, 'src')), ...crates(), ...web(), ...browserGraph()];
   if (problems.length > 0) throw new Failure(`the dependency rule is broken:\n${problems.map((text) => `  ${text}`).join('\n')}`);
   console.log('dependency rule: kept');
-}
-
-function rust() {
-  const exported = flatNames();
-  return files('src', /\.rs$/).flatMap((file) => {
-    const module = moduleOf(file);
-    if (module === undefined) return [];
-    const allowed = [...RULES[module], module.split('/')[0]];
-    return usesOf(readFileSync(path.join(root, file), 'utf8'), exported)
-      .filter((used) => !allowed.includes(used.module))
-      .map(({ module: other, line }) => `${file}:${line} uses ${other}; ${module} may use only ${RULES[module].join(', ') || 'itself'}`);
-  });
-}
-
-/** The module of RULES that a file belongs to; none for lib.rs. */
-function moduleOf(file) {
-  const name = file.replace(/^src\//, '').replace(/(\/mod)?\.rs$/, '');
-  return Object.keys(RULES)
-    .filter((module) => name === module || name.startsWith(`${module}/`))
-    .sort((a, b) => b.length - a.length)[0];
-}
-
-/** Modules of this crate named in a file outside its tests, with the line. `validate` may also stand in debug builds. */
-function usesOf(text, exported) {
-  const uses = [];
-  let debugOnly = false;
-  const lines = text.split('\n');
-  for (const [index, raw] of lines.entries()) {
-    if (/^#\[cfg\(test\)\]/.test(raw) && /^\s*(pub\s*(\(.*\)\s*)?)?mod\s+\w+\s*\{/.test(lines[index + 1] ?? '')) break;
-    const line = raw.replace(/\/\/.*$/, '');
-    if (/cfg!?\((any\()?(debug_assertions|test)/.test(line)) debugOnly = true;
-    const roots = [...line.matchAll(/\bcrate::(\w+|\{[^}]*\}?)/g)].flatMap(([, name]) => (name.startsWith('{') ? name.match(/(?<![:\w])\w+/g) ?? [] : [name]));
-    for (const name of roots) {
-      const module = exported.get(name) ?? name;
-      if (module === 'validate' && (debugOnly || /debug_assert/.test(line))) continue;
-      uses.push({ module, line: index + 1 });
-    }
-    if (/[;}]\s*$/.test(line)) debugOnly = false;
-  }
-  return uses;
-}
-
-/** What lib.rs re-exports: name → the module it comes from. */
-function flatNames() {
-  const text = readFileSync(path.join(root, 'src/lib.rs'), 'utf8');
-  const names = new Map();
-  for (const [, module, rest] of text.matchAll(/pub(?:\([^)]*\))? use (?:crate::|self::)?(\w+)::([^;]+);/g)) {
-    for (const name of rest.match(/\w+/g) ?? []) names.set(name, module);
-  }
-  return names;
 }
 
 function crates() {

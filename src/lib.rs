@@ -68,21 +68,22 @@
 //! have sides of 1 to 8192 px, and fields have up to eight layers.
 
 mod bindings;
-mod bitmap;
 mod error;
-#[cfg(feature = "bench")]
-mod literal;
-mod memory;
-mod mesh;
 mod noise;
 pub mod params;
 #[cfg(feature = "renderer")]
 mod render;
 mod rng;
 pub mod rocks;
+#[cfg(any(feature = "renderer", test))]
+#[cfg_attr(
+    not(feature = "renderer"),
+    allow(dead_code, unused_imports, reason = "without a renderer, only its tests use it")
+)]
+mod shading;
 pub mod validate;
 pub mod wood_ear;
 
 pub use error::Error;
-pub use memory::{MemoryEstimate, memory_estimate};
-pub use mesh::Mesh;
+pub use rocks::memory::{MemoryEstimate, memory_estimate};
+pub use rocks::mesh::Mesh;

@@ -93,7 +93,7 @@ fn kind_of(kind: Kind) -> (&'static str, Option<&'static [&'static str]>) {
 
 fn typescript_table() -> String {
     let mut out = String::from(
-        "// Generated from src/params/table.rs by `UPDATE=1 cargo test --test params`; never edited.\n\n\
+        "// Generated from src/params/rocks/table.rs by `UPDATE=1 cargo test --test params`; never edited.\n\n\
          import type { ParamSpec, Preset } from './spec.ts';\n\n",
     );
     writeln!(out, "export const MAX_LAYERS = {MAX_LAYERS};\n").unwrap();

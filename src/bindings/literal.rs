@@ -3,8 +3,8 @@
 use js_sys::{Float32Array, Uint32Array};
 use wasm_bindgen::prelude::*;
 
-use crate::literal::{self, LiteralField};
 use crate::params::Params;
+use crate::rocks::literal::{self, LiteralField};
 
 /// A field that was made by the literal loops.
 #[wasm_bindgen]

@@ -5,9 +5,8 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{
-    Camera, ColorMode, Gpu, Layer, Look, Mesh, Mode, Plan, Prop, Props, Quality, RenderError, Rocks, Scene, View,
-};
+use crate::render::{Camera, Gpu, Layer, Mesh, Mode, Plan, Prop, Props, RenderError, Rocks, Scene, View};
+use crate::shading::{ColorMode, Look, Quality};
 
 thread_local! {
     // wgpu requires callbacks to be `Send`, which a JavaScript function is not, so they carry an index into this list.
@@ -111,8 +110,8 @@ impl Renderer {
         rock_sites: Vec<u32>,
     ) -> Result<(), js_sys::Error> {
         let rocks = Rocks { vertex_starts, layers: rock_layers, sites: rock_sites };
-        let mesh = Mesh { positions, normals, indices, rocks };
-        let scene = Scene::new(&self.gpu, [image_width, image_height], mesh);
+        let mesh = Mesh { positions, normals, indices };
+        let scene = Scene::new(&self.gpu, [image_width, image_height], &mesh, rocks);
         self.scene = Some(scene.map_err(|error| to_js(&error))?);
         self.plan = None;
         Ok(())

@@ -4,7 +4,8 @@
 use wasm_bindgen::prelude::*;
 
 use super::renderer::{Renderer, to_js};
-use crate::render::{Ears, Mode, Place, Prop, PropMesh};
+use crate::render::{Mesh, Mode, Place, Prop};
+use crate::shading::wood::Ears;
 
 #[wasm_bindgen]
 impl Renderer {
@@ -21,7 +22,7 @@ impl Renderer {
         place: Vec<f32>,
     ) -> Result<(), js_sys::Error> {
         self.next_log = None;
-        let mesh = PropMesh { positions, normals, indices };
+        let mesh = Mesh { positions, normals, indices };
         let log = Prop::log(&self.gpu, Place::new(&place), &mesh, &kinds).map_err(|error| to_js(&error))?;
         self.next_log = Some(log);
         Ok(())
@@ -44,7 +45,7 @@ impl Renderer {
         place: Vec<f32>,
     ) -> Result<(), js_sys::Error> {
         let log = self.next_log.take();
-        let mesh = PropMesh { positions, normals, indices };
+        let mesh = Mesh { positions, normals, indices };
         let ears = Ears { rings, meridians, keys };
         let colony = Prop::colony(&self.gpu, Place::new(&place), &mesh, &ears).map_err(|error| to_js(&error))?;
         self.props.set(log, colony);

@@ -2,8 +2,7 @@
 //!
 //! `[field rows in table order…, number of items, then per item: its id if it has one, item rows in table order…]`
 
-use super::spec::{Kind, ParamSpec, Range, Scope};
-use super::{Layer, MAX_LAYERS, Notation, PARAMS, Params, Stage};
+use super::spec::{Kind, Notation, ParamSpec, Range, Scope};
 use crate::error::Error;
 
 /// Parameters that a table describes: values of the whole, and values of each item of a list.
@@ -81,69 +80,6 @@ pub(super) fn from_flat<T: Flat>(flat: &[f64]) -> Result<T, Error> {
         }
     }
     Ok(params)
-}
-
-impl Flat for Params {
-    type Item = Layer;
-    type Stage = Stage;
-    const ROWS: &'static [ParamSpec<Params, Layer, Stage>] = PARAMS;
-    const HEAD: usize = 1;
-
-    fn empty(layers: f64) -> Result<Self, Error> {
-        if !(layers >= 0.0 && layers <= MAX_LAYERS as f64) {
-            return Err(Error::TooManyLayers { value: layers as usize, max: MAX_LAYERS });
-        }
-        Ok(Params { layers: Vec::with_capacity(layers as usize), ..Params::EMPTY })
-    }
-
-    fn notation(&self) -> Notation {
-        self.notation
-    }
-
-    fn items(&self) -> &[Layer] {
-        &self.layers
-    }
-
-    fn head(layer: &Layer) -> Option<f64> {
-        Some(f64::from(layer.id))
-    }
-
-    fn append(&mut self, head: &[f64]) -> Result<&mut Layer, Error> {
-        let id = check_id(head.first().copied().unwrap_or(f64::NAN), self.layers.len())?;
-        if self.layers.iter().any(|other| other.id == id) {
-            return Err(Error::DuplicateLayerId { value: id });
-        }
-        self.layers.push(Layer::with_defaults(id, self.notation));
-        let last = self.layers.len() - 1;
-        Ok(&mut self.layers[last])
-    }
-}
-
-impl Params {
-    /// Returns all values in table order; see [`Params::from_flat`].
-    pub fn to_flat(&self) -> Vec<f64> {
-        to_flat(self)
-    }
-
-    /// Reads parameters from `[field rows…, number of layers, per layer: id, layer rows…]`, with the rows in the order
-    /// of [`PARAMS`].
-    ///
-    /// A choice is given as the index of its word, and an optional number without a value as NaN.
-    ///
-    /// # Errors
-    /// Returns the first value that is out of range, with its key, value and bounds, or an error if the length is wrong
-    /// or a layer id occurs twice.
-    pub fn from_flat(flat: &[f64]) -> Result<Params, Error> {
-        from_flat(flat)
-    }
-}
-
-fn check_id(value: f64, index: usize) -> Result<u32, Error> {
-    if value >= 0.0 && value <= f64::from(u32::MAX) && value == value.trunc() {
-        Ok(value as u32)
-    } else {
-        Err(Error::OutOfRange { key: "id", layer: Some(index), value, min: 0.0, max: f64::from(u32::MAX) })
-    }
 }
 
 fn check(key: &'static str, kind: Kind, range: Range, layer: Option<usize>, value: f64) -> Result<f64, Error> {

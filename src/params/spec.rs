@@ -3,7 +3,15 @@
 //! A table becomes two constants: `PARAMS` (keys and bounds) and `TEXTS` (controls, labels and documentation, in the
 //! same order). A wasm artefact that only checks bounds therefore does not contain the texts.
 
-use super::Notation;
+/// The units of a layer's lengths (decision A5).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Notation {
+    /// Those of the journal: radius, taper and height in px.
+    #[default]
+    Px,
+    /// Those of the conference version: radius and taper in image width / 100, height in multiples of the radius.
+    Relative,
+}
 
 /// Whether a parameter belongs to the whole field or colony, or to each item of its list: each layer of rocks, each
 /// base of wood ears. Holds functions that read and set the value.

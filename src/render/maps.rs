@@ -3,8 +3,7 @@
 //! A set takes 25 MB, and a page may show dozens of fields of which one is being moved. A canvas therefore keeps the
 //! set it drew last as long as there are enough sets, and otherwise draws its maps again.
 
-use super::Gpu;
-use super::pipelines::{HEIGHT_FORMAT, SHADOW_FORMAT};
+use super::pass::{HEIGHT_FORMAT, SHADOW_FORMAT};
 use super::surface::texture;
 
 /// Side of the shadow map and of the height map, texels. For the papers' fields of 1024 px, a texel is 0.7 px.
@@ -41,13 +40,19 @@ pub(crate) struct MapSets {
 }
 
 impl MapSets {
-    /// Side of every map on this device, texels.
-    pub(crate) fn side(gpu: &Gpu) -> u32 {
-        MAP_SIDE.min(gpu.max_side())
+    /// Side of every map, texels, where textures can have sides of `max_side`.
+    pub(crate) fn side(max_side: u32) -> u32 {
+        MAP_SIDE.min(max_side)
     }
 
-    /// Returns maps for `view`, and whether `scene` still has to be drawn in them.
-    pub(crate) fn lend(&mut self, gpu: &Gpu, view: u64, scene: u64) -> (Maps, bool) {
+    /// Returns maps for `view`, as a group of this `layout`, and whether `scene` still has to be drawn in them.
+    pub(crate) fn lend(
+        &mut self,
+        device: &wgpu::Device,
+        layout: &wgpu::BindGroupLayout,
+        view: u64,
+        scene: u64,
+    ) -> (Maps, bool) {
         self.now += 1;
         let own = self.sets.iter().position(|set| set.view == view);
         let place = own.or_else(|| {
@@ -61,7 +66,7 @@ impl MapSets {
                 (set.maps.clone(), stale)
             }
             None => {
-                let maps = self.make(gpu);
+                let maps = self.make(device, layout);
                 self.sets.push(Set { maps: maps.clone(), view, scene, used: self.now });
                 (maps, true)
             }
@@ -79,23 +84,28 @@ impl MapSets {
         });
     }
 
-    fn make(&mut self, gpu: &Gpu) -> Maps {
-        let side = Self::side(gpu);
+    fn make(&mut self, device: &wgpu::Device, layout: &wgpu::BindGroupLayout) -> Maps {
+        let side = Self::side(device.limits().max_texture_dimension_2d);
         let map = |label, format| {
             let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
-            texture(&gpu.device, label, (side, side), 1, format, usage)
+            texture(device, label, (side, side), 1, format, usage)
         };
         let shadow = map("rock-field/shadow/map", SHADOW_FORMAT);
         let height = map("rock-field/height/map", HEIGHT_FORMAT);
         let height_depth =
             self.height_depth.get_or_insert_with(|| map("rock-field/height/depth", SHADOW_FORMAT)).clone();
-        Maps { group: group(gpu, &shadow, &height), shadow, height, height_depth }
+        Maps { group: group(device, layout, &shadow, &height), shadow, height, height_depth }
     }
 }
 
-fn group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> wgpu::BindGroup {
+fn group(
+    device: &wgpu::Device,
+    layout: &wgpu::BindGroupLayout,
+    shadow: &wgpu::TextureView,
+    height: &wgpu::TextureView,
+) -> wgpu::BindGroup {
     let sampler = |label, compare| {
-        gpu.device.create_sampler(&wgpu::SamplerDescriptor {
+        device.create_sampler(&wgpu::SamplerDescriptor {
             label: Some(label),
             mag_filter: wgpu::FilterMode::Linear,
             min_filter: wgpu::FilterMode::Linear,
@@ -106,13 +116,12 @@ fn group(gpu: &Gpu, shadow: &wgpu::TextureView, height: &wgpu::TextureView) -> w
     let compare = sampler("rock-field/shadow/sampler", Some(wgpu::CompareFunction::LessEqual));
     let linear = sampler("rock-field/height/sampler", None);
     // Reads the depths themselves, to find what casts a shadow.
-    let nearest = gpu
-        .device
+    let nearest = device
         .create_sampler(&wgpu::SamplerDescriptor { label: Some("rock-field/shadow/depths"), ..Default::default() });
     let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
-    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+    device.create_bind_group(&wgpu::BindGroupDescriptor {
         label: Some("rock-field/maps/group"),
-        layout: &gpu.pipelines.maps_layout,
+        layout,
         entries: &[
             entry(0, wgpu::BindingResource::TextureView(shadow)),
             entry(1, wgpu::BindingResource::Sampler(&compare)),

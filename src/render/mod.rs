@@ -1,4 +1,5 @@
-//! Draws a field with wgpu, on WebGPU or WebGL2. Nothing here depends on how the field was generated.
+//! Draws a field with wgpu, on WebGPU or WebGL2. Nothing here depends on how the field was generated. What can be
+//! computed without a graphics device is in [`crate::shading`].
 //!
 //! ```text
 //! Gpu    device, queue, layouts, pipelines, maps              one for all canvases
@@ -20,31 +21,25 @@
 //!
 //! Both backends run the same shaders, which encode sRGB themselves, so both give the same picture.
 
+mod buffers;
 mod camera;
 mod error;
 mod gpu;
-mod look;
 mod maps;
-mod palette;
 mod pass;
 mod pipelines;
 mod plan;
 mod props;
 mod scene;
-mod settle;
 mod surface;
-mod uniforms;
 mod upload;
 mod view;
-mod wood;
 
+pub(crate) use buffers::Mesh;
 pub(crate) use camera::Camera;
 pub(crate) use error::RenderError;
 pub(crate) use gpu::Gpu;
-pub(crate) use look::{Look, Quality};
-pub(crate) use palette::ColorMode;
 pub(crate) use plan::{Layer, Plan};
-pub(crate) use props::{Place, Prop, PropMesh, Props};
-pub(crate) use scene::{Mesh, Rocks, Scene};
+pub(crate) use props::{Place, Prop, Props};
+pub(crate) use scene::{Rocks, Scene};
 pub(crate) use view::{Mode, View};
-pub(crate) use wood::Ears;

@@ -1,17 +1,20 @@
 //! The description of a pass, and the pipeline made from it.
 
-use super::pipelines::{HEIGHT_FORMAT, SHADOW_FORMAT};
 use super::surface::{DEPTH_FORMAT, Kind};
+use crate::shading::shaders::Shader;
 
-/// Shader code that is prepended to every pass.
-const COMMON: &str = include_str!("shaders/common.wgsl");
+/// f32 has enough precision for a low sun over a wide field. It is filtered through a comparison sampler on both
+/// backends.
+pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
+
+/// The papers' style reads the first byte only: 1/255 of the highest rock is enough there, since several samples are
+/// averaged. Natural colours read both, because of pebbles beside boulders. The format can be filtered and rendered to
+/// everywhere.
+pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
 
 /// Everything in which passes differ.
 pub(crate) struct Pass<'a> {
-    pub(crate) label: &'static str,
-    pub(crate) source: &'static str,
-    /// Shader code between the common part and the pass's own. Passes that have some are lit, and read the maps.
-    pub(crate) before: &'static [&'static str],
+    pub(crate) shader: Shader,
     pub(crate) buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
     pub(crate) topology: wgpu::PrimitiveTopology,
     pub(crate) sides: Sides,
@@ -53,15 +56,16 @@ pub(crate) fn pipeline(
     Kind { format, samples }: Kind,
     pass: Pass<'_>,
 ) -> wgpu::RenderPipeline {
-    let lit = !pass.before.is_empty();
+    let label = pass.shader.label();
+    let label = Some(label.as_str());
     let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label: Some(pass.label),
-        source: wgpu::ShaderSource::Wgsl(format!("{COMMON}{}{}", pass.before.concat(), pass.source).into()),
+        label,
+        source: wgpu::ShaderSource::Wgsl(pass.shader.code().into()),
     });
     let groups = [Some(frame), Some(field), Some(maps)];
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
-        label: Some(pass.label),
-        bind_group_layouts: if lit { &groups } else { &groups[..2] },
+        label,
+        bind_group_layouts: if pass.shader.is_lit() { &groups } else { &groups[..2] },
         immediate_size: 0,
     });
     let srgb = [("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 })];
@@ -84,7 +88,7 @@ pub(crate) fn pipeline(
     };
     let compilation = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
-        label: Some(pass.label),
+        label,
         layout: Some(&layout),
         vertex: wgpu::VertexState {
             module: &module,

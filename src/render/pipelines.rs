@@ -10,27 +10,8 @@ use std::cell::OnceCell;
 
 use super::pass::{Depth, Pass, Sides, Target, pipeline};
 use super::surface::Kind;
-use super::uniforms::{FieldUniforms, Globals};
-
-/// Shader code that follows the common part in the passes of the papers' style.
-const LIGHTING: &[&str] = &[include_str!("shaders/lighting.wgsl")];
-
-/// Shader code that follows the common part in the passes in natural colours.
-const NATURAL: &[&str] = &[
-    include_str!("shaders/noise.wgsl"),
-    include_str!("shaders/stone.wgsl"),
-    include_str!("shaders/cover.wgsl"),
-    include_str!("shaders/daylight.wgsl"),
-];
-
-/// f32 has enough precision for a low sun over a wide field. It is filtered through a comparison sampler on both
-/// backends.
-pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth32Float;
-
-/// The papers' style reads the first byte only: 1/255 of the highest rock is enough there, since several samples are
-/// averaged. Natural colours read both, because of pebbles beside boulders. The format can be filtered and rendered to
-/// everywhere.
-pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
+use crate::shading::shaders::{self, Shader};
+use crate::shading::{FieldUniforms, Globals};
 
 /// Position, three f32.
 const POSITION: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -102,9 +83,7 @@ impl Pipelines {
         let layouts = [&frame_layout, &field_layout, &maps_layout];
         let make = |pass| pipeline(device, layouts, kind, pass);
         let shadow = make(Pass {
-            label: "rock-field/shadow/pipeline",
-            source: include_str!("shaders/shadow.wgsl"),
-            before: &[],
+            shader: shaders::SHADOW,
             buffers: &[Some(POSITION), Some(COLOR)],
             topology: wgpu::PrimitiveTopology::TriangleList,
             sides: Sides::Both,
@@ -112,9 +91,7 @@ impl Pipelines {
             target: Target::Shadow,
         });
         let height = make(Pass {
-            label: "rock-field/height/pipeline",
-            source: include_str!("shaders/height.wgsl"),
-            before: &[],
+            shader: shaders::HEIGHT,
             buffers: &[Some(POSITION), Some(COLOR)],
             topology: wgpu::PrimitiveTopology::TriangleList,
             sides: Sides::Both,
@@ -122,9 +99,7 @@ impl Pipelines {
             target: Target::Height,
         });
         let ground = make(Pass {
-            label: "rock-field/ground/pipeline",
-            source: include_str!("shaders/ground.wgsl"),
-            before: LIGHTING,
+            shader: shaders::GROUND,
             buffers: &[],
             topology: wgpu::PrimitiveTopology::TriangleList,
             sides: Sides::Both,
@@ -164,9 +139,7 @@ impl Pipelines {
     pub(crate) fn floor(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
         self.floor.get_or_init(|| {
             let floor = Pass {
-                label: "rock-field/floor/pipeline",
-                source: include_str!("shaders/floor.wgsl"),
-                before: &[],
+                shader: shaders::FLOOR,
                 buffers: &[],
                 topology: wgpu::PrimitiveTopology::TriangleList,
                 sides: Sides::Both,
@@ -182,9 +155,7 @@ impl Pipelines {
     pub(crate) fn natural(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 4] {
         self.natural.get_or_init(|| {
             let rock = |sides, depth| Pass {
-                label: "rock-field/natural-rock/pipeline",
-                source: include_str!("shaders/natural_rock.wgsl"),
-                before: NATURAL,
+                shader: shaders::NATURAL_ROCK,
                 buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL)],
                 topology: wgpu::PrimitiveTopology::TriangleList,
                 sides,
@@ -193,9 +164,7 @@ impl Pipelines {
             };
             // Pushed behind the rims of the rocks, many of which lie exactly in the ground's plane.
             let ground = Pass {
-                label: "rock-field/natural-ground/pipeline",
-                source: include_str!("shaders/natural_ground.wgsl"),
-                before: NATURAL,
+                shader: shaders::NATURAL_GROUND,
                 buffers: &[],
                 topology: wgpu::PrimitiveTopology::TriangleList,
                 sides: Sides::Both,
@@ -214,36 +183,29 @@ impl Pipelines {
 
     /// Pipelines for a log and for wood ears in natural colours. Wood ears are either closed bodies or single sheets.
     pub(crate) fn wood(&self, device: &wgpu::Device, closed: bool) -> [&wgpu::RenderPipeline; 2] {
-        const LOG: &str = include_str!("shaders/log.wgsl");
-        const EAR: &str = include_str!("shaders/ear.wgsl");
-        let make = |label, source, sides| {
-            let buffers = [Some(POSITION), Some(COLOR), Some(NORMAL)];
-            self.make(device, Pass { sides, ..wood_pass(label, source, NATURAL, &buffers) })
-        };
+        let make = |shader, sides| self.make(device, Pass { sides, ..wood_pass(shader, Depth::Test) });
         let [sheets, bodies] = &self.ears;
-        let log = self.log.get_or_init(|| make("rock-field/log/pipeline", LOG, Sides::Both));
+        let log = self.log.get_or_init(|| make(shaders::LOG, Sides::Both));
         // The far faces of a closed body would show as specks along its rim, as those of a rock would.
         let (ears, sides) = if closed { (bodies, Sides::Out) } else { (sheets, Sides::Both) };
-        [log, ears.get_or_init(|| make("rock-field/ear/pipeline", EAR, sides))]
+        [log, ears.get_or_init(|| make(shaders::EAR, sides))]
     }
 
     /// Pipeline for a log and wood ears in the papers' style: both alike, matte.
     pub(crate) fn plain_wood(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        self.plain_wood.get_or_init(|| self.make(device, plain_wood_pass(Depth::Test)))
+        self.plain_wood.get_or_init(|| self.make(device, wood_pass(shaders::PLAIN_WOOD, Depth::Test)))
     }
 
     /// Pipelines for a log and wood ears in the wireframe: the fill, pushed back, and the edges.
     pub(crate) fn wood_wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
         self.wood_wire.get_or_init(|| {
             let edges = Pass {
-                label: "rock-field/wood-wire/pipeline",
-                source: include_str!("shaders/wood_wire.wgsl"),
-                before: &[],
+                shader: shaders::WOOD_WIRE,
                 topology: wgpu::PrimitiveTopology::LineList,
                 buffers: &[Some(POSITION), Some(COLOR)],
-                ..plain_wood_pass(Depth::Test)
+                ..wood_pass(shaders::PLAIN_WOOD, Depth::Test)
             };
-            [self.make(device, plain_wood_pass(Depth::TestBehind)), self.make(device, edges)]
+            [self.make(device, wood_pass(shaders::PLAIN_WOOD, Depth::TestBehind)), self.make(device, edges)]
         })
     }
 
@@ -251,9 +213,7 @@ impl Pipelines {
     pub(crate) fn wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
         self.wire.get_or_init(|| {
             let edges = Pass {
-                label: "rock-field/wire/pipeline",
-                source: include_str!("shaders/wire.wgsl"),
-                before: &[],
+                shader: shaders::WIRE,
                 buffers: &[Some(POSITION), Some(COLOR)],
                 topology: wgpu::PrimitiveTopology::LineList,
                 sides: Sides::Both,
@@ -268,9 +228,7 @@ impl Pipelines {
     pub(crate) fn plan(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
         self.plan.get_or_init(|| {
             let fills = Pass {
-                label: "rock-field/plan/pipeline",
-                source: include_str!("shaders/plan.wgsl"),
-                before: &[],
+                shader: shaders::PLAN,
                 buffers: &[Some(FILL)],
                 topology: wgpu::PrimitiveTopology::TriangleList,
                 sides: Sides::Both,
@@ -278,9 +236,7 @@ impl Pipelines {
                 target: Target::View { blend: false },
             };
             let strokes = Pass {
-                label: "rock-field/stroke/pipeline",
-                source: include_str!("shaders/stroke.wgsl"),
-                before: &[],
+                shader: shaders::STROKE,
                 buffers: &[Some(STROKE)],
                 topology: wgpu::PrimitiveTopology::TriangleStrip,
                 sides: Sides::Both,
@@ -294,9 +250,7 @@ impl Pipelines {
 
 fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {
     Pass {
-        label: "rock-field/rock/pipeline",
-        source: include_str!("shaders/rock.wgsl"),
-        before: LIGHTING,
+        shader: shaders::ROCK,
         buffers: &[Some(POSITION), Some(COLOR)],
         topology: wgpu::PrimitiveTopology::TriangleList,
         sides,
@@ -305,27 +259,14 @@ fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {
     }
 }
 
-fn plain_wood_pass(depth: Depth) -> Pass<'static> {
-    let source = include_str!("shaders/plain_wood.wgsl");
-    let buffers = &[Some(POSITION), Some(COLOR), Some(NORMAL)];
-    Pass { depth, ..wood_pass("rock-field/plain-wood/pipeline", source, LIGHTING, buffers) }
-}
-
 /// Both sides are drawn, because a wood ear may be a single sheet.
-fn wood_pass<'a>(
-    label: &'static str,
-    source: &'static str,
-    before: &'static [&'static str],
-    buffers: &'a [Option<wgpu::VertexBufferLayout<'a>>],
-) -> Pass<'a> {
+fn wood_pass(shader: Shader, depth: Depth) -> Pass<'static> {
     Pass {
-        label,
-        source,
-        before,
-        buffers,
+        shader,
+        buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL)],
         topology: wgpu::PrimitiveTopology::TriangleList,
         sides: Sides::Both,
-        depth: Depth::Test,
+        depth,
         target: Target::View { blend: false },
     }
 }

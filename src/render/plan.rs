@@ -1,8 +1,8 @@
 //! The field seen from above, as drawn in Fig. 8: the diagram of every layer with its sites, or the selected graph.
 
-use super::palette::{self, Theme};
 use super::pipelines::{FILL_STRIDE, STROKE_STRIDE};
 use super::{Gpu, RenderError, upload};
+use crate::shading::palette::{self, Theme};
 
 /// One layer, as in the field's flat buffers.
 pub(crate) struct Layer {

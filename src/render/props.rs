@@ -3,9 +3,9 @@
 
 use glam::Vec3;
 
-use super::scene::upload_normals;
-use super::wood::{self, Axis, Ears};
-use super::{Gpu, RenderError, upload};
+use super::buffers::{Mesh, MeshBuffers};
+use super::{Gpu, RenderError};
+use crate::shading::wood::{self, Axis, Ears};
 
 /// Where a prop stands: its origin in px of the world, and the px per cm.
 #[derive(Clone, Copy, Debug)]
@@ -24,44 +24,20 @@ impl Place {
     }
 }
 
-/// A closed or open mesh in cm, in JavaScript's memory.
-pub(crate) struct PropMesh<'a> {
-    /// 3v coordinates.
-    pub(crate) positions: &'a js_sys::Float32Array,
-    /// 3v coordinates.
-    pub(crate) normals: &'a js_sys::Float32Array,
-    /// 3t vertex numbers.
-    pub(crate) indices: &'a js_sys::Uint32Array,
-}
-
 /// Buffers of a log or of a colony.
 pub(crate) struct Prop {
-    positions: wgpu::Buffer,
-    normals: wgpu::Buffer,
-    painted: wgpu::Buffer,
+    buffers: MeshBuffers,
     /// The axis, if it is a log, px.
     axis: Option<Axis>,
     /// True for wood ears that are closed bodies, whose faces are not seen from inside.
     closed: bool,
-    indices: wgpu::Buffer,
-    index_count: u32,
-    /// The lines of the wireframe, made when it is first shown.
-    edges: Option<wgpu::Buffer>,
     low: Vec3,
     high: Vec3,
 }
 
-impl Drop for Prop {
-    /// Buffers are not left to JavaScript's garbage collector.
-    fn drop(&mut self) {
-        let buffers = [&self.positions, &self.normals, &self.painted, &self.indices];
-        buffers.into_iter().chain(&self.edges).for_each(wgpu::Buffer::destroy);
-    }
-}
-
 impl Prop {
     /// Uploads a log. `kinds` has one entry per vertex.
-    pub(crate) fn log(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, kinds: &[u8]) -> Result<Self, RenderError> {
+    pub(crate) fn log(gpu: &Gpu, place: Place, mesh: &Mesh<'_>, kinds: &[u8]) -> Result<Self, RenderError> {
         let points = mesh.positions.to_vec();
         if 3 * kinds.len() != points.len() {
             return Err(RenderError::Malformed("kinds of another log"));
@@ -72,7 +48,7 @@ impl Prop {
         Ok(log)
     }
 
-    pub(crate) fn colony(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, ears: &Ears) -> Result<Self, RenderError> {
+    pub(crate) fn colony(gpu: &Gpu, place: Place, mesh: &Mesh<'_>, ears: &Ears) -> Result<Self, RenderError> {
         let each = mesh.positions.length() / 3 / (ears.keys.len() as u32).max(1);
         if each * ears.keys.len() as u32 * 3 != mesh.positions.length() {
             return Err(RenderError::Malformed("individuals of different size"));
@@ -82,83 +58,19 @@ impl Prop {
         Ok(colony)
     }
 
-    fn new(gpu: &Gpu, place: Place, mesh: &PropMesh<'_>, painted: impl Fn(u32) -> u32) -> Result<Self, RenderError> {
-        let vertices = mesh.positions.length() / 3;
-        let index_count = mesh.indices.length() / 3 * 3;
-        if mesh.normals.length() != mesh.positions.length() {
-            return Err(RenderError::Malformed("positions and normals disagree"));
-        }
-        let make = |label, what, elements: u32, usage| {
-            upload::buffer(&gpu.device, label, what, 4 * u64::from(elements), usage)
-        };
-        let vertex = wgpu::BufferUsages::VERTEX;
-        let positions = make("rock-field/prop/positions", "vertices", 3 * vertices, vertex)?;
-        let normals = make("rock-field/prop/normals", "normals", vertices, vertex)?;
-        let colors = make("rock-field/prop/painted", "colours", vertices, vertex)?;
-        let indices = make("rock-field/prop/indices", "triangles", index_count, wgpu::BufferUsages::INDEX)?;
+    fn new(gpu: &Gpu, place: Place, mesh: &Mesh<'_>, painted: impl Fn(u32) -> u32) -> Result<Self, RenderError> {
         let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        upload::write::<f32>(&gpu.queue, &positions, 3 * vertices, |start, slice| {
-            mesh.positions.subarray(start, start + slice.len() as u32).copy_to(slice);
-            for vertex in slice.chunks_exact_mut(3) {
-                let at = Vec3::from_slice(vertex) * place.scale + place.origin;
-                low = at.min(low);
-                high = at.max(high);
-                vertex.copy_from_slice(&at.to_array());
-            }
-        });
-        upload_normals(gpu, &normals, vertices, mesh.normals);
-        upload::write::<u32>(&gpu.queue, &colors, vertices, |start, slice| {
-            for (vertex, out) in (start..).zip(slice) {
-                *out = painted(vertex);
-            }
-        });
-        let mut highest = 0;
-        upload::write::<u32>(&gpu.queue, &indices, index_count, |start, slice| {
-            mesh.indices.subarray(start, start + slice.len() as u32).copy_to(slice);
-            highest = slice.iter().fold(highest, |most, &index| most.max(index));
-        });
-        if index_count > 0 && (highest >= vertices || !(high - low).is_finite()) {
-            return Err(RenderError::Malformed("an index or a coordinate that is none"));
+        let buffers = MeshBuffers::new(gpu, "prop", mesh, |vertex| {
+            let at = vertex * place.scale + place.origin;
+            low = at.min(low);
+            high = at.max(high);
+            at
+        })?;
+        if !buffers.is_empty() && !(high - low).is_finite() {
+            return Err(RenderError::Malformed("a coordinate is infinite"));
         }
-        Ok(Self {
-            positions,
-            normals,
-            painted: colors,
-            indices,
-            index_count,
-            edges: None,
-            axis: None,
-            closed: false,
-            low,
-            high,
-        })
-    }
-
-    /// Makes the line list. `indices` must be those given when the prop was made.
-    fn set_edges(&mut self, gpu: &Gpu, indices: &js_sys::Uint32Array) -> Result<(), RenderError> {
-        if indices.length() / 3 * 3 != self.index_count {
-            return Err(RenderError::Malformed("edges of another log or colony"));
-        }
-        self.edges = Some(upload::edges(gpu, indices)?);
-        Ok(())
-    }
-
-    fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        indices: &wgpu::Buffer,
-        count: u32,
-    ) {
-        if count == 0 {
-            return;
-        }
-        pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(0, self.positions.slice(..));
-        pass.set_vertex_buffer(1, self.painted.slice(..));
-        pass.set_vertex_buffer(2, self.normals.slice(..));
-        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..count, 0, 0..1);
+        buffers.paint(gpu, painted);
+        Ok(Self { buffers, axis: None, closed: false, low, high })
     }
 }
 
@@ -197,7 +109,7 @@ impl Props {
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, [log, ear]: [&wgpu::RenderPipeline; 2]) {
         for (prop, pipeline) in [(&self.log, log), (&self.colony, ear)] {
             if let Some(prop) = prop {
-                prop.draw(pass, pipeline, &prop.indices, prop.index_count);
+                prop.buffers.draw(pass, pipeline);
             }
         }
     }
@@ -205,14 +117,12 @@ impl Props {
     /// Draws all edges of both, or nothing before [`Props::set_edges`].
     pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         for prop in self.log.iter().chain(&self.colony) {
-            if let Some(edges) = &prop.edges {
-                prop.draw(pass, pipeline, edges, 2 * prop.index_count);
-            }
+            prop.buffers.draw_edges(pass, pipeline);
         }
     }
 
     pub(crate) fn has_edges(&self) -> bool {
-        self.log.iter().chain(&self.colony).all(|prop| prop.edges.is_some())
+        self.log.iter().chain(&self.colony).all(|prop| prop.buffers.has_edges())
     }
 
     /// Makes the line lists of the props that have none. The indices must be those of the meshes.
@@ -223,8 +133,8 @@ impl Props {
         colony: &js_sys::Uint32Array,
     ) -> Result<(), RenderError> {
         for (prop, indices) in [(&mut self.log, log), (&mut self.colony, colony)] {
-            if let Some(prop) = prop.as_mut().filter(|prop| prop.edges.is_none()) {
-                prop.set_edges(gpu, indices)?;
+            if let Some(prop) = prop.as_mut().filter(|prop| !prop.buffers.has_edges()) {
+                prop.buffers.set_edges(gpu, indices)?;
             }
         }
         Ok(())
@@ -236,7 +146,7 @@ impl Props {
 
     /// Returns a box around the box `low`…`high` and all props.
     pub(crate) fn around(&self, low: Vec3, high: Vec3) -> (Vec3, Vec3) {
-        let shown = self.log.iter().chain(&self.colony).filter(|prop| prop.index_count > 0);
+        let shown = self.log.iter().chain(&self.colony).filter(|prop| !prop.buffers.is_empty());
         shown.fold((low, high), |(low, high), prop| (low.min(prop.low), high.max(prop.high)))
     }
 }

@@ -2,24 +2,11 @@
 
 use glam::{Mat4, Vec3};
 
-use super::look::Look;
+use super::buffers::{Mesh, MeshBuffers};
 use super::maps::{MapSets, Maps};
-use super::palette::{self, ColorMode};
-use super::settle::Stands;
 use super::surface::depth_attachment;
-use super::uniforms::FieldUniforms;
 use super::{Gpu, Props, RenderError, upload};
-
-/// The mesh in JavaScript's memory, which is read one slice at a time.
-pub(crate) struct Mesh<'a> {
-    /// 3v coordinates.
-    pub(crate) positions: &'a js_sys::Float32Array,
-    /// 3v coordinates.
-    pub(crate) normals: &'a js_sys::Float32Array,
-    /// 3t vertex numbers.
-    pub(crate) indices: &'a js_sys::Uint32Array,
-    pub(crate) rocks: Rocks,
-}
+use crate::shading::{ColorMode, FieldUniforms, Look, Stands, palette};
 
 /// What distinguishes the rocks from each other. It is small, and kept so that they can be coloured again.
 pub(crate) struct Rocks {
@@ -36,14 +23,7 @@ pub(crate) struct Scene {
     /// Identifies the contents of the shadow and height maps. It is unique on the device, and renewed whenever the maps
     /// have to be redrawn.
     pub(crate) number: u64,
-    positions: wgpu::Buffer,
-    normals: wgpu::Buffer,
-    colors: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    index_count: u32,
-    vertex_count: u32,
-    /// Two vertex numbers per edge. Made when the wireframe is first shown.
-    edges: Option<wgpu::Buffer>,
+    buffers: MeshBuffers,
     rocks: Rocks,
     stands: Stands,
     painted: Option<ColorMode>,
@@ -64,69 +44,38 @@ pub(crate) struct Scene {
 }
 
 impl Drop for Scene {
-    /// Without this, a WebGPU buffer lives until JavaScript collects it, which is too late while a slider is dragged.
+    /// As with the buffers of a mesh, the memory is not left to JavaScript's garbage collector.
     fn drop(&mut self) {
-        let buffers = [&self.positions, &self.normals, &self.colors, &self.indices, &self.uniforms];
-        for buffer in buffers.into_iter().chain(&self.edges) {
-            buffer.destroy();
-        }
+        self.uniforms.destroy();
     }
 }
 
 impl Scene {
-    /// Uploads `mesh`, which was grown on an image of `image` px. Its colours follow with [`Scene::paint`], its maps
-    /// with [`Scene::draw_maps`].
-    pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: Mesh<'_>) -> Result<Self, RenderError> {
-        let vertex_count = mesh.positions.length() / 3;
-        let index_count = mesh.indices.length() / 3 * 3;
-        let rocks = mesh.rocks;
+    /// Uploads the mesh of `rocks`, which were grown on an image of `image` px. Their colours follow with
+    /// [`Scene::paint`], the maps with [`Scene::draw_maps`].
+    pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: &Mesh<'_>, rocks: Rocks) -> Result<Self, RenderError> {
         if rocks.layers.len() != rocks.sites.len()
             || rocks.layers.len() + 1 != rocks.vertex_starts.len()
-            || rocks.vertex_starts.last() != Some(&vertex_count)
+            || rocks.vertex_starts.last() != Some(&mesh.vertices())
         {
             return Err(RenderError::Malformed("rockStarts, vertexStarts, rockLayer and selected disagree"));
         }
-        if mesh.normals.length() != mesh.positions.length() {
-            return Err(RenderError::Malformed("positions and normals disagree"));
-        }
-        let make = |label, what, elements: u32, usage| {
-            upload::buffer(&gpu.device, label, what, 4 * u64::from(elements), usage)
-        };
-        let vertex = wgpu::BufferUsages::VERTEX;
-        let positions = make("rock-field/rock/positions", "vertices", 3 * vertex_count, vertex)?;
-        let normals = make("rock-field/rock/normals", "normals", vertex_count, vertex)?;
-        let colors = make("rock-field/rock/colors", "colours", vertex_count, vertex)?;
-        let indices = make("rock-field/rock/indices", "triangles", index_count, wgpu::BufferUsages::INDEX)?;
-
         let mut low = Vec3::ZERO;
         let mut high = Vec3::new(image[0], image[1], 1.0);
         let mut stands = Stands::default();
-        let mut ends = rocks.vertex_starts.iter().skip(1).map(|&end| 3 * end).peekable();
-        upload::write::<f32>(&gpu.queue, &positions, 3 * vertex_count, |start, slice| {
-            let end = start + slice.len() as u32;
-            mesh.positions.subarray(start, end).copy_to(slice);
-            for (at, vertex) in (start..).step_by(3).zip(slice.chunks_exact(3)) {
-                let vertex = Vec3::from_slice(vertex);
-                // NaN does not change these.
-                low = vertex.min(low);
-                high = vertex.max(high);
-                stands.add(vertex.to_array());
-                if ends.next_if_eq(&(at + 3)).is_some() {
-                    stands.close();
-                }
+        let mut ends = rocks.vertex_starts.iter().skip(1).peekable();
+        let mut count = 0;
+        let buffers = MeshBuffers::new(gpu, "rock", mesh, |vertex| {
+            // NaN does not change these.
+            low = vertex.min(low);
+            high = vertex.max(high);
+            stands.add(vertex.to_array());
+            count += 1;
+            if ends.next_if_eq(&&count).is_some() {
+                stands.close();
             }
-        });
-        upload_normals(gpu, &normals, vertex_count, mesh.normals);
-        let mut highest = 0;
-        upload::write::<u32>(&gpu.queue, &indices, index_count, |start, slice| {
-            let end = start + slice.len() as u32;
-            mesh.indices.subarray(start, end).copy_to(slice);
-            highest = slice.iter().fold(highest, |most, &index| most.max(index));
-        });
-        // WebGL2 would refuse to draw without saying why.
-        if index_count > 0 && highest >= vertex_count {
-            return Err(RenderError::Malformed("an index points past the vertices"));
-        }
+            vertex
+        })?;
         if !(high - low).is_finite() {
             return Err(RenderError::Malformed("a coordinate is infinite"));
         }
@@ -145,13 +94,7 @@ impl Scene {
         });
         Ok(Self {
             number: gpu.next_number(),
-            positions,
-            normals,
-            colors,
-            indices,
-            index_count,
-            vertex_count,
-            edges: None,
+            buffers,
             rocks,
             stands,
             painted: None,
@@ -180,7 +123,7 @@ impl Scene {
         self.center = (low + high) * 0.5;
         self.radius = (high - low).length() * 0.5;
         self.is_buried = low.z < 0.0;
-        let mut uniforms = field_uniforms(sun, self.image, low, high, MapSets::side(gpu) as f32);
+        let mut uniforms = field_uniforms(sun, self.image, low, high, MapSets::side(gpu.max_side()) as f32);
         uniforms.ground[2] = if self.is_buried { 1.0 } else { 0.0 };
         uniforms.size[2] = self.high.z.max(1.0);
         if let Some(axis) = props.axis() {
@@ -207,42 +150,36 @@ impl Scene {
             self.number = gpu.next_number();
         }
         self.painted = Some(mode);
-        let Self { rocks, stands, image, high, .. } = &*self;
+        let Self { buffers, rocks, stands, image, high, .. } = &*self;
         let mut rock = 0;
         let mut color = 0;
         let mut end = 0;
-        upload::write::<u32>(&gpu.queue, &self.colors, self.vertex_count, |start, slice| {
-            for (vertex, out) in (start..).zip(slice) {
-                while vertex >= end && rock < rocks.layers.len() {
-                    let id = |list: &[u32]| list.get(rock).copied().unwrap_or(0);
-                    let (layer, site) = (id(&rocks.layers), id(&rocks.sites));
-                    let hash = palette::hash(layer, site);
-                    color = match mode {
-                        ColorMode::Natural => {
-                            let sinks = stands.sinks(rock, *image, high.z, hash);
-                            palette::natural(look.material(layer), sinks, hash)
-                        }
-                        _ => palette::rock(mode, layer, hash),
-                    };
-                    rock += 1;
-                    end = id_at(&rocks.vertex_starts, rock);
-                }
-                *out = color;
+        buffers.paint(gpu, |vertex| {
+            while vertex >= end && rock < rocks.layers.len() {
+                let id = |list: &[u32]| list.get(rock).copied().unwrap_or(0);
+                let (layer, site) = (id(&rocks.layers), id(&rocks.sites));
+                let hash = palette::hash(layer, site);
+                color = match mode {
+                    ColorMode::Natural => {
+                        let sinks = stands.sinks(rock, *image, high.z, hash);
+                        palette::natural(look.material(layer), sinks, hash)
+                    }
+                    _ => palette::rock(mode, layer, hash),
+                };
+                rock += 1;
+                end = id_at(&rocks.vertex_starts, rock);
             }
+            color
         });
     }
 
     pub(crate) fn has_edges(&self) -> bool {
-        self.edges.is_some() || self.index_count == 0
+        self.buffers.has_edges() || self.buffers.is_empty()
     }
 
     /// Makes the line list of every triangle's edges. `indices` must be those given to [`Scene::new`].
     pub(crate) fn set_edges(&mut self, gpu: &Gpu, indices: &js_sys::Uint32Array) -> Result<(), RenderError> {
-        if indices.length() / 3 * 3 != self.index_count {
-            return Err(RenderError::Malformed("edges of another field"));
-        }
-        self.edges = Some(upload::edges(gpu, indices)?);
-        Ok(())
+        self.buffers.set_edges(gpu, indices)
     }
 
     /// Draws the shadow and height maps. They change only with the field, the sun and the props, so drawing them once
@@ -292,62 +229,13 @@ impl Scene {
 
     /// Draws all rocks at once.
     pub(crate) fn draw_rocks(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        self.draw(pass, pipeline, &self.indices, self.index_count);
+        self.buffers.draw(pass, pipeline);
     }
 
     /// Draws all edges at once, or nothing before [`Scene::set_edges`].
     pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        if let Some(edges) = &self.edges {
-            self.draw(pass, pipeline, edges, 2 * self.index_count);
-        }
+        self.buffers.draw_edges(pass, pipeline);
     }
-
-    fn draw(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        pipeline: &wgpu::RenderPipeline,
-        indices: &wgpu::Buffer,
-        count: u32,
-    ) {
-        if count == 0 {
-            return;
-        }
-        pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(0, self.positions.slice(..));
-        pass.set_vertex_buffer(1, self.colors.slice(..));
-        pass.set_vertex_buffer(2, self.normals.slice(..));
-        pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..count, 0, 0..1);
-    }
-}
-
-/// Uploads normals, each as two 16-bit numbers: the unfolded faces of an octahedron (Cigolle et al., *A survey of
-/// efficient representations for independent unit vectors*, 2014). With 8 bits each, bands would show on a smooth
-/// boulder.
-pub(crate) fn upload_normals(gpu: &Gpu, buffer: &wgpu::Buffer, count: u32, normals: &js_sys::Float32Array) {
-    let mut scratch = Vec::new();
-    upload::write::<u32>(&gpu.queue, buffer, count, |start, slice| {
-        scratch.resize(slice.len() * 3, 0.0);
-        normals.subarray(3 * start, 3 * (start + slice.len() as u32)).copy_to(&mut scratch);
-        for (normal, out) in scratch.chunks_exact(3).zip(slice) {
-            if let &[x, y, z] = normal {
-                *out = octahedral(Vec3::new(x, y, z));
-            }
-        }
-    });
-}
-
-fn octahedral(normal: Vec3) -> u32 {
-    let flat = normal / normal.abs().element_sum();
-    let sign = |value: f32| if value < 0.0 { -1.0 } else { 1.0 };
-    let [x, y] = if flat.z < 0.0 {
-        [(1.0 - flat.y.abs()) * sign(flat.x), (1.0 - flat.x.abs()) * sign(flat.y)]
-    } else {
-        [flat.x, flat.y]
-    };
-    // The cast turns NaN into 0.
-    let bits = |value: f32| u32::from((value * 32767.0).round() as i16 as u16);
-    bits(x) | bits(y) << 16
 }
 
 fn id_at(list: &[u32], at: usize) -> u32 {

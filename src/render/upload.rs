@@ -10,7 +10,7 @@ const SLICE: u32 = 6 << 14;
 /// [`RenderError::TooLarge`] if the device does not allow that many.
 pub(crate) fn buffer(
     device: &wgpu::Device,
-    label: &'static str,
+    label: &str,
     what: &'static str,
     bytes: u64,
     usage: wgpu::BufferUsages,

@@ -1,10 +1,10 @@
 //! One canvas: its camera, its style, and how a frame is drawn.
 
 use super::camera::FOV_Y;
-use super::palette::{self, ColorMode, DARK, LIGHT};
 use super::surface::Screen;
-use super::uniforms::Globals;
-use super::{Camera, Gpu, Layer, Look, Plan, Props, Quality, RenderError, Scene, upload};
+use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
+use crate::shading::palette::{self, DARK, LIGHT};
+use crate::shading::{ColorMode, Globals, Look, Quality};
 
 /// What a view shows.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -134,7 +134,8 @@ impl View {
             scene.light(gpu, self.look.sun, props);
             let maps = self.is_solid().then(|| {
                 scene.paint(gpu, self.shown_color(), &self.look);
-                let (maps, stale) = gpu.maps.borrow_mut().lend(gpu, self.number, scene.number);
+                let (maps, stale) =
+                    gpu.maps.borrow_mut().lend(&gpu.device, &gpu.pipelines.maps_layout, self.number, scene.number);
                 if stale {
                     scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps, props);
                 }
@@ -159,49 +160,56 @@ impl View {
             }
             pass.set_bind_group(0, &self.frame_group, &[]);
             pass.set_bind_group(1, &scene.field_group, &[]);
-            match (self.mode, plan) {
-                (Mode::Rocks, _) if self.is_natural() => {
-                    let [outsides, insides, both, ground] = gpu.pipelines.natural(&gpu.device);
-                    if self.quality == Quality::High {
-                        scene.draw_rocks(&mut pass, outsides);
-                        scene.draw_rocks(&mut pass, insides);
-                    } else {
-                        scene.draw_rocks(&mut pass, both);
-                    }
-                    if !props.is_empty() {
-                        props.draw(&mut pass, gpu.pipelines.wood(&gpu.device, props.is_closed()));
-                    }
-                    // The backdrop and the ground come last, so that only their visible parts are drawn.
-                    pass.set_pipeline(ground);
-                    pass.draw(0..6, 0..1);
-                }
-                (Mode::Rocks, _) => {
-                    draw_ground(&mut pass, gpu, scene);
-                    for sides in &gpu.pipelines.rock {
-                        scene.draw_rocks(&mut pass, sides);
-                    }
-                    if !props.is_empty() {
-                        props.draw(&mut pass, [gpu.pipelines.plain_wood(&gpu.device); 2]);
-                    }
-                }
-                (Mode::Wireframe, _) => {
-                    let [fill, edges] = gpu.pipelines.wire(&gpu.device);
-                    draw_ground(&mut pass, gpu, scene);
-                    scene.draw_rocks(&mut pass, fill);
-                    scene.draw_edges(&mut pass, edges);
-                    if !props.is_empty() {
-                        let [fill, edges] = gpu.pipelines.wood_wire(&gpu.device);
-                        props.draw(&mut pass, [fill; 2]);
-                        props.draw_edges(&mut pass, edges);
-                    }
-                }
-                (_, Some(plan)) => plan.draw(&mut pass, gpu.pipelines.plan(&gpu.device)),
-                (_, None) => {}
-            }
+            self.draw(&mut pass, gpu, scene, props, plan);
         }
         drop(pass);
         gpu.queue.submit([encoder.finish()]);
         gpu.queue.present(texture);
+    }
+
+    /// Draws what the mode shows of the scene, with all groups bound.
+    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, scene: &Scene, props: &Props, plan: Option<&Plan>) {
+        match (self.mode, plan) {
+            (Mode::Rocks, _) if self.is_natural() => self.draw_natural(pass, gpu, scene, props),
+            (Mode::Rocks, _) => {
+                draw_ground(pass, gpu, scene);
+                for sides in &gpu.pipelines.rock {
+                    scene.draw_rocks(pass, sides);
+                }
+                if !props.is_empty() {
+                    props.draw(pass, [gpu.pipelines.plain_wood(&gpu.device); 2]);
+                }
+            }
+            (Mode::Wireframe, _) => {
+                let [fill, edges] = gpu.pipelines.wire(&gpu.device);
+                draw_ground(pass, gpu, scene);
+                scene.draw_rocks(pass, fill);
+                scene.draw_edges(pass, edges);
+                if !props.is_empty() {
+                    let [fill, edges] = gpu.pipelines.wood_wire(&gpu.device);
+                    props.draw(pass, [fill; 2]);
+                    props.draw_edges(pass, edges);
+                }
+            }
+            (_, Some(plan)) => plan.draw(pass, gpu.pipelines.plan(&gpu.device)),
+            (_, None) => {}
+        }
+    }
+
+    fn draw_natural(&self, pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, scene: &Scene, props: &Props) {
+        let [outsides, insides, both, ground] = gpu.pipelines.natural(&gpu.device);
+        if self.quality == Quality::High {
+            scene.draw_rocks(pass, outsides);
+            scene.draw_rocks(pass, insides);
+        } else {
+            scene.draw_rocks(pass, both);
+        }
+        if !props.is_empty() {
+            props.draw(pass, gpu.pipelines.wood(&gpu.device, props.is_closed()));
+        }
+        // The backdrop and the ground come last, so that only their visible parts are drawn.
+        pass.set_pipeline(ground);
+        pass.draw(0..6, 0..1);
     }
 
     fn is_solid(&self) -> bool {

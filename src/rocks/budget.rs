@@ -1,11 +1,9 @@
 //! The memory of a run. It is estimated again each time more of the run's numbers are known.
 
-use super::cache::{LayerCache, bytes};
-use super::footprint::Footprint;
-use super::generator::Generator;
+use super::cache::{LayerCache, Results};
+use super::memory::{Bitmaps, Load, MemoryEstimate, Need, expected_sites, memory_estimate};
 use crate::error::Error;
-use crate::memory::{Bitmaps, Load, MemoryEstimate, Need, expected_sites, memory_estimate};
-use crate::mesh::Mesh;
+use crate::params::Params;
 
 /// How much a run knows about the sizes of its results.
 #[derive(Debug, Clone, Copy, Default, PartialEq, PartialOrd)]
@@ -16,27 +14,38 @@ pub(super) enum Known {
     Rocks,
 }
 
-impl Generator {
-    /// Bytes that the run needs at its peak, output included. This is the largest of the estimates made so far: one at
-    /// the start and one before each stage; see [`crate::memory_estimate`].
-    pub fn estimate(&self) -> u64 {
-        self.estimate
+/// The budget of a run, and its memory estimate so far.
+#[derive(Debug, Default)]
+pub(super) struct Budget {
+    max_bytes: u64,
+    /// What was known about the run when its memory was last estimated.
+    checked: Known,
+    /// Peak memory so far, bytes: of what the previous run left behind, and of this run's stages up to the selection.
+    peak_before: f64,
+    /// True once this run has made a selection.
+    pub(super) selects: bool,
+    /// The most bytes that this run has used to list clear pixels.
+    pub(super) clear_bytes: f64,
+    /// The largest memory estimate of this run, bytes.
+    pub(super) estimate: u64,
+}
+
+impl Budget {
+    /// Begins the budget of a run that starts with `held` bytes of older results.
+    pub(super) fn new(max_bytes: u64, held: f64) -> Self {
+        Budget { max_bytes, peak_before: held, ..Budget::default() }
     }
 
-    /// Bytes of all results that are kept from the last run.
-    pub(super) fn held(&self) -> f64 {
-        let layers: usize = self.layers.iter().map(LayerCache::bytes).sum();
-        let footprints = self.footprint.0.bytes() + self.next_footprint.as_ref().map_or(0, Footprint::bytes);
-        let Mesh { rock_starts, vertex_starts, rock_layer, .. } = &self.mesh;
-        let rest = bytes(rock_starts) + bytes(vertex_starts) + bytes(rock_layer);
-        (layers + footprints + self.mesh.bytes().iter().sum::<usize>() + rest) as f64
-    }
-
-    /// Repeats the estimate with what is known now. Called before a stage allocates; returns [`Error::OverBudget`] if
-    /// the new estimate is above the budget.
+    /// Repeats the estimate with what is known now. Called before a stage allocates; `footprints` is the memory of the
+    /// footprints, bytes. Returns [`Error::OverBudget`] if the new estimate is above the budget.
     #[inline(never)]
-    pub(super) fn check_memory(&mut self, known: Known) -> Result<(), Error> {
-        let Some(params) = &self.params else { return Ok(()) };
+    pub(super) fn check(
+        &mut self,
+        known: Known,
+        params: &Params,
+        results: &mut Results,
+        footprints: usize,
+    ) -> Result<(), Error> {
         if known != Known::Nothing && known <= self.checked {
             return Ok(());
         }
@@ -44,17 +53,17 @@ impl Generator {
             let expected = cache.layer.as_ref().map_or(0.0, |layer| expected_sites(params, layer.radius));
             cache.load(params, expected, known == Known::Rocks)
         };
-        let loads: Vec<Load> = self.layers.iter().filter_map(load).collect();
+        let loads: Vec<Load> = results.layers.iter().filter_map(load).collect();
         let bitmaps = Bitmaps { clear: self.clear_bytes, selects: self.selects || known != Known::Rocks };
-        let of = |this: &Generator| {
-            Need::of(this.held(), params, &loads, this.mesh.bytes().map(|bytes| bytes as f64), bitmaps)
+        let of = |results: &Results| {
+            let held = results.bytes() + footprints as f64;
+            Need::of(held, params, &loads, results.mesh.bytes().map(|bytes| bytes as f64), bitmaps)
         };
-        let mut need = of(self);
+        let mut need = of(results);
         if need.bytes(0.0) > self.max_bytes {
             // The rocks of the previous run would be overwritten later anyway, so their memory is freed now.
-            self.mesh = Mesh::default();
-            self.layers.iter_mut().for_each(|cache| cache.mesh = None);
-            need = of(self);
+            results.forget_mesh();
+            need = of(results);
         }
         let bytes = need.bytes(0.0);
         self.peak_before = self.peak_before.max(need.until_selection);

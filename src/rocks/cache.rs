@@ -1,15 +1,15 @@
 //! What the generator keeps of a field: the result of every stage, together with the key of the inputs it was made
 //! from.
 
-use super::field::area_reached;
+use super::field::{Field, FieldLayer};
+use super::memory::{Counts, Load, bytes};
+use super::mesh::{Extent, Mesh};
 use super::select::{Selection, Threshold};
 use super::shape::Shapes;
 use super::sites::Sites;
 use super::subdivide::counts as counts_of;
 use super::voronoi::Cells;
 use super::wear::Wear;
-use crate::memory::{Counts, Load};
-use crate::mesh::Extent;
 use crate::params::{Border, Darts, Layer, Params, Swing};
 
 /// The result of a stage and the key of the inputs it was made from.
@@ -83,6 +83,66 @@ pub(super) struct LayerCache {
     pub(super) mesh: Option<MeshKey>,
 }
 
+/// Everything that is kept from run to run.
+#[derive(Debug, Default)]
+pub(super) struct Results {
+    /// The results of the layers, in input order.
+    pub(super) layers: Vec<LayerCache>,
+    pub(super) mesh: Mesh,
+}
+
+impl Results {
+    /// Bytes of memory that all results use.
+    pub(super) fn bytes(&self) -> f64 {
+        let layers: usize = self.layers.iter().map(LayerCache::bytes).sum();
+        let Mesh { rock_starts, vertex_starts, rock_layer, .. } = &self.mesh;
+        let rest = bytes(rock_starts) + bytes(vertex_starts) + bytes(rock_layer);
+        (layers + self.mesh.bytes().iter().sum::<usize>() + rest) as f64
+    }
+
+    /// Frees the rocks, which then have to be written again.
+    pub(super) fn forget_mesh(&mut self) {
+        self.mesh = Mesh::default();
+        self.layers.iter_mut().for_each(|cache| cache.mesh = None);
+    }
+
+    /// Gives the buffers the size of `total`.
+    pub(super) fn make_room(&mut self, total: Extent) {
+        let Mesh { rock_starts, positions, indices, .. } = &self.mesh;
+        let sizes = [rock_starts.len(), positions.len(), indices.len()];
+        if sizes == [total.rocks + 1, 3 * total.vertices, 3 * total.triangles] {
+            return;
+        }
+        // Without this, a generator that once made a large field would keep that memory for good.
+        if self.mesh.bytes().iter().sum::<usize>() > 2 * (24 * total.vertices + 12 * total.triangles) {
+            self.forget_mesh();
+        }
+        self.mesh.resize(total);
+    }
+
+    pub(super) fn views(&self) -> impl ExactSizeIterator<Item = LayerView<'_>> {
+        self.layers.iter().map(|cache| LayerView {
+            layer: cache.layer.as_ref().unwrap_or(&Layer::EMPTY),
+            sites: &cache.sites.value,
+            cells: &cache.cells.value,
+            selection: &cache.selection.value,
+        })
+    }
+
+    pub(super) fn into_field(self) -> Field {
+        let layers = self.layers.into_iter().filter_map(|cache| {
+            Some(FieldLayer {
+                layer: cache.layer?,
+                sites: cache.sites.value,
+                cells: cache.cells.value,
+                selection: cache.selection.value,
+                shapes: cache.shapes.value,
+            })
+        });
+        Field { layers: layers.collect(), mesh: self.mesh }
+    }
+}
+
 impl LayerCache {
     /// Bytes of memory that the results of all stages use.
     pub(super) fn bytes(&self) -> usize {
@@ -116,11 +176,6 @@ impl LayerCache {
     }
 }
 
-/// Bytes that a list has allocated, whether they are filled or not.
-pub(super) fn bytes<T>(list: &Vec<T>) -> usize {
-    list.capacity() * size_of::<T>()
-}
-
 impl SitesKey {
     pub(super) fn new(params: &Params, layer: &Layer) -> Self {
         SitesKey {
@@ -149,7 +204,7 @@ pub struct LayerView<'a> {
 impl LayerView<'_> {
     /// Share of the image's pixels that the layer's selected cells own, 0 … 1.
     pub fn area_reached(&self) -> f64 {
-        area_reached(self.sites, self.selection)
+        self.selection.area_reached(self.sites)
     }
 
     /// The layer's id, radius (px), N_p, whether the sites are saturated (0 or 1), A_s as asked and as reached, and

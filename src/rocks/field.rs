@@ -1,13 +1,11 @@
 //! A finished field.
 
-use super::generator::Generator;
+use super::mesh::Mesh;
 use super::select::Selection;
 use super::shape::Shapes;
 use super::sites::Sites;
 use super::voronoi::Cells;
-use crate::error::Error;
-use crate::mesh::Mesh;
-use crate::params::{Layer, Params};
+use crate::params::Layer;
 
 /// The result of a run, including the intermediate results of every stage.
 #[derive(Debug, Clone, Default)]
@@ -44,22 +42,6 @@ impl Field {
 impl FieldLayer {
     /// Share of the image's pixels that this layer's selected cells own, 0 … 1 (decision A9).
     pub fn area_reached(&self) -> f64 {
-        area_reached(&self.sites, &self.selection)
+        self.selection.area_reached(&self.sites)
     }
-}
-
-pub(crate) fn area_reached(sites: &Sites, selection: &Selection) -> f64 {
-    // Until a run reaches the layer, the image has no pixels; `max(1.0)` avoids dividing by 0.
-    selection.pixels as f64 / (f64::from(sites.width) * f64::from(sites.height)).max(1.0)
-}
-
-/// Grows a field and returns it. The result depends on the parameters alone.
-///
-/// # Errors
-/// Returns the first parameter that is out of range. Memory is not limited here; see [`Generator::start`] for a budget.
-pub fn generate(params: &Params) -> Result<Field, Error> {
-    let mut generator = Generator::new();
-    generator.start(params.clone(), u64::MAX)?;
-    while !generator.step()? {}
-    Ok(generator.into_field())
 }

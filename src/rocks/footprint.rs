@@ -2,8 +2,8 @@
 
 use glam::DVec2;
 
-use super::cache::bytes;
-use crate::bitmap::Bitmap;
+use super::bitmap::Bitmap;
+use super::memory::bytes;
 use crate::error::Error;
 
 /// Largest number of triangles in a footprint.

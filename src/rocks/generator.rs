@@ -5,63 +5,40 @@
 //! affects, a run that is replaced leaves its finished stages behind, and a cached result always equals a newly
 //! computed one.
 
-use super::budget::Known;
-use super::cache::{Cached, LayerCache, LayerView, MeshKey, SelectionKey, SitesKey};
-use super::field::{Field, FieldLayer};
+use super::bitmap::Bitmap;
+use super::budget::{Budget, Known};
+use super::cache::{Cached, LayerCache, LayerView, MeshKey, Results, SelectionKey, SitesKey};
+use super::field::Field;
 use super::footprint::Footprint;
-use super::mesher::{Mesher, Source};
-use super::select::{Selector, Threshold, flag};
+use super::memory::{check_before, coarsest_first, expected_sites};
+use super::mesh::{Extent, Mesh};
+use super::mesher::Mesher;
+use super::select::{Selector, Threshold};
 use super::shape::Shaper;
 use super::sites::DartThrower;
 use super::subdivide::counts;
 use super::voronoi::VoronoiBuilder;
 use super::wear::Wear;
-use crate::bitmap::Bitmap;
+use super::work::{Taken, Work};
 use crate::error::Error;
-use crate::memory::{check_before, coarsest_first, expected_sites};
-use crate::mesh::{Extent, Mesh};
-use crate::params::{Border, Darts, Layer, Params, Stage};
-
-/// Number of picks, cells or rocks that one step works on, which takes one to three milliseconds in wasm.
-const PICKS_PER_STEP: u32 = 1 << 15;
-const CELLS_PER_STEP: usize = 1 << 11;
-const ROCKS_PER_STEP: usize = 1 << 10;
+use crate::params::{Border, Darts, Params, Stage};
 
 /// Grows fields. The results of the last run are kept and re-used as far as they are still valid.
 #[derive(Debug, Default)]
 pub struct Generator {
-    pub(super) params: Option<Params>,
+    params: Option<Params>,
     /// The footprint in use, and its version.
-    pub(super) footprint: (Footprint, u64),
+    footprint: (Footprint, u64),
     /// The footprint to be used from the next start on, if it is another one.
-    pub(super) next_footprint: Option<Footprint>,
-    /// The results of the layers, in input order.
-    pub(super) layers: Vec<LayerCache>,
-    pub(super) mesh: Mesh,
+    next_footprint: Option<Footprint>,
+    results: Results,
     task: Option<Task>,
     /// The pixels taken by coarser layers, kept while selections run.
     taken: Option<Taken>,
     versions: u64,
-    pub(super) max_bytes: u64,
-    /// What was known about the run when its memory was last estimated.
-    pub(super) checked: Known,
-    /// Peak memory so far, bytes: of what the previous run left behind, and of this run's stages up to the selection.
-    pub(super) peak_before: f64,
-    /// True once this run has made a selection.
-    pub(super) selects: bool,
-    /// The most bytes that this run has used to list clear pixels.
-    pub(super) clear_bytes: f64,
-    /// The largest memory estimate of this run, bytes.
-    pub(super) estimate: u64,
+    budget: Budget,
     /// The error that ends the run, until [`Generator::step`] returns it.
     refused: Option<Error>,
-}
-
-#[derive(Debug)]
-struct Taken {
-    bitmap: Bitmap,
-    /// Versions of the selections already flagged, coarsest first.
-    flagged: Vec<u64>,
 }
 
 /// The piece of work in progress, on one layer.
@@ -69,17 +46,6 @@ struct Taken {
 struct Task {
     layer: usize,
     work: Work,
-}
-
-#[derive(Debug)]
-enum Work {
-    Sites(SitesKey, Box<DartThrower>),
-    Cells(Box<VoronoiBuilder>),
-    /// Flags the selected cells of a coarser layer, from this one on.
-    Flag(usize),
-    Selection(SelectionKey, Box<Selector>),
-    Shapes(Box<Shaper>),
-    Mesh(Box<Mesher>),
 }
 
 impl Generator {
@@ -115,18 +81,16 @@ impl Generator {
         let footprint = self.next_footprint.as_ref().unwrap_or(&self.footprint.0);
         check_before(&params, footprint.is_empty(), max_bytes)?;
         // The results of the previous run are freed before new ones are made, but they count for the peak.
-        self.peak_before = self.held();
-        self.checked = Known::Nothing;
-        (self.selects, self.clear_bytes) = (false, 0.0);
-        (self.max_bytes, self.estimate, self.refused) = (max_bytes, 0, None);
+        self.budget = Budget::new(max_bytes, self.results.bytes() + self.footprint_bytes() as f64);
+        self.refused = None;
         self.task = None;
         self.taken = None;
         if let Some(footprint) = self.next_footprint.take() {
             self.versions += 1;
             self.footprint = (footprint, self.versions);
         }
-        let mut old = core::mem::take(&mut self.layers);
-        self.layers = params
+        let mut old = core::mem::take(&mut self.results.layers);
+        self.results.layers = params
             .layers
             .iter()
             .map(|layer| {
@@ -146,9 +110,9 @@ impl Generator {
                 cache
             })
             .collect();
-        if self.layers.iter().all(|cache| cache.sites.key.is_none()) {
+        if self.results.layers.iter().all(|cache| cache.sites.key.is_none()) {
             // Nothing of the old rocks will be used again, and the gaps that they would leave fragment the heap.
-            self.mesh = Mesh::default();
+            self.results.mesh = Mesh::default();
         }
         drop(old);
         self.params = Some(params);
@@ -180,7 +144,7 @@ impl Generator {
     fn allow(&mut self, task: &mut Task) -> Result<(), Error> {
         let Work::Sites(_, thrower) = &mut task.work else { return Ok(()) };
         if thrower.waits_for_list() {
-            self.clear_bytes = self.clear_bytes.max(thrower.clear_bytes());
+            self.budget.clear_bytes = self.budget.clear_bytes.max(thrower.clear_bytes());
             self.check_memory(Known::Nothing)?;
             thrower.may_list = true;
         }
@@ -199,14 +163,7 @@ impl Generator {
 
     /// The stage that the next step works on. [`Stage::Mesh`] when the run is finished.
     pub fn stage(&self) -> Stage {
-        match self.task.as_ref().map(|task| &task.work) {
-            Some(Work::Sites(..)) => Stage::Sites,
-            Some(Work::Cells(..)) => Stage::Cells,
-            Some(Work::Flag(..) | Work::Selection(..)) => Stage::Selection,
-            Some(Work::Shapes(..)) => Stage::Shape,
-            Some(Work::Mesh(..)) => Stage::Mesh,
-            None => Stage::Mesh,
-        }
+        self.task.as_ref().map_or(Stage::Mesh, |task| task.work.stage())
     }
 
     /// Progress, 0 … 1: the finished stages and the fraction of the current one, with layers weighted by their number
@@ -214,57 +171,53 @@ impl Generator {
     pub fn progress(&self) -> f64 {
         let Some(task) = &self.task else { return 1.0 };
         let weight = |cache: &LayerCache| cache.layer.as_ref().map_or(0.0, |l| 1.0 / (l.radius * l.radius).max(1.0));
-        let total: f64 = self.layers.iter().map(weight).sum();
-        let before: f64 = self.layers[..task.layer].iter().map(weight).sum();
-        let cache = &self.layers[task.layer];
-        let fraction = match &task.work {
-            Work::Sites(_, thrower) => thrower.progress(),
-            Work::Cells(builder) => builder.progress(&cache.sites.value),
-            Work::Flag(_) => 0.0,
-            Work::Selection(_, selector) => selector.progress(),
-            Work::Shapes(shaper) => shaper.progress(),
-            Work::Mesh(mesher) => mesher.progress(&cache.shapes.value),
-        };
+        let total: f64 = self.results.layers.iter().map(weight).sum();
+        let before: f64 = self.results.layers[..task.layer].iter().map(weight).sum();
+        let cache = &self.results.layers[task.layer];
         /// Where each stage begins and ends on the progress bar, according to its share of the time for Fig. 1.
         const SHARE: [f64; 6] = [0.0, 0.15, 0.5, 0.65, 0.9, 1.0];
         let stage = self.stage() as usize;
-        let done = (before + weight(cache) * fraction) / total.max(f64::MIN_POSITIVE);
+        let done = (before + weight(cache) * task.work.progress(cache)) / total.max(f64::MIN_POSITIVE);
         SHARE[stage] + (SHARE[stage + 1] - SHARE[stage]) * done.min(1.0)
     }
 
     /// The results of the layers, in input order. They are complete once [`Generator::step`] has returned true.
     pub fn layers(&self) -> impl ExactSizeIterator<Item = LayerView<'_>> {
-        self.layers.iter().map(|cache| LayerView {
-            layer: cache.layer.as_ref().unwrap_or(&Layer::EMPTY),
-            sites: &cache.sites.value,
-            cells: &cache.cells.value,
-            selection: &cache.selection.value,
-        })
+        self.results.views()
     }
 
     /// The mesh. It is complete once [`Generator::step`] has returned true.
     pub fn mesh(&self) -> &Mesh {
-        &self.mesh
+        &self.results.mesh
     }
 
     /// The numbers of rocks and triangles, the covered fraction (0 … 1), and the number of layers.
     pub fn summary(&self) -> [f64; 4] {
         let covered = self.layers().fold(0.0, |sum, layer| sum + layer.area_reached());
-        [self.mesh.rocks() as f64, self.mesh.triangles() as f64, covered, self.layers.len() as f64]
+        let mesh = self.mesh();
+        [mesh.rocks() as f64, mesh.triangles() as f64, covered, self.results.layers.len() as f64]
     }
 
     /// Turns the generator into the finished field.
     pub fn into_field(self) -> Field {
-        let layers = self.layers.into_iter().filter_map(|cache| {
-            Some(FieldLayer {
-                layer: cache.layer?,
-                sites: cache.sites.value,
-                cells: cache.cells.value,
-                selection: cache.selection.value,
-                shapes: cache.shapes.value,
-            })
-        });
-        Field { layers: layers.collect(), mesh: self.mesh }
+        self.results.into_field()
+    }
+
+    /// Bytes that the run needs at its peak, output included. This is the largest of the estimates made so far: one at
+    /// the start and one before each stage; see [`crate::memory_estimate`].
+    pub fn estimate(&self) -> u64 {
+        self.budget.estimate
+    }
+
+    fn footprint_bytes(&self) -> usize {
+        self.footprint.0.bytes() + self.next_footprint.as_ref().map_or(0, Footprint::bytes)
+    }
+
+    /// Repeats the memory estimate with what is `known`, before a stage allocates.
+    fn check_memory(&mut self, known: Known) -> Result<(), Error> {
+        let footprints = self.footprint_bytes();
+        let Some(params) = &self.params else { return Ok(()) };
+        self.budget.check(known, params, &mut self.results, footprints)
     }
 
     /// The next piece of work: the first stage whose result is not in the cache. `None` when the run is finished.
@@ -278,7 +231,7 @@ impl Generator {
         }
         if let Some(k) = self.first(|cache, _| !cache.cells.is_current(&cache.sites.version)) {
             self.check_memory(Known::Sites)?;
-            let builder = VoronoiBuilder::new(&self.layers[k].sites.value);
+            let builder = VoronoiBuilder::new(&self.results.layers[k].sites.value);
             return Ok(Some(Task { layer: k, work: Work::Cells(Box::new(builder)) }));
         }
         if let Some(task) = self.next_selection()? {
@@ -295,11 +248,11 @@ impl Generator {
     /// The first layer for which `is_stale` returns true.
     fn first(&self, is_stale: impl Fn(&LayerCache, &Params) -> bool) -> Option<usize> {
         let params = self.params.as_ref()?;
-        self.layers.iter().position(|cache| is_stale(cache, params))
+        self.results.layers.iter().position(|cache| is_stale(cache, params))
     }
 
     fn new_sites(&self, k: usize) -> Option<Task> {
-        let (params, layer) = (self.params.as_ref()?, self.layers[k].layer.as_ref()?);
+        let (params, layer) = (self.params.as_ref()?, self.results.layers[k].layer.as_ref()?);
         let key = SitesKey::new(params, layer);
         let thrower = DartThrower::new(
             key.image,
@@ -313,7 +266,7 @@ impl Generator {
     }
 
     fn new_shapes(&mut self, k: usize) -> Option<Task> {
-        let (seed, cache) = (self.params.as_ref()?.seed, &self.layers[k]);
+        let (seed, cache) = (self.params.as_ref()?.seed, &self.results.layers[k]);
         let shaper =
             Shaper::new(&cache.selection.value.selected, cache.cells.value.len(), seed, cache.layer.as_ref()?.id);
         Some(Task { layer: k, work: Work::Shapes(Box::new(shaper)) })
@@ -321,7 +274,7 @@ impl Generator {
 
     /// The layers' indices by descending mean cell area W·H / n, equal ones in input order (decision A7).
     fn selection_order(&self) -> Vec<usize> {
-        coarsest_first(self.layers.len(), |k| self.layers[k].sites.value.pixels.len() as f64)
+        coarsest_first(self.results.layers.len(), |k| self.results.layers[k].sites.value.pixels.len() as f64)
     }
 
     /// The coarsest layer whose selection still has to be made, and its key.
@@ -329,7 +282,7 @@ impl Generator {
         let params = self.params.as_ref()?;
         let mut coarser = Vec::new();
         for k in self.selection_order() {
-            let cache = &self.layers[k];
+            let cache = &self.results.layers[k];
             let layer = cache.layer.as_ref()?;
             let key = SelectionKey {
                 cells: cache.cells.version,
@@ -349,7 +302,7 @@ impl Generator {
     fn next_selection(&mut self) -> Result<Option<Task>, Error> {
         let Some((k, key)) = self.stale_selection() else { return Ok(None) };
         self.check_memory(Known::Sites)?;
-        self.selects = true;
+        self.budget.selects = true;
         Ok(self.new_selection(k, key))
     }
 
@@ -368,7 +321,7 @@ impl Generator {
         if flagged < key.coarser.len() {
             return Some(Task { layer: order[flagged], work: Work::Flag(0) });
         }
-        let cache = &self.layers[k];
+        let cache = &self.results.layers[k];
         let layer = cache.layer.as_ref()?;
         let drop_border = params.border == Border::Drop;
         let selector = Selector::new(&cache.cells.value, key.threshold, drop_border, params.seed, layer.id);
@@ -378,12 +331,12 @@ impl Generator {
     fn next_mesh(&mut self) -> Option<Task> {
         let swing = self.params.as_ref()?.swing;
         let mut at = Extent::default();
-        let mut keys = Vec::with_capacity(self.layers.len());
-        for (index, cache) in self.layers.iter_mut().enumerate() {
+        let mut keys = Vec::with_capacity(self.results.layers.len());
+        for (index, cache) in self.results.layers.iter_mut().enumerate() {
             let layer = cache.layer.as_ref()?;
             let shapes = &cache.shapes.value;
             let wear = Wear::of(layer);
-            let Layer { taper, height, .. } = *layer;
+            let (taper, height) = (layer.taper, layer.height);
             let key = MeshKey { shapes: cache.shapes.version, taper, height, swing, wear, index, at };
             // Rocks whose place in the buffers has changed may be overwritten by another layer from here on.
             if cache.mesh.as_ref() != Some(&key) {
@@ -395,59 +348,26 @@ impl Generator {
             at.vertices += vertices;
             at.triangles += triangles;
         }
-        if self.mesh.rock_starts.len() != at.rocks + 1
-            || self.mesh.positions.len() != 3 * at.vertices
-            || self.mesh.indices.len() != 3 * at.triangles
-        {
-            // Without this, a generator that once made a large field would keep that memory for good.
-            if self.mesh.bytes().iter().sum::<usize>() > 2 * (24 * at.vertices + 12 * at.triangles) {
-                self.mesh = Mesh::default();
-                self.layers.iter_mut().for_each(|cache| cache.mesh = None);
-            }
-            self.mesh.resize(at);
-        }
-        let stale = self.layers.iter().position(|cache| cache.mesh.is_none())?;
+        self.results.make_room(at);
+        let stale = self.results.layers.iter().position(|cache| cache.mesh.is_none())?;
         let key = keys.swap_remove(stale);
-        let cache = &self.layers[stale];
+        let cache = &self.results.layers[stale];
         let mesher = Mesher::new(key, &cache.selection.value.selected, cache.cells.value.len());
         Some(Task { layer: stale, work: Work::Mesh(Box::new(mesher)) })
     }
 
     /// Works on a task for a while. Returns true when it is done.
-    ///
-    /// The stages are functions of their own and never inlined here, because V8 compiles very large functions to code
-    /// that is a third slower.
     fn advance(&mut self, task: &mut Task) -> bool {
-        let (Some(cache), Some(params)) = (self.layers.get(task.layer), &self.params) else { return true };
-        let (sites, cells) = (&cache.sites.value, &cache.cells.value);
-        let selected = &cache.selection.value.selected;
-        match (&mut task.work, &mut self.taken) {
-            (Work::Sites(_, thrower), _) => thrower.advance(PICKS_PER_STEP),
-            (Work::Cells(builder), _) => builder.advance(sites, CELLS_PER_STEP),
-            (Work::Flag(from), Some(taken)) => {
-                let to = (*from + CELLS_PER_STEP).min(selected.len());
-                flag(sites, cells, &selected[*from..to], &mut taken.bitmap);
-                *from = to;
-                to == selected.len()
-            }
-            (Work::Selection(_, selector), Some(taken)) => {
-                selector.advance(sites, cells, &taken.bitmap, CELLS_PER_STEP)
-            }
-            (Work::Flag(_) | Work::Selection(..), None) => true,
-            (Work::Shapes(shaper), _) => shaper.advance(cells, selected, ROCKS_PER_STEP),
-            (Work::Mesh(mesher), _) => {
-                let Some(layer) = &cache.layer else { return true };
-                let of = Source { seed: params.seed, layer: layer.id, cells, selected, shapes: &cache.shapes.value };
-                mesher.advance(&of, &mut self.mesh, ROCKS_PER_STEP)
-            }
-        }
+        let Results { layers, mesh } = &mut self.results;
+        let (Some(cache), Some(params)) = (layers.get(task.layer), &self.params) else { return true };
+        task.work.advance(cache, params, &mut self.taken, mesh)
     }
 
     /// Stores the result of a finished task in the cache.
     fn complete(&mut self, task: Task) {
         self.versions += 1;
         let version = self.versions;
-        let cache = &mut self.layers[task.layer];
+        let cache = &mut self.results.layers[task.layer];
         match task.work {
             Work::Sites(key, thrower) => {
                 cache.sites = Cached { key: Some(key), version, value: thrower.finish() };
@@ -479,4 +399,15 @@ impl Generator {
             Work::Mesh(mesher) => cache.mesh = Some(mesher.key),
         }
     }
+}
+
+/// Grows a field and returns it. The result depends on the parameters alone.
+///
+/// # Errors
+/// Returns the first parameter that is out of range. Memory is not limited here; see [`Generator::start`] for a budget.
+pub fn generate(params: &Params) -> Result<Field, Error> {
+    let mut generator = Generator::new();
+    generator.start(params.clone(), u64::MAX)?;
+    while !generator.step()? {}
+    Ok(generator.into_field())
 }

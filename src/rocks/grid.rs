@@ -1,7 +1,7 @@
 //! Sites sorted into square buckets, for the neighbourhood queries of the Voronoi stage and for finding the owner of a
 //! pixel.
 
-use super::sites::Pixel;
+use super::bitmap::Pixel;
 
 /// Square buckets over the image. Bucket k holds the sites `order[starts[k]] .. order[starts[k + 1]]`.
 #[derive(Debug, Clone, Default)]

@@ -3,10 +3,10 @@
 use glam::DVec2;
 
 use super::cache::MeshKey;
+use super::mesh::{Extent, Mesh, RockBuilder};
 use super::shape::{Shapes, Swings};
 use super::voronoi::Cells;
 use super::wear::{Rock, Wearer};
-use crate::mesh::{Extent, Mesh, RockBuilder};
 
 /// The inputs from which a layer's rocks are made.
 pub(super) struct Source<'a> {

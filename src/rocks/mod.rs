@@ -1,5 +1,6 @@
 //! The rock method: sites → cells → selection → shape → mesh. Numbers such as A9 refer to docs/decisions.md.
 
+mod bitmap;
 mod body;
 mod budget;
 mod cache;
@@ -8,6 +9,10 @@ mod field;
 mod footprint;
 mod generator;
 mod grid;
+#[cfg(feature = "bench")]
+pub(crate) mod literal;
+pub(crate) mod memory;
+pub(crate) mod mesh;
 mod mesher;
 mod select;
 mod shape;
@@ -16,15 +21,16 @@ mod subdivide;
 mod triangulate;
 mod voronoi;
 mod wear;
+mod work;
 mod wrap;
 
+pub use bitmap::Pixel;
 pub use cache::LayerView;
-pub use field::{Field, FieldLayer, generate};
-pub use generator::Generator;
+pub use field::{Field, FieldLayer};
+pub use generator::{Generator, generate};
 pub use select::{Selection, Threshold, cell_pixels, select};
 pub use shape::{Shapes, displace};
-pub use sites::{Pixel, Sites, accept_picks, target_sites};
-pub(crate) use subdivide::counts as worn_counts;
+pub use sites::{Sites, accept_picks, target_sites};
 pub use triangulate::triangulate;
 pub use voronoi::{Cells, voronoi};
 pub(crate) use wear::Wear;

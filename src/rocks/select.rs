@@ -2,10 +2,10 @@
 
 use glam::Vec4;
 
+use super::bitmap::{Bitmap, Pixel};
 use super::cell::SIDES;
-use super::sites::{Pixel, Sites};
+use super::sites::Sites;
 use super::voronoi::Cells;
-use crate::bitmap::Bitmap;
 use crate::rng::{Purpose, Stream};
 
 /// How much of a layer is selected (decision A7).
@@ -26,6 +26,14 @@ pub struct Selection {
     pub pixels: u64,
     /// True if the layer ran out of cells before the threshold was reached.
     pub saturated: bool,
+}
+
+impl Selection {
+    /// Share of the image's pixels that the selected cells own, 0 … 1 (decision A9).
+    pub(super) fn area_reached(&self, sites: &Sites) -> f64 {
+        // Until a run reaches the layer, the image has no pixels; `max(1.0)` avoids dividing by 0.
+        self.pixels as f64 / (f64::from(sites.width) * f64::from(sites.height)).max(1.0)
+    }
 }
 
 /// The pixels of a cell, row by row.

@@ -2,7 +2,7 @@
 
 use glam::{DVec2, DVec3};
 
-use super::cache::bytes;
+use super::memory::bytes;
 use super::triangulate::Triangulator;
 use super::voronoi::Cells;
 use crate::params::Swing;

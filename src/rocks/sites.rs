@@ -1,11 +1,8 @@
 //! Stage 1: dart throwing on a bitmap (journal §3.1, Fig. 4, Eq. 1).
 
+use super::bitmap::{Bitmap, ClearPixels, Disc, Pixel};
 use super::grid::Grid;
-use crate::bitmap::{Bitmap, ClearPixels, Disc};
 use crate::rng::{Purpose, Stream};
-
-/// A site, given as a pixel (column, row). Its position is the pixel's centre, (column + 0.5, row + 0.5).
-pub type Pixel = [u16; 2];
 
 /// The sites of one layer.
 #[derive(Debug, Clone, Default)]

@@ -14,8 +14,8 @@
 use glam::{DVec2, DVec3};
 
 use super::body::Body;
+use super::mesh::RockBuilder;
 use super::subdivide::Subdivision;
-use crate::mesh::RockBuilder;
 use crate::noise::noise;
 use crate::params::Layer;
 use crate::rng::{Purpose, Stream};

@@ -4,7 +4,7 @@ use glam::{DVec2, DVec3, Vec3};
 
 use super::worn::check_worn;
 use super::{Violation, ensure};
-use crate::mesh::Mesh;
+use crate::Mesh;
 use crate::params::{Layer, Params, Swing};
 use crate::rng::{Purpose, Stream};
 use crate::rocks::{Field, Wear};

@@ -3,7 +3,7 @@
 use glam::{DVec3, Vec3};
 
 use super::{Violation, ensure};
-use crate::mesh::Mesh;
+use crate::Mesh;
 use crate::rocks::Wear;
 
 /// Checks a worn rock against the papers' mesh of the same rock: `points` are that mesh's displaced vertices, the first

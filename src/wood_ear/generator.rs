@@ -38,9 +38,9 @@ const PAIRS_PER_STEP: usize = 100;
 pub struct Generator {
     params: Option<Params>,
     /// A log given by the user, and its number, which identifies it in keys.
-    pub(super) given: Option<(u32, Box<Surface>)>,
+    given: Option<(u32, Box<Surface>)>,
     logs_given: u32,
-    pub(super) log_key: Option<LogKey>,
+    log_key: Option<LogKey>,
     /// The points that individuals stand on: the coarse mesh of a grown log, or the feet drawn on a log given by the
     /// user.
     log: Log,
@@ -49,7 +49,7 @@ pub struct Generator {
     log_mesh: LogMesh,
     log_version: u32,
     spawn_key: Option<SpawnKey>,
-    pub(super) spawn: Spawn,
+    spawn: Spawn,
     deform_key: Option<DeformKey>,
     layout: Layout,
     sheets: Vec<Sheet>,
@@ -64,13 +64,13 @@ pub struct Generator {
     /// True if the mesh was written by this run or is still valid for it.
     preview: bool,
     task: Option<Task>,
-    pub(super) memory: Memory,
+    memory: Memory,
     /// The error that ends the run, until [`Generator::step`] returns it.
     refused: Option<Error>,
 }
 
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum LogKey {
+enum LogKey {
     /// The number of the log given by the user, and the spacing of its feet.
     Given(u32, f64),
     Grown(LogParams),
@@ -149,7 +149,7 @@ impl Generator {
     pub fn set_log(&mut self, positions: &[f32], indices: &[u32]) -> Result<(), LogError> {
         let surface = user_log(positions, indices)?;
         self.task = None;
-        self.note_given(&surface);
+        self.memory.note_given(&surface);
         self.logs_given += 1;
         self.log_mesh = LogMesh::from(&surface.log);
         self.log_version += 1;
@@ -181,7 +181,11 @@ impl Generator {
 
     /// Like [`Generator::start`], for parameters that have been checked already.
     pub(crate) fn begin(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
-        self.check_log(&params, max_bytes)?;
+        let surface = self.given.as_ref().map(|(_, surface)| &**surface);
+        let is_stale = self.log_key.as_ref() != Some(&self.key_of_log(&params));
+        if self.memory.check_log(&params, surface, is_stale, max_bytes)? {
+            self.forget_colony();
+        }
         self.params = Some(params);
         self.preview = false;
         self.refused = None;
@@ -202,7 +206,7 @@ impl Generator {
     }
 
     /// Frees the colony, which has to be made again in any case.
-    pub(super) fn forget_colony(&mut self) {
+    fn forget_colony(&mut self) {
         self.spawn_key = None;
         self.sheets = Vec::new();
         self.mesh = ColonyMesh::default();
@@ -293,6 +297,12 @@ impl Generator {
         self.stats
     }
 
+    /// Bytes that the run needs at its peak, output included, as far as that is known: the larger of the estimate made
+    /// at the start and the one made when the individuals were counted.
+    pub fn estimate(&self) -> u64 {
+        self.memory.estimate()
+    }
+
     /// The next piece of work: the first stage whose result is not in the cache. `None` when the run is finished.
     fn next_task(&mut self) -> Option<Task> {
         let params = &self.params.clone()?;
@@ -314,7 +324,8 @@ impl Generator {
         }
         let stale = self.deform_key.as_ref() != Some(&DeformKey::new(params));
         let stale = stale || self.collide_key.is_some_and(|rule| rule != params.collisions);
-        if let Err(error) = self.check_colony(params, stale || self.collide_key.is_none()) {
+        let collides = stale || self.collide_key.is_none();
+        if let Err(error) = self.memory.check_colony(params, self.spawn.individuals.len(), collides) {
             self.refused = Some(error);
             return None;
         }
@@ -322,7 +333,7 @@ impl Generator {
             let Some((number, surface)) = &self.given else {
                 return Some(Task::Ground(Box::new(Grown::new(params.log))));
             };
-            self.ground = Some(Ground::Given(Given::new(*number, surface)));
+            self.ground = Some(Ground::Given(Given::new(*number, &surface.log, &surface.cells)));
         }
         if stale {
             self.deform_key = None;
@@ -349,7 +360,7 @@ impl Generator {
         })
     }
 
-    pub(super) fn key_of_log(&self, params: &Params) -> LogKey {
+    fn key_of_log(&self, params: &Params) -> LogKey {
         match &self.given {
             Some((number, _)) => LogKey::Given(*number, params.log.spacing),
             None => LogKey::Grown(params.log),

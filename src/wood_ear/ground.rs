@@ -4,7 +4,6 @@ use glam::DVec3;
 
 use super::log::Log;
 use super::shape::LogShape;
-use super::user_log::Surface;
 use super::work::tally;
 use crate::params::wood_ear::Log as LogParams;
 
@@ -93,8 +92,7 @@ pub(super) struct Given {
 }
 
 impl Given {
-    pub(super) fn new(number: u32, surface: &Surface) -> Self {
-        let Surface { log, cells, .. } = surface;
+    pub(super) fn new(number: u32, log: &Log, cells: &Cells) -> Self {
         let Cells { low, columns, rows, .. } = *cells;
         let corners: Vec<[DVec3; 3]> = log.triangles.iter().map(|t| t.map(|v| log.points[v as usize] - low)).collect();
         let mut given = Given { number, cells: *cells, starts: vec![0; columns * rows + 1], over: Vec::new(), corners };

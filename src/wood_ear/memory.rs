@@ -3,7 +3,6 @@
 
 use super::body::Layout;
 use super::feet::wanted;
-use super::generator::Generator;
 use super::log::counts;
 use super::user_log::Surface;
 use super::work::pairs_each;
@@ -114,58 +113,58 @@ fn colony(params: &Params, individuals: f64, collides: bool) -> Need {
     Need { kept: individuals * each.kept, beside: individuals * each.beside, copies: individuals * each.copies }
 }
 
-impl Generator {
-    /// Bytes that the run needs at its peak, output included, as far as that is known: the larger of the estimate made
-    /// at the start and the one made when the individuals were counted.
-    pub fn estimate(&self) -> u64 {
-        self.memory.estimate as u64
+impl Memory {
+    /// The largest estimate of the run, bytes.
+    pub(super) fn estimate(&self) -> u64 {
+        self.estimate as u64
     }
 
-    /// Estimates the memory of the log before a run begins. Returns [`Error::OverBudget`] if it exceeds the budget; if
-    /// the old colony is in the way, it is freed.
-    pub(super) fn check_log(&mut self, params: &Params, budget: u64) -> Result<(), Error> {
-        let surface = self.given.as_ref().map(|(_, surface)| &**surface);
+    /// Estimates the memory of the log before a run begins. `is_stale` says that the log has to be made. Returns whether
+    /// the old colony is in the way and has to be freed, or [`Error::OverBudget`] if the estimate exceeds the budget.
+    pub(super) fn check_log(
+        &mut self,
+        params: &Params,
+        surface: Option<&Surface>,
+        is_stale: bool,
+        budget: u64,
+    ) -> Result<bool, Error> {
         let ground = ground(params, surface);
         let log = log(params, surface, ground);
         // A log given by the user is held already; only feet are drawn on it.
         let kept = surface.map_or(0.0, |surface| given(surface).kept);
-        let is_stale = self.log_key.as_ref() != Some(&self.key_of_log(params));
         let making = if is_stale { log.kept - kept + log.beside } else { ground };
-        let mut held = self.memory.held();
+        let mut held = self.held();
         let peak = |held: f64| (held + making).max(log.kept);
         let bytes = |held: f64| INSTANCE + HOLES * peak(held) + log.copies;
         let budget = budget as f64;
-        if bytes(held) > budget {
+        let in_the_way = bytes(held) > budget;
+        if in_the_way {
             over(if ground > 0.5 * making { "clearLog" } else { "logSpacing" }, bytes(0.0), budget)?;
-            self.forget_colony();
             held = 0.0;
         }
-        self.memory =
-            Memory { budget, estimate: bytes(held), log, colony: self.memory.colony, peak: peak(held), read: 0.0 };
-        Ok(())
+        *self = Memory { budget, estimate: bytes(held), log, colony: self.colony, peak: peak(held), read: 0.0 };
+        Ok(in_the_way)
     }
 
     /// Estimates the memory of the colony once its individuals are counted and before they are made. Returns
     /// [`Error::OverBudget`] if it exceeds the budget.
-    pub(super) fn check_colony(&mut self, params: &Params, collides: bool) -> Result<(), Error> {
-        let Memory { budget, log, peak, .. } = self.memory;
-        let colony = colony(params, self.spawn.individuals.len() as f64, collides);
+    pub(super) fn check_colony(&mut self, params: &Params, individuals: usize, collides: bool) -> Result<(), Error> {
+        let Memory { budget, log, peak, .. } = *self;
+        let colony = colony(params, individuals as f64, collides);
         let peak = peak.max(log.kept + colony.kept + colony.beside);
         let bytes = INSTANCE + HOLES * peak + log.copies + colony.copies;
         over("density", bytes, budget)?;
-        self.memory.estimate = self.memory.estimate.max(bytes);
-        (self.memory.colony, self.memory.peak) = (colony, peak);
+        self.estimate = self.estimate.max(bytes);
+        (self.colony, self.peak) = (colony, peak);
         Ok(())
     }
 
     /// Records that a log given by the user was read while the previous log was still held.
     pub(super) fn note_given(&mut self, surface: &Surface) {
         let need = given(surface);
-        self.memory.read = self.memory.held() + need.kept + need.beside;
+        self.read = self.held() + need.kept + need.beside;
     }
-}
 
-impl Memory {
     /// Bytes that are held from the previous run, or the most that were held since.
     fn held(&self) -> f64 {
         self.read.max(self.log.kept + self.colony.kept)

@@ -9,7 +9,7 @@ import type { CameraState } from '../base/view.ts';
 import type { Look } from '../data/look.ts';
 import type { SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 
-/** As INK in `src/render/palette.rs`: by layer id modulo 8. */
+/** As INK in `src/shading/palette.rs`: by layer id modulo 8. */
 const INK = ['#cd5e3c', '#e8b24a', '#4a8fbc', '#7ca450', '#986c9e', '#d6c8ac', '#707880', '#409e8e'];
 const GREY = '#9e9c98';
 const THEMES = {

@@ -1,4 +1,4 @@
-// Generated from src/params/table.rs by `UPDATE=1 cargo test --test params`; never edited.
+// Generated from src/params/rocks/table.rs by `UPDATE=1 cargo test --test params`; never edited.
 
 import type { ParamSpec, Preset } from './spec.ts';
 

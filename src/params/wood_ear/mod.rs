@@ -9,9 +9,8 @@ mod table;
 pub use presets::{PRESETS, Preset, preset};
 pub use table::{PARAMS, Stage, TEXTS};
 
-use super::Notation;
 use super::flat::{self, Flat};
-use super::spec;
+use super::spec::{self, Notation};
 use crate::error::Error;
 
 /// One row of the wood ears' table.

@@ -1,45 +1,18 @@
-//! The shaders without a GPU: they parse, they validate, they keep the rules that old devices impose,
-//! and their uniform blocks are as large as ours.
-#![allow(missing_docs, reason = "a test")]
+//! The shaders without a GPU: they parse, they validate, they keep the rules that old devices impose, and their uniform
+//! blocks are as large as ours.
 
 use std::path::PathBuf;
 
 use naga::valid::{Capabilities, ModuleInfo, ValidationFlags, Validator};
 use naga::{AddressSpace, Binding, Expression, Module, ShaderStage, TypeInner};
 
-#[path = "../src/render/uniforms.rs"]
-#[allow(dead_code, reason = "only the sizes are read")]
-mod uniforms;
+use super::super::uniforms;
+use super::{ALL, Shader};
 
-const NATURAL: &[&str] = &["common", "noise", "stone", "cover", "daylight"];
-
-/// Passes with what `src/render/pipelines.rs` prepends to them.
-const PASSES: [(&str, &[&str]); 14] = [
-    ("shadow", &["common"]),
-    ("height", &["common"]),
-    ("ground", &["common", "lighting"]),
-    ("floor", &["common"]),
-    ("rock", &["common", "lighting"]),
-    ("natural_rock", NATURAL),
-    ("natural_ground", NATURAL),
-    ("log", NATURAL),
-    ("ear", NATURAL),
-    ("plain_wood", &["common", "lighting"]),
-    ("wire", &["common"]),
-    ("wood_wire", &["common"]),
-    ("plan", &["common"]),
-    ("stroke", &["common"]),
-];
-
-fn read(name: &str) -> String {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/render/shaders");
-    let path = folder.join(format!("{name}.wgsl"));
-    std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
-}
-
-fn module((name, before): (&str, &[&str])) -> Module {
-    let source: String = before.iter().chain([&name]).map(|part| read(part)).collect();
-    naga::front::wgsl::parse_str(&source).unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(&source)))
+fn module(shader: Shader) -> Module {
+    let source = shader.code();
+    let parsed = naga::front::wgsl::parse_str(&source);
+    parsed.unwrap_or_else(|error| panic!("{}: {}", shader.name, error.emit_to_string(&source)))
 }
 
 /// No capability beyond plain WebGPU.
@@ -50,8 +23,8 @@ fn validate(name: &str, module: &Module) -> ModuleInfo {
 }
 
 fn each(check: impl Fn(&str, &Module)) {
-    for pass in PASSES {
-        check(pass.0, &module(pass));
+    for &shader in ALL {
+        check(shader.name, &module(shader));
     }
 }
 
@@ -68,12 +41,12 @@ fn layout(module: &Module, name: &str) -> Option<(u32, Vec<(String, u32)>)> {
 
 #[test]
 fn every_shader_file_belongs_to_a_pass() {
-    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/render/shaders");
-    for entry in std::fs::read_dir(folder).expect("the shaders' folder") {
-        let path = entry.expect("an entry").path();
-        let name = path.file_stem().and_then(|stem| stem.to_str()).unwrap_or_default();
-        let used = PASSES.iter().any(|(pass, before)| *pass == name || before.contains(&name));
-        assert!(used, "{name}.wgsl is tested by no pass");
+    let folder = PathBuf::from(env!("CARGO_MANIFEST_DIR")).join("src/shading/shaders");
+    let files = std::fs::read_dir(folder).expect("the shaders' folder").map(|entry| entry.expect("an entry").path());
+    for path in files.filter(|path| path.extension().is_some_and(|extension| extension == "wgsl")) {
+        let source = std::fs::read_to_string(&path).expect("a shader");
+        let used = ALL.iter().any(|shader| shader.code().contains(&source));
+        assert!(used, "{} is tested by no pass", path.display());
     }
 }
 
@@ -100,7 +73,7 @@ fn entry_points_have_the_house_names() {
 /// Field for field: the sizes, and that every member starts where Rust puts it.
 #[test]
 fn uniform_blocks_match_rust() {
-    let common = module(PASSES[0]);
+    let common = module(super::SHADOW);
     let rust = [("Globals", size_of::<uniforms::Globals>()), ("FieldUniforms", size_of::<uniforms::FieldUniforms>())];
     for (name, size) in rust {
         let (span, _) = layout(&common, name).unwrap_or_else(|| panic!("{name} is missing"));

@@ -1,4 +1,4 @@
-//! The uniform blocks, which have the same fields as in `shaders/common.wgsl`; `tests/shaders.rs` compares the sizes.
+//! The uniform blocks, which have the same fields as in `shaders/common.wgsl`; `shaders/tests.rs` compares the sizes.
 
 use bytemuck::{Pod, Zeroable};
 

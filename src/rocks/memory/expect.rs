@@ -1,8 +1,9 @@
 //! Estimates from the parameters alone how many sites and rocks the layers of a field will have.
 
-use super::Counts;
+use super::super::sites::target_sites;
+use super::super::subdivide::counts as worn_counts;
+use super::need::Counts;
 use crate::params::{Border, Darts, Layer, Params};
-use crate::rocks::{target_sites, worn_counts};
 
 /// Returns, per layer, the number of sites that is likely, and the number of rocks that will certainly fit.
 pub(super) fn expect(params: &Params) -> Vec<Counts> {

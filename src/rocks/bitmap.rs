@@ -4,6 +4,9 @@
 //! a cell touches one or two strips, and consecutive words in each of them. Stamping a disc of radius 10 therefore
 //! writes about 160 contiguous bytes instead of one cache line per row.
 
+/// A pixel (column, row). A site stands on one: its position is the pixel's centre, (column + 0.5, row + 0.5).
+pub type Pixel = [u16; 2];
+
 /// Number of pixels per word.
 const STRIP: u32 = 64;
 

@@ -1,15 +1,10 @@
-//! What the renderer paints of wood ears, against the layout of their vertices, and where it finds a log's axis. Natively, without a GPU.
-#![allow(missing_docs, reason = "a test")]
+//! What the renderer paints of wood ears, against the layout of their vertices, and where it finds a log's axis.
 
 use glam::Vec3;
-use rock_field::params::wood_ear::{Log as LogParams, Params};
-use rock_field::wood_ear::{Generator, Log};
 
-#[path = "../src/render/palette.rs"]
-#[allow(dead_code, reason = "only the hash is used")]
-mod palette;
-#[path = "../src/render/wood.rs"]
-mod wood;
+use super::super::wood;
+use crate::params::wood_ear::{Log as LogParams, Params};
+use crate::wood_ear::{Generator, Log};
 
 const RINGS: u32 = 4;
 const MERIDIANS: u32 = 8;

@@ -1,7 +1,7 @@
 //! The rocks' parameter table. To add a parameter, add a row here and use it in a stage.
 
-use super::spec::{Kind, table};
-use super::{Border, Darts, Ground, Layer, Look, Material, Notation, ParamSpec, Params, Scope, Swing};
+use super::super::spec::{Kind, Notation, table};
+use super::{Border, Darts, Ground, Layer, Look, Material, ParamSpec, Params, Scope, Swing};
 
 /// The stages of the generator. A row names the first one that has to run again after an edit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]

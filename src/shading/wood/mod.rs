@@ -138,3 +138,6 @@ fn solved(mut rows: [[f64; 5]; 4]) -> [f64; 4] {
     }
     rows.map(|row| row[4])
 }
+
+#[cfg(test)]
+mod tests;

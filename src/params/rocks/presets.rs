@@ -1,6 +1,7 @@
 //! The presets: Table 1 of both papers, which `tests/params.rs` compares number by number, and natural grounds.
 
-use super::{Layer, Notation, PARAMS, Params, Scope};
+use super::super::spec::Notation;
+use super::{Layer, PARAMS, Params, Scope};
 
 /// A named set of parameters. Values that it does not give are the table's defaults.
 #[derive(Debug, Clone, Copy, PartialEq)]

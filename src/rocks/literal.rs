@@ -9,9 +9,9 @@
 use glam::DVec2;
 use spade::{DelaunayTriangulation, Point2, Triangulation};
 
+use super::{displace, target_sites};
 use crate::params::{Layer, Params};
 use crate::rng::{Purpose, Stream};
-use crate::rocks::{displace, target_sites};
 
 /// The rocks of a field, like [`crate::Mesh`] but without normals.
 #[derive(Debug, Default)]

@@ -89,7 +89,7 @@ fn ground_clip(at: vec2f) -> vec4f {
 }
 
 // Natural colours only: what is painted of a rock is three random bytes, then its kind in the lower three bits and in the
-// upper five how far it sinks into the ground (settle.rs). In every pass that draws rocks alike.
+// upper five how far it sinks into the ground (sink.rs). In every pass that draws rocks alike.
 fn settled(position: vec3f, painted: vec4f) -> vec3f {
   let steps = floor((painted.w * 255.0 + 0.5) / 8.0);
   return position - vec3f(0.0, 0.0, steps / 31.0 * field.size.z * globals.scene.z);

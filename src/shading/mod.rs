@@ -1,0 +1,16 @@
+//! What the shaders are and what they read: the look, colours, uniform blocks, and the paint of rocks, logs and wood
+//! ears.
+//!
+//! Nothing here needs a graphics device, so that tests run it natively; [`crate::render`] puts it on one.
+
+mod look;
+pub(crate) mod palette;
+pub(crate) mod shaders;
+mod sink;
+mod uniforms;
+pub(crate) mod wood;
+
+pub(crate) use look::{Look, Quality};
+pub(crate) use palette::ColorMode;
+pub(crate) use sink::Stands;
+pub(crate) use uniforms::{FieldUniforms, Globals};

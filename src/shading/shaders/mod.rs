@@ -1,0 +1,72 @@
+//! The shaders: one file per pass, and files of functions that are prepended to several of them.
+
+const COMMON: &str = include_str!("common.wgsl");
+
+/// Prepended to the passes of the papers' style.
+const LIGHTING: &[&str] = &[include_str!("lighting.wgsl")];
+
+/// Prepended to the passes in natural colours.
+const NATURAL: &[&str] = &[
+    include_str!("noise.wgsl"),
+    include_str!("stone.wgsl"),
+    include_str!("cover.wgsl"),
+    include_str!("daylight.wgsl"),
+];
+
+/// The shader of a pass.
+#[derive(Clone, Copy)]
+pub(crate) struct Shader {
+    /// Name of the pass and of its file.
+    name: &'static str,
+    /// Shader code between the common part and the pass's own.
+    before: &'static [&'static str],
+    source: &'static str,
+}
+
+impl Shader {
+    /// Name of the pipeline for debuggers.
+    pub(crate) fn label(self) -> String {
+        ["rock-field/", self.name, "/pipeline"].concat()
+    }
+
+    /// The whole code.
+    pub(crate) fn code(self) -> String {
+        [&[COMMON], self.before, &[self.source]].concat().concat()
+    }
+
+    /// Whether the pass lights what it draws, and therefore reads the shadow and height maps.
+    pub(crate) fn is_lit(self) -> bool {
+        !self.before.is_empty()
+    }
+}
+
+macro_rules! shaders {
+    ($($constant:ident $name:literal after $before:expr;)*) => {
+        $(pub(crate) const $constant: Shader =
+            Shader { name: $name, before: $before, source: include_str!(concat!($name, ".wgsl")) };)*
+
+        /// Every shader, for the tests.
+        #[cfg(test)]
+        const ALL: &[Shader] = &[$($constant),*];
+    };
+}
+
+shaders! {
+    SHADOW "shadow" after &[];
+    HEIGHT "height" after &[];
+    GROUND "ground" after LIGHTING;
+    FLOOR "floor" after &[];
+    ROCK "rock" after LIGHTING;
+    NATURAL_ROCK "natural_rock" after NATURAL;
+    NATURAL_GROUND "natural_ground" after NATURAL;
+    LOG "log" after NATURAL;
+    EAR "ear" after NATURAL;
+    PLAIN_WOOD "plain_wood" after LIGHTING;
+    WIRE "wire" after &[];
+    WOOD_WIRE "wood_wire" after &[];
+    PLAN "plan" after &[];
+    STROKE "stroke" after &[];
+}
+
+#[cfg(test)]
+mod tests;
