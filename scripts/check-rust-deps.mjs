@@ -2,13 +2,14 @@
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 
-const BASE = ['error', 'noise', 'params', 'rng'];
+const BASE = ['cached', 'error', 'noise', 'params', 'rng'];
 
 /**
  * The rooms of src/, each with the rooms that it may use. A room is a file or a folder; `bindings` has rules for each of its files. Tests
  * may use everything. `validate` is for tests alone, so that no room may use it.
  */
 export const ROOMS = {
+  cached: [],
   error: [],
   noise: [],
   rng: [],

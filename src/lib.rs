@@ -68,6 +68,7 @@
 //! have sides of 1 to 8192 px, and fields have up to eight layers.
 
 mod bindings;
+mod cached;
 mod error;
 mod noise;
 pub mod params;

@@ -10,32 +10,8 @@ use super::sites::Sites;
 use super::subdivide::counts as counts_of;
 use super::voronoi::Cells;
 use super::wear::Wear;
+use crate::cached::Cached;
 use crate::params::{Border, Darts, Layer, Params, Swing};
-
-/// The result of a stage and the key of the inputs it was made from.
-#[derive(Debug)]
-pub(super) struct Cached<K, V> {
-    pub(super) key: Option<K>,
-    /// Changes exactly when the value does. Later stages use it as part of their key.
-    pub(super) version: u64,
-    pub(super) value: V,
-}
-
-impl<K, V: Default> Default for Cached<K, V> {
-    fn default() -> Self {
-        Cached { key: None, version: 0, value: V::default() }
-    }
-}
-
-impl<K: PartialEq, V: Default> Cached<K, V> {
-    pub(super) fn is_current(&self, key: &K) -> bool {
-        self.key.as_ref() == Some(key)
-    }
-
-    pub(super) fn clear(&mut self) {
-        *self = Cached::default();
-    }
-}
 
 /// The inputs of a layer's sites, besides the layer's id. Floats are compared as numbers, which is safe because none of
 /// them is NaN.

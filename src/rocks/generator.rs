@@ -7,7 +7,7 @@
 
 use super::bitmap::Bitmap;
 use super::budget::{Budget, Known};
-use super::cache::{Cached, LayerCache, LayerView, MeshKey, Results, SelectionKey, SitesKey};
+use super::cache::{LayerCache, LayerView, MeshKey, Results, SelectionKey, SitesKey};
 use super::field::Field;
 use super::footprint::Footprint;
 use super::memory::{check_before, coarsest_first, expected_sites};
@@ -20,6 +20,7 @@ use super::subdivide::counts;
 use super::voronoi::VoronoiBuilder;
 use super::wear::Wear;
 use super::work::{Taken, Work};
+use crate::cached::Cached;
 use crate::error::Error;
 use crate::params::{Border, Darts, Params, Stage};
 

@@ -83,8 +83,6 @@ impl Cells {
 /// A closed mesh given by the user, with its triangles sorted by the cells that they lie over.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Given {
-    /// The generator's number of the log that this was made from.
-    pub(super) number: u32,
     cells: Cells,
     starts: Vec<u32>,
     over: Vec<u32>,
@@ -92,10 +90,10 @@ pub(super) struct Given {
 }
 
 impl Given {
-    pub(super) fn new(number: u32, log: &Log, cells: &Cells) -> Self {
+    pub(super) fn new(log: &Log, cells: &Cells) -> Self {
         let Cells { low, columns, rows, .. } = *cells;
         let corners: Vec<[DVec3; 3]> = log.triangles.iter().map(|t| t.map(|v| log.points[v as usize] - low)).collect();
-        let mut given = Given { number, cells: *cells, starts: vec![0; columns * rows + 1], over: Vec::new(), corners };
+        let mut given = Given { cells: *cells, starts: vec![0; columns * rows + 1], over: Vec::new(), corners };
         // The triangles per cell are counted first, and then filled in from the back.
         given.visit(|starts, _, cell, _| starts[cell] += 1);
         let mut sum = 0;
@@ -173,11 +171,6 @@ impl Grown {
             columns,
             radii: Vec::with_capacity(rows * columns),
         }
-    }
-
-    /// Whether this is the complete table of this log.
-    pub(super) fn is_of(&self, log: &LogParams) -> bool {
-        self.log == *log && self.radii.len() == self.rows * self.columns
     }
 
     /// Computes up to `places` more places. Returns true when all are computed.
