@@ -20,7 +20,7 @@ const GROUPS = [
 const KIND_GROUPS = { slot: 'Slots', part: 'CSS parts', 'css-property': 'CSS custom properties' };
 
 /** Where the types are written; those that are exported and shown, in this order. */
-const TYPE_SOURCES = ['www/rocks/params.ts', 'www/rocks/request.ts', 'www/data/field.ts', 'www/base/view.ts', 'www/scene/picture.ts', 'www/generator/protocol.ts', 'www/base/errors.ts', 'www/generator/headless.ts', 'www/rocks/headless.ts'];
+const TYPE_SOURCES = ['www/rocks/params.gen.ts', 'www/rocks/request.ts', 'www/data/field.ts', 'www/base/view.ts', 'www/scene/picture.ts', 'www/generator/protocol.ts', 'www/base/errors.ts', 'www/generator/headless.ts', 'www/rocks/headless.ts'];
 const TYPES = [
   { name: 'Of the element', types: ['Params', 'Layer', 'CameraState', 'PictureOptions', 'Progress', 'ErrorInfo', 'ErrorName'] },
   { name: 'Of a field', types: ['Field', 'FieldLayer', 'FieldStats', 'StageTimes'] },

@@ -7,7 +7,8 @@ use std::collections::BTreeMap;
 use std::fmt::Write;
 
 use rock_field::params::{
-    self, Kind, MAX_LAYERS, Notation, PARAMS, PRESETS, Params, Range, Scope, Slider, TEXTS, preset, wood_ear,
+    self, Kind, Layer, MAX_LAYERS, Notation, PARAMS, PRESETS, ParamSpec, Params, Range, Scope, Slider, TEXTS, preset,
+    wood_ear,
 };
 
 fn json(text: &str) -> String {
@@ -94,7 +95,7 @@ fn kind_of(kind: Kind) -> (&'static str, Option<&'static [&'static str]>) {
 fn typescript_table() -> String {
     let mut out = String::from(
         "// Generated from src/params/rocks/table.rs by `UPDATE=1 cargo test --test params`; never edited.\n\n\
-         import type { ParamSpec, Preset } from './spec.ts';\n\n",
+         import type { ParamSpec, Preset, Triple } from './spec.ts';\n\n",
     );
     writeln!(out, "export const MAX_LAYERS = {MAX_LAYERS};\n").unwrap();
     out.push_str("/** Every parameter, in the order of the flat form. */\nexport const PARAMS = [\n");
@@ -107,11 +108,15 @@ fn typescript_table() -> String {
     out.push_str("export const PRESETS = [\n");
     for preset in PRESETS {
         let notation = if preset.notation == Notation::Px { "px" } else { "relative" };
-        let rows: Vec<String> = preset
-            .layers
-            .iter()
-            .map(|row| format!("[{}]", row.iter().map(|v| number(*v)).collect::<Vec<_>>().join(", ")))
-            .collect();
+        // In the order of the table, and as far as the preset gives values.
+        let columns: Vec<_> = PARAMS.iter().filter(|spec| spec.is_column()).collect();
+        let given = columns.iter().rposition(|spec| preset.columns.contains(&spec.key)).map_or(0, |last| last + 1);
+        let value = |layer: &Layer, spec: &ParamSpec| match spec.scope {
+            Scope::Item(get, _) => number(get(layer)),
+            Scope::Field(..) => unreachable!("a column belongs to a layer"),
+        };
+        let row = |layer: &Layer| columns[..given].iter().map(|spec| value(layer, spec)).collect::<Vec<_>>().join(", ");
+        let rows: Vec<String> = preset.params().layers.iter().map(|layer| format!("[{}]", row(layer))).collect();
         let fields: Vec<String> =
             preset.fields.iter().map(|&(key, value)| format!("{key}: {}", field(key, value))).collect();
         let natural = if preset.natural { ", natural: true" } else { "" };
@@ -124,7 +129,30 @@ fn typescript_table() -> String {
         )
         .unwrap();
     }
-    out.push_str("] as const satisfies readonly Preset[];\n");
+    out.push_str("] as const satisfies readonly Preset[];\n\n");
+    out.push_str(
+        "/** The parameters of a layer. Its lengths are in the field's `notation`. */\nexport interface Layer {\n",
+    );
+    out.push_str("  /** Stable identity: the layer's random numbers depend on it and not on its place in the list. */\n  id: number;\n");
+    out.push_str(&members(|spec| matches!(spec.scope, Scope::Item(..))));
+    out.push_str("}\n\n/** All parameters of a field. */\nexport interface Params {\n");
+    out.push_str(&members(|spec| matches!(spec.scope, Scope::Field(..))));
+    out.push_str("  layers: Layer[];\n}\n");
+    out
+}
+
+/// The parameters in these rows as members of a TypeScript interface.
+fn members(has: impl Fn(&ParamSpec) -> bool) -> String {
+    let mut out = String::new();
+    for (spec, text) in PARAMS.iter().zip(TEXTS).filter(|(spec, text)| has(spec) && text.component.unwrap_or(0) == 0) {
+        let of = match spec.kind {
+            _ if text.component.is_some() => "Triple".to_string(),
+            Kind::Real | Kind::Integer => "number".to_string(),
+            Kind::OptionalReal | Kind::OptionalInteger => "number | null".to_string(),
+            Kind::Choice(words) => words.iter().map(|word| format!("'{word}'")).collect::<Vec<_>>().join(" | "),
+        };
+        writeln!(out, "  {}: {of};", spec.key).unwrap();
+    }
     out
 }
 
@@ -306,9 +334,13 @@ fn every_preset_names_known_parameters_and_is_legal() {
         for (key, _) in preset.fields {
             assert!(PARAMS.iter().any(|spec| spec.key == *key && matches!(spec.scope, Scope::Field(..))), "{key}");
         }
-        let columns = PARAMS.iter().filter(|spec| spec.is_column()).count();
+        for key in preset.columns {
+            let numbers = PARAMS.iter().filter(|spec| spec.key == *key && spec.is_column()).count();
+            let columns = preset.columns.iter().filter(|other| *other == key).count();
+            assert_eq!(columns, numbers, "{}: {key}", preset.name);
+        }
         for row in preset.layers {
-            assert_eq!(row.len(), if preset.natural { columns } else { 8 }, "{}", preset.name);
+            assert_eq!(row.len(), preset.columns.len(), "{}", preset.name);
         }
         preset.params().validate().unwrap();
     }

@@ -9,9 +9,9 @@ use std::ops::Range;
 
 use common::{
     Random, add_random_layer, checked, difference, field_test, layer, link, params, random_layer, random_packing,
-    random_params, saturated,
+    random_params, random_value, saturated,
 };
-use rock_field::params::{Border, Darts, Notation, Params, Swing};
+use rock_field::params::{Border, Darts, Notation, PARAMS, ParamSpec, Params, Scope, Stage, Swing};
 use rock_field::rocks::{Cells, Field, Generator, generate, voronoi};
 
 /// Headless Node runs one of them at a time, and wasm is there to prove that it is the same code, not to search: a hundredth of the random
@@ -104,44 +104,49 @@ fn cached_is_full(random: &mut Random, mut params: Params) -> Result<(), String>
     }
 }
 
-/// One edit, as a control of the page makes it.
+/// One edit, as a control of the page makes it: of any parameter in the table that a stage depends on, or of the list of
+/// layers.
 fn change(random: &mut Random, params: &mut Params) {
     let count = params.layers.len();
+    let rows = |is_item| PARAMS.iter().filter(move |spec| spec.stage != Stage::Look && is_item == is_of_layer(spec));
+    let items: Vec<_> = rows(true).collect();
     if count > 0 && random.chance(0.6) {
         let k = random.below(count);
         let fresh = random_layer(random, params, params.layers[k].id);
-        let layer = &mut params.layers[k];
-        match random.below(7) {
-            0 => layer.radius = fresh.radius,
-            1 | 2 => layer.area_fraction = fresh.area_fraction,
-            3 => layer.cell_count = fresh.cell_count,
-            4 => layer.taper[random.below(3)] = fresh.taper[0],
-            5 => layer.height[random.below(3)] = fresh.height[0],
+        match items.get(random.below(items.len() + 2)).map(|spec| &spec.scope) {
+            Some(Scope::Item(get, set)) => set(&mut params.layers[k], get(&fresh)),
             _ => renumber(random, params, k),
         }
         return;
     }
-    match random.below(12) {
-        0 => params.seed = params.seed.wrapping_add(1),
-        1 => params.image_width = random.log_between(1.0, SIDE + 0.999) as u32,
-        2 => params.image_height = random.log_between(1.0, SIDE + 0.999) as u32,
-        3 => params.packing = random_packing(random),
-        4 => {
-            params.darts = if params.darts == Darts::Saturate { Darts::Attempts } else { Darts::Saturate };
-        }
-        5 => params.border = if params.border == Border::Clip { Border::Drop } else { Border::Clip },
-        6 => params.swing = if params.swing == Swing::Shared { Swing::Separate } else { Swing::Shared },
-        7 | 8 if count < 8 => add_random_layer(random, params),
-        9 if count > 0 => {
+    // In the other notation, the same numbers are other lengths, and images of thousands of pixels take long.
+    let fields: Vec<_> = rows(false).filter(|spec| spec.key != "notation").collect();
+    match random.below(fields.len() + 5) {
+        0 | 1 if count < 8 => add_random_layer(random, params),
+        2 if count > 0 => {
             params.layers.remove(random.below(count));
         }
-        10 if count > 1 => {
+        3 if count > 1 => {
             let layer = params.layers.remove(random.below(count));
             params.layers.insert(random.below(count), layer);
         }
-        _ if count > 1 => params.layers.swap(0, count - 1),
-        _ => {}
+        4 if count > 1 => params.layers.swap(0, count - 1),
+        at => {
+            let Some(spec) = at.checked_sub(5).and_then(|at| fields.get(at)) else { return };
+            let value = match spec.key {
+                "imageWidth" | "imageHeight" => random.log_between(1.0, SIDE + 0.999).floor(),
+                "packing" => random_packing(random),
+                _ => random_value(random, spec),
+            };
+            if let Scope::Field(_, set) = spec.scope {
+                set(params, value);
+            }
+        }
     }
+}
+
+fn is_of_layer(spec: &ParamSpec) -> bool {
+    matches!(spec.scope, Scope::Item(..))
 }
 
 /// Gives a layer another id: other random streams in the same place.

@@ -110,7 +110,7 @@ pub struct Text {
 }
 
 impl<P, I, S> ParamSpec<P, I, S> {
-    /// Whether the rows of the presets have a column for it: true for every parameter of an item that is not optional.
+    /// Whether presets can have a column for it: true for every parameter of an item that is not optional.
     pub fn is_column(&self) -> bool {
         matches!(self.scope, Scope::Item(..)) && !self.kind.is_optional()
     }
@@ -124,8 +124,78 @@ impl<P, I, S> ParamSpec<P, I, S> {
     }
 }
 
+/// The type of a parameter of an item, which crosses boundaries as numbers.
+pub(super) trait Value {
+    /// Kind of each of its numbers.
+    const KIND: Kind;
+    /// The value before it is set.
+    const EMPTY: Self;
+
+    /// Number `part` of it; 0 if there is only one.
+    fn get(&self, part: usize) -> f64;
+
+    /// Sets number `part` of it.
+    fn set(&mut self, part: usize, value: f64);
+}
+
+impl Value for f64 {
+    const KIND: Kind = Kind::Real;
+    const EMPTY: Self = 0.0;
+
+    fn get(&self, _: usize) -> f64 {
+        *self
+    }
+
+    fn set(&mut self, _: usize, value: f64) {
+        *self = value;
+    }
+}
+
+impl Value for u32 {
+    const KIND: Kind = Kind::Integer;
+    const EMPTY: Self = 0;
+
+    fn get(&self, _: usize) -> f64 {
+        f64::from(*self)
+    }
+
+    fn set(&mut self, _: usize, value: f64) {
+        *self = value as u32;
+    }
+}
+
+impl Value for Option<u32> {
+    const KIND: Kind = Kind::OptionalInteger;
+    const EMPTY: Self = None;
+
+    fn get(&self, _: usize) -> f64 {
+        self.map_or(f64::NAN, f64::from)
+    }
+
+    fn set(&mut self, _: usize, value: f64) {
+        *self = if value.is_nan() { None } else { Some(value as u32) };
+    }
+}
+
+impl Value for [f64; 3] {
+    const KIND: Kind = Kind::Real;
+    const EMPTY: Self = [0.0; 3];
+
+    fn get(&self, part: usize) -> f64 {
+        self[part]
+    }
+
+    fn set(&mut self, part: usize, value: f64) {
+        self[part] = value;
+    }
+}
+
 /// Makes `PARAMS` and `TEXTS` from rows. The module that uses it must have a type `ParamSpec`, and the `Scope`, `Kind`
 /// and `Stage` of its rows.
+///
+/// After the rows, there can be the struct of the items. Its fields are rows too: each has its key, the first stage that
+/// has to run again after an edit, and in braces what the other rows say, once for each of its numbers. The struct is
+/// made from them; the types of the fields have to be [`Value`]s.
 macro_rules! table {
     ($({
         $key:literal $(.$component:literal)?, url $url:literal, $scope:expr, $kind:expr, $stage:ident,
@@ -135,7 +205,42 @@ macro_rules! table {
         en $en:literal,
         ja $ja:literal
         $(, choices $choices:expr)?
-    })*) => {
+    })*
+    $(
+        $(#[$item_doc:meta])*
+        pub struct $Item:ident {
+            $(#[$id_doc:meta])*
+            pub $id:ident: $id_type:ty;
+            $(
+                $(#[$field_doc:meta])*
+                pub $field:ident: $type:ty as $field_key:literal, from $field_stage:ident $({
+                    $(.$part:literal)? url $part_url:literal,
+                    range [$pmin:expr, $pmax:expr] step $pstep:literal default $pdefault:expr, slider [$plo:expr, $phi:expr] $pscale:ident,
+                    $(relative [$prmin:expr, $prmax:expr] step $prstep:literal default $prdefault:expr, slider [$prlo:expr, $prhi:expr] $prscale:ident,)?
+                    unit $part_unit:expr, label $part_label:expr,
+                    en $part_en:literal,
+                    ja $part_ja:literal
+                    $(, choices $part_choices:expr)?
+                })+
+            )*
+        }
+    )?) => {
+        $(
+            $(#[$item_doc])*
+            #[derive(Debug, Clone, PartialEq)]
+            pub struct $Item {
+                $(#[$id_doc])*
+                pub $id: $id_type,
+                $($(#[$field_doc])* pub $field: $type,)*
+            }
+
+            impl $Item {
+                /// Empty values, which the table's rows then fill in.
+                pub(crate) const EMPTY: $Item =
+                    $Item { $id: 0, $($field: <$type as $crate::params::spec::Value>::EMPTY,)* };
+            }
+        )?
+
         /// Keys, bounds and accessors of every parameter.
         pub const PARAMS: &[ParamSpec] = &[$($crate::params::spec::ParamSpec {
             key: $key,
@@ -144,7 +249,17 @@ macro_rules! table {
             range: $crate::params::spec::Range { min: $min, max: $max, default: $default },
             relative: table!(@option $($crate::params::spec::Range { min: $rmin, max: $rmax, default: $rdefault })?),
             stage: Stage::$stage,
-        }),*];
+        },)* $($($($crate::params::spec::ParamSpec {
+            key: $field_key,
+            scope: Scope::Item(
+                |item| item.$field.get(table!(@part $($part)?)),
+                |item, value| item.$field.set(table!(@part $($part)?), value),
+            ),
+            kind: <$type as $crate::params::spec::Value>::KIND,
+            range: $crate::params::spec::Range { min: $pmin, max: $pmax, default: $pdefault },
+            relative: table!(@option $($crate::params::spec::Range { min: $prmin, max: $prmax, default: $prdefault })?),
+            stage: Stage::$field_stage,
+        },)+)*)?];
         /// Controls, labels and documentation of every parameter, in the order of [`PARAMS`].
         pub const TEXTS: &[$crate::params::spec::Text] = &[$($crate::params::spec::Text {
             url: $url,
@@ -155,8 +270,19 @@ macro_rules! table {
             label: $label,
             doc: [$en, $ja],
             choices: table!(@slice $($choices)?),
-        }),*];
+        },)* $($($($crate::params::spec::Text {
+            url: $part_url,
+            component: table!(@option $($part)?),
+            slider: $crate::params::spec::Slider { min: $plo, max: $phi, logarithmic: table!(@$pscale), step: $pstep },
+            relative: table!(@option $($crate::params::spec::Slider { min: $prlo, max: $prhi, logarithmic: table!(@$prscale), step: $prstep })?),
+            unit: $part_unit,
+            label: $part_label,
+            doc: [$part_en, $part_ja],
+            choices: table!(@slice $($part_choices)?),
+        },)+)*)?];
     };
+    (@part) => { 0 };
+    (@part $part:literal) => { $part };
     (@linear) => { false };
     (@log) => { true };
     (@option) => { None };

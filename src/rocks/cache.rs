@@ -154,13 +154,23 @@ impl LayerCache {
 
 impl SitesKey {
     pub(super) fn new(params: &Params, layer: &Layer) -> Self {
-        SitesKey {
-            seed: params.seed,
-            image: [params.image_width, params.image_height],
-            packing: params.packing,
-            darts: params.darts,
-            radius: layer.radius,
-        }
+        // Without `..`, so that a new parameter does not compile before it is known which stages depend on it.
+        let Params {
+            seed,
+            image_width,
+            image_height,
+            packing,
+            darts,
+            // The layers' lengths are in px here.
+            notation: _,
+            // In the key of the selection.
+            border: _,
+            // In the key of the mesh.
+            swing: _,
+            look: _,
+            layers: _,
+        } = *params;
+        SitesKey { seed, image: [image_width, image_height], packing, darts, radius: layer.radius }
     }
 }
 

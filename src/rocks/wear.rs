@@ -31,7 +31,21 @@ pub(crate) struct Wear {
 
 impl Wear {
     pub(crate) fn of(layer: &Layer) -> Self {
-        let Layer { weathering, roughness, detail, embedding, .. } = *layer;
+        // Without `..`, so that a new parameter of a layer does not compile before it is known whether the mesh depends
+        // on it. The others belong to the keys of earlier stages, or are passed beside the wear.
+        let Layer {
+            weathering,
+            roughness,
+            detail,
+            embedding,
+            id: _,
+            radius: _,
+            area_fraction: _,
+            cell_count: _,
+            taper: _,
+            height: _,
+            material: _,
+        } = *layer;
         Wear { weathering, roughness, detail, embedding }
     }
 

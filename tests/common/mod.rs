@@ -6,7 +6,9 @@
 pub mod memory;
 pub mod wood_ear;
 
-use rock_field::params::{Border, Darts, Kind, Layer, Notation, PARAMS, Params, Scope, Swing, TEXTS};
+use rock_field::params::{
+    Border, Darts, Kind, Layer, Notation, PARAMS, ParamSpec, Params, Range, Scope, Stage, Swing, TEXTS,
+};
 use rock_field::rocks::{Field, Pixel, Sites, generate, voronoi};
 use rock_field::validate::check_field;
 
@@ -220,7 +222,7 @@ pub fn random_layer(random: &mut Random, params: &Params, id: u32) -> Layer {
     let mut worn = |values: &[f64]| if random.chance(0.7) { 0.0 } else { random.pick(values) };
     let [weathering, roughness, embedding] = [worn(&[0.05, 0.2, 0.5, 1.0]), worn(&[0.1, 1.0]), worn(&[0.2, 0.6, 1.0])];
     let detail = if small { worn(&[1.0, 2.0, 3.0]) as u32 } else { 0 };
-    Layer {
+    let mut layer = Layer {
         id,
         radius: radius.clamp(if params.notation == Notation::Px { 1.0 } else { 0.01 }, 8192.0),
         area_fraction: if random.chance(0.3) { random.pick(&[0.0, 1.0]) } else { random.unit() },
@@ -232,5 +234,24 @@ pub fn random_layer(random: &mut Random, params: &Params, id: u32) -> Layer {
         detail,
         embedding,
         ..Layer::with_defaults(id, Notation::Px)
+    };
+    const DRAWN: [&str; 9] =
+        ["radius", "areaFraction", "cellCount", "taper", "height", "weathering", "roughness", "detail", "embedding"];
+    // Parameters that are added to the table are off as often as wear is.
+    for spec in PARAMS.iter().filter(|spec| spec.stage != Stage::Look && !DRAWN.contains(&spec.key)) {
+        if let Scope::Item(_, set) = spec.scope {
+            let value = if random.chance(0.7) { spec.range.default } else { random_value(random, spec) };
+            set(&mut layer, value);
+        }
+    }
+    layer
+}
+
+/// A value from the whole range of a parameter.
+pub fn random_value(random: &mut Random, spec: &ParamSpec) -> f64 {
+    let Range { min, max, .. } = spec.range;
+    match spec.kind {
+        Kind::Real | Kind::OptionalReal => random.between(min, max),
+        Kind::Integer | Kind::OptionalInteger | Kind::Choice(_) => random.between(min, max + 1.0).floor().min(max),
     }
 }

@@ -1,6 +1,6 @@
 // Generated from src/params/rocks/table.rs by `UPDATE=1 cargo test --test params`; never edited.
 
-import type { ParamSpec, Preset } from './spec.ts';
+import type { ParamSpec, Preset, Triple } from './spec.ts';
 
 export const MAX_LAYERS = 8;
 
@@ -280,3 +280,39 @@ export const PRESETS = [
   { name: 'quarry-rubble', natural: true, notation: 'px', fields: { imageWidth: 480, imageHeight: 480, border: "drop", swing: "separate", ground: "gravel", variation: 0.35, dust: 0.1, sunAzimuth: 240, sunElevation: 56 }, layers: [[14, 0.3, 2.24, 2.8, 1.12, 4.9, 8.4, 4.2, 0.22, 0.25, 3, 0.05, 1], [11.5, 0.7, 1.84, 2.3, 0.92, 4.02, 6.9, 3.45, 0.22, 0.25, 3, 0.05, 1], [8.5, 0.5, 1.36, 1.7, 0.68, 2.97, 5.1, 2.55, 0.22, 0.25, 2, 0.05, 1], [6, 0.4, 0.96, 1.2, 0.48, 2.1, 3.6, 1.8, 0.22, 0.2, 2, 0.05, 1], [4.4, 0.4, 0.7, 0.88, 0.35, 1.54, 2.64, 1.32, 0.22, 0.15, 1, 0.05, 1], [3, 0.4, 0.48, 0.6, 0.24, 1.05, 1.8, 0.9, 0.22, 0, 1, 0.05, 1]] },
   { name: 'shingle', natural: true, notation: 'px', fields: { imageWidth: 480, imageHeight: 480, border: "drop", swing: "separate", ground: "gravel", variation: 0.6, wetness: 0.15, dust: 0.05, sunAzimuth: 235, sunElevation: 36 }, layers: [[20, 0.08, 1, 2, 0.8, 6.4, 4.8, 1.6, 1, 0.1, 3, 0.15, 0], [14, 0.3, 0.7, 1.4, 0.56, 4.48, 3.36, 1.12, 1, 0.1, 2, 0.15, 0], [10, 0.45, 0.5, 1, 0.4, 3.2, 2.4, 0.8, 1, 0.1, 2, 0.15, 0], [7, 0.45, 0.35, 0.7, 0.28, 2.24, 1.68, 0.56, 0.95, 0.1, 1, 0.15, 0], [5, 0.4, 0.25, 0.5, 0.2, 1.6, 1.2, 0.4, 0.95, 0.05, 1, 0.15, 0], [3.4, 0.4, 0.17, 0.34, 0.14, 1.09, 0.82, 0.27, 0.9, 0, 1, 0.15, 0], [2.4, 0.4, 0.12, 0.24, 0.1, 0.77, 0.58, 0.19, 0.8, 0, 0, 0.15, 0]] },
 ] as const satisfies readonly Preset[];
+
+/** The parameters of a layer. Its lengths are in the field's `notation`. */
+export interface Layer {
+  /** Stable identity: the layer's random numbers depend on it and not on its place in the list. */
+  id: number;
+  radius: number;
+  areaFraction: number;
+  cellCount: number | null;
+  taper: Triple;
+  height: Triple;
+  weathering: number;
+  roughness: number;
+  detail: number;
+  embedding: number;
+  material: 'mixed' | 'granite' | 'basalt' | 'sandstone' | 'limestone' | 'slate';
+}
+
+/** All parameters of a field. */
+export interface Params {
+  seed: number;
+  imageWidth: number;
+  imageHeight: number;
+  packing: number;
+  notation: 'px' | 'relative';
+  darts: 'saturate' | 'attempts';
+  border: 'clip' | 'drop';
+  swing: 'shared' | 'separate';
+  variation: number;
+  wetness: number;
+  moss: number;
+  dust: number;
+  ground: 'soil' | 'sand' | 'gravel';
+  sunAzimuth: number;
+  sunElevation: number;
+  layers: Layer[];
+}

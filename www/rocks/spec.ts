@@ -8,7 +8,6 @@ export interface ParamSpec extends Row {
   stage: 'sites' | 'cells' | 'selection' | 'shape' | 'mesh' | 'look';
 }
 
-/** One row per layer: r, A_s, c_w1..3, c_h1..3, and for natural grounds weathering, roughness, detail, embedding, material. */
 export interface Preset {
   name: string;
   /** A ground as it is found, shown in natural colours; absent for the papers'. */
@@ -16,5 +15,9 @@ export interface Preset {
   notation: Notation;
   /** Parameters of the field; the rest have the table's defaults. */
   fields?: Readonly<Record<string, number | string>>;
+  /** One row per layer, in the order of the layer's rows of the table without `cellCount`; values missing at the end have the table's defaults. */
   layers: readonly (readonly number[])[];
 }
+
+/** base, per rock, per vertex */
+export type Triple = [number, number, number];

@@ -5,7 +5,7 @@ mod presets;
 mod table;
 
 pub use presets::{PRESETS, Preset, preset};
-pub use table::{PARAMS, Stage, TEXTS};
+pub use table::{Layer, PARAMS, Stage, TEXTS};
 
 use super::flat::{self, Flat};
 use super::spec::{self, Notation};
@@ -96,33 +96,6 @@ pub struct Look {
     pub sun_azimuth: f64,
     /// Degrees above the horizon.
     pub sun_elevation: f64,
-}
-
-/// One layer. Its lengths are in the notation of its [`Params`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct Layer {
-    /// Stable identity of the layer. Its random streams depend on this number and not on its place in the list.
-    pub id: u32,
-    /// Disc radius r: no two sites are closer than this.
-    pub radius: f64,
-    /// A_s: the share of the whole image that the layer may fill, 0 … 1.
-    pub area_fraction: f64,
-    /// Number of cells to select, instead of an area.
-    pub cell_count: Option<u32>,
-    /// c_w1, c_w2, c_w3 of Eq. 2.
-    pub taper: [f64; 3],
-    /// c_h1, c_h2, c_h3 of Eq. 3.
-    pub height: [f64; 3],
-    /// 0 is the papers' mesh, 0.2 freshly broken stone, 1 stone rounded by a river.
-    pub weathering: f64,
-    /// Strength of the noise that displaces the surface, 0 … 1.
-    pub roughness: f64,
-    /// How many times every triangle is cut into four.
-    pub detail: u32,
-    /// Share of a rock's height that lies below the ground, 0 … 1.
-    pub embedding: f64,
-    /// What the rocks are made of.
-    pub material: Material,
 }
 
 /// All parameters of a field.

@@ -14,8 +14,9 @@ pub struct Preset {
     pub notation: Notation,
     /// Values of the field's parameters, by key. A choice is given as the index of its word.
     pub fields: &'static [(&'static str, f64)],
-    /// One row per layer, in the order of the table without the number of cells: r, A_s, c_w1, c_w2, c_w3, c_h1, c_h2,
-    /// c_h3, and for natural grounds also weathering, roughness, detail, embedding and material.
+    /// The keys of the values in `layers`. A parameter of three numbers has three columns.
+    pub columns: &'static [&'static str],
+    /// One row per layer, with a value for every column. A choice is given as the index of its word.
     pub layers: &'static [&'static [f64]],
 }
 
@@ -29,20 +30,29 @@ impl Preset {
                 set(&mut params, value);
             }
         }
-        let columns = PARAMS.iter().filter(|spec| spec.is_column());
         params.layers = (0..)
             .zip(self.layers)
             .map(|(id, row)| {
                 let mut layer = Layer::with_defaults(id, self.notation);
-                for (spec, &value) in columns.clone().zip(*row) {
-                    if let Scope::Item(_, set) = spec.scope {
-                        set(&mut layer, value);
-                    }
+                for (set, &value) in self.setters().zip(*row) {
+                    set(&mut layer, value);
                 }
                 layer
             })
             .collect();
         params
+    }
+
+    /// What sets the value of each column.
+    fn setters(&self) -> impl Iterator<Item = fn(&mut Layer, f64)> {
+        self.columns.iter().enumerate().filter_map(|(at, key)| {
+            let numbers = PARAMS.iter().filter_map(|spec| match spec.scope {
+                Scope::Item(_, set) if spec.key == *key => Some(set),
+                _ => None,
+            });
+            let part = self.columns[..at].iter().filter(|other| *other == key).count();
+            numbers.into_iter().nth(part)
+        })
     }
 }
 
@@ -60,9 +70,12 @@ pub fn preset(name: &str) -> Option<&'static Preset> {
 
 macro_rules! presets {
     (
-        papers { $($name:literal $notation:ident $([$($value:expr),*])*;)* }
-        natural { $($ground:literal { $($key:ident: $given:expr),* } $([$($number:expr),*])*;)* }
+        papers [$($column:ident)*] { $($name:literal $notation:ident $([$($value:expr),*])*;)* }
+        natural [$($natural_column:ident)*] { $($ground:literal { $($key:ident: $given:expr),* } $([$($number:expr),*])*;)* }
     ) => {
+        const PAPERS: &[&str] = &[$(stringify!($column)),*];
+        const NATURAL: &[&str] = &[$(stringify!($natural_column)),*];
+
         /// Every preset; the first is the default.
         pub const PRESETS: &[Preset] = &[
             $(Preset {
@@ -70,6 +83,7 @@ macro_rules! presets {
                 natural: false,
                 notation: Notation::$notation,
                 fields: &[],
+                columns: PAPERS,
                 layers: &[$(&[$($value),*]),*],
             },)*
             $(Preset {
@@ -77,6 +91,7 @@ macro_rules! presets {
                 natural: true,
                 notation: Notation::Px,
                 fields: &[$((stringify!($key), $given)),*],
+                columns: NATURAL,
                 layers: &[$(&[$($number),*]),*],
             },)*
         ];
@@ -97,7 +112,7 @@ const DROP: f64 = 1.0;
 const SEPARATE: f64 = 1.0;
 
 presets! {
-    papers {
+    papers [radius areaFraction taper taper taper height height height] {
         //                            r     A_s   c_w1  c_w2  c_w3  c_h1  c_h2  c_h3
         "journal-fig1"      Px      [90.0,  0.2,  0.0,  6.0,  6.0, 14.0, 14.0,  9.0]
                                      [30.0, 0.24,  0.0,  6.0,  2.0,  5.0,  5.0,  3.0]
@@ -142,8 +157,9 @@ presets! {
         "conference-fig11e" Relative[ 9.0,  0.5,  0.0,  0.0,  0.0,  0.1,  0.0,  0.0];
         "conference-fig11f" Relative[ 9.0,  0.5,  0.0,  0.0,  0.0,  0.3,  0.7,  0.0];
     }
-    // weathering, roughness, detail, embedding, material
-    natural {
+    natural [
+        radius areaFraction taper taper taper height height height weathering roughness detail embedding material
+    ] {
         //                                                             r     A_s   c_w1  c_w2  c_w3  c_h1  c_h2  c_h3   we    ro   de   em
         "riverbed" { imageWidth: 640.0, imageHeight: 640.0, border: DROP, swing: SEPARATE, ground: GRAVEL, variation: 0.45, dust: 0.3, moss: 0.3, sunAzimuth: 245.0, sunElevation: 42.0 }
             [22.0, 0.03, 0.44, 1.76, 1.1, 7.48, 5.28, 2.64, 0.95, 0.35, 3.0, 0.25, MIXED]

@@ -1,7 +1,7 @@
 //! The rocks' parameter table. To add a parameter, add a row here and use it in a stage.
 
-use super::super::spec::{Kind, Notation, table};
-use super::{Border, Darts, Ground, Layer, Look, Material, ParamSpec, Params, Scope, Swing};
+use super::super::spec::{Kind, Notation, Value, table};
+use super::{Border, Darts, Ground, Look, Material, ParamSpec, Params, Scope, Swing};
 
 /// The stages of the generator. A row names the first one that has to run again after an edit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -142,113 +142,133 @@ table! {
         en "How high the sun stands; a low sun throws long shadows.",
         ja "太陽の高さ。低いほど影が長くなります。"
     }
-    {
-        "radius", url "r", Scope::Item(|l| l.radius, |l, v| l.radius = v), Kind::Real, Sites,
-        range [1.0, 8192.0] step 0.1 default 30.0, slider [2.0, 512.0] log,
-        relative [0.01, 8192.0] step 0.01 default 3.0, slider [0.2, 50.0] log,
-        unit LENGTH, label ["Radius r", "半径 r"],
-        en "No two sites of the layer are closer than this, so it sets the size of the rocks.",
-        ja "この層の母点どうしの最小距離。岩の大きさを決めます。"
-    }
-    {
-        "areaFraction", url "a", Scope::Item(|l| l.area_fraction, |l, v| l.area_fraction = v), Kind::Real, Selection,
-        range [0.0, 1.0] step 0.01 default 0.25, slider [0.0, 1.0] linear,
-        unit NONE, label ["Area A_s", "面積率 A_s"],
-        en "Share of the whole ground that this layer's rocks may fill.",
-        ja "この層の岩が占めてよい、地面全体に対する面積の割合。"
-    }
-    {
-        "cellCount", url "n", Scope::Item(|l| l.cell_count.map_or(f64::NAN, f64::from), |l, v| l.cell_count = if v.is_nan() { None } else { Some(v as u32) }),
-        Kind::OptionalInteger, Selection,
-        range [0.0, 4_294_967_295.0] step 1.0 default f64::NAN, slider [0.0, 1000.0] linear,
-        unit NONE, label ["Count", "個数"],
-        en "Number of rocks in this layer; when given, it replaces the area.",
-        ja "この層の岩の個数。指定すると面積率の代わりに使われます。"
-    }
-    {
-        "taper".0, url "w1", Scope::Item(|l| l.taper[0], |l, v| l.taper[0] = v), Kind::Real, Mesh,
-        range [-500.0, 500.0] step 0.1 default 0.0, slider [-40.0, 40.0] linear,
-        relative [-500.0, 500.0] step 0.01 default 0.0, slider [-4.0, 4.0] linear,
-        unit LENGTH, label ["Taper base c_w1", "幅・基本 c_w1"],
-        en "Moves the tops outward (overhangs) or, if negative, inward (pointed rocks).",
-        ja "上面の頂点を外へ（張り出し）、負なら内へ（尖った岩）動かします。"
-    }
-    {
-        "taper".1, url "w2", Scope::Item(|l| l.taper[1], |l, v| l.taper[1] = v), Kind::Real, Mesh,
-        range [-500.0, 500.0] step 0.1 default 6.0, slider [-40.0, 40.0] linear,
-        relative [-500.0, 500.0] step 0.01 default 0.3, slider [-4.0, 4.0] linear,
-        unit LENGTH, label ["Taper per rock c_w2", "幅・岩ごと c_w2"],
-        en "Adds a random part of the move, one number per rock.",
-        ja "岩ごとに1つの乱数で変化する移動量を加えます。"
-    }
-    {
-        "taper".2, url "w3", Scope::Item(|l| l.taper[2], |l, v| l.taper[2] = v), Kind::Real, Mesh,
-        range [-500.0, 500.0] step 0.1 default 2.0, slider [-40.0, 40.0] linear,
-        relative [-500.0, 500.0] step 0.01 default 0.1, slider [-4.0, 4.0] linear,
-        unit LENGTH, label ["Taper per vertex c_w3", "幅・頂点ごと c_w3"],
-        en "Adds a random part of the move, one number per vertex: the outline grows ragged.",
-        ja "頂点ごとの乱数で移動量を加え、輪郭を不規則にします。"
-    }
-    {
-        "height".0, url "h1", Scope::Item(|l| l.height[0], |l, v| l.height[0] = v), Kind::Real, Mesh,
-        range [0.0, 500.0] step 0.1 default 5.0, slider [0.0, 80.0] linear,
-        relative [0.0, 500.0] step 0.01 default 0.3, slider [0.0, 2.0] linear,
-        unit HEIGHT, label ["Height base c_h1", "高さ・基本 c_h1"],
-        en "Height that every top vertex has at least.",
-        ja "上面のすべての頂点が持つ最低の高さ。"
-    }
-    {
-        "height".1, url "h2", Scope::Item(|l| l.height[1], |l, v| l.height[1] = v), Kind::Real, Mesh,
-        range [0.0, 500.0] step 0.1 default 5.0, slider [0.0, 80.0] linear,
-        relative [0.0, 500.0] step 0.01 default 0.3, slider [0.0, 2.0] linear,
-        unit HEIGHT, label ["Height per rock c_h2", "高さ・岩ごと c_h2"],
-        en "Adds up to this much height, one random number per rock.",
-        ja "岩ごとの乱数で、最大この値まで高さを加えます。"
-    }
-    {
-        "height".2, url "h3", Scope::Item(|l| l.height[2], |l, v| l.height[2] = v), Kind::Real, Mesh,
-        range [0.0, 500.0] step 0.1 default 3.0, slider [0.0, 80.0] linear,
-        relative [0.0, 500.0] step 0.01 default 0.1, slider [0.0, 2.0] linear,
-        unit HEIGHT, label ["Height per vertex c_h3", "高さ・頂点ごと c_h3"],
-        en "Adds up to this much height, one random number per vertex: the top grows rugged.",
-        ja "頂点ごとの乱数で、最大この値まで高さを加え、上面を起伏させます。"
-    }
-    {
-        "weathering", url "we", Scope::Item(|l| l.weathering, |l, v| l.weathering = v), Kind::Real, Mesh,
-        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
-        unit NONE, label ["Weathering", "風化"],
-        en "Off, the papers' facets; from 0.2, freshly broken stone, worn at its edges and corners first; at 1, rounded by a river.",
-        ja "0 は論文どおりの面。0.2 から割れたばかりの石となり、角や稜から先に摩耗して、1 で川の丸石になります。"
-    }
-    {
-        "roughness", url "ro", Scope::Item(|l| l.roughness, |l, v| l.roughness = v), Kind::Real, Mesh,
-        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
-        unit NONE, label ["Roughness", "粗さ"],
-        en "Bumps of several sizes on the surface.",
-        ja "表面に大小の凹凸を加えます。"
-    }
-    {
-        "detail", url "de", Scope::Item(|l| f64::from(l.detail), |l, v| l.detail = v as u32), Kind::Integer, Mesh,
-        range [0.0, 3.0] step 1.0 default 0.0, slider [0.0, 3.0] linear,
-        unit NONE, label ["Detail", "細かさ"],
-        en "How often every triangle is cut into four; weathering and roughness need some.",
-        ja "三角形を4分割する回数。風化と粗さの表現には分割が必要です。"
-    }
-    {
-        "embedding", url "em", Scope::Item(|l| l.embedding, |l, v| l.embedding = v), Kind::Real, Mesh,
-        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
-        unit NONE, label ["Embedding", "埋まり"],
-        en "Share of a rock's height that lies below the ground.",
-        ja "岩の高さのうち、地面の下に埋まる割合。"
-    }
-    {
-        "material", url "mat", Scope::Item(|l| l.material as u8 as f64, |l, v| l.material = Material::ALL.get(v as usize).copied().unwrap_or_default()),
-        Kind::Choice(&["mixed", "granite", "basalt", "sandstone", "limestone", "slate"]), Look,
-        range [0.0, 5.0] step 1.0 default 0.0, slider [0.0, 5.0] linear,
-        unit NONE, label ["Material", "石質"],
-        en "What the rocks are made of, in natural colours.",
-        ja "自然な配色での岩の種類。",
-        choices &[["Mixed", "混合"], ["Granite", "花崗岩"], ["Basalt", "玄武岩"], ["Sandstone", "砂岩"], ["Limestone", "石灰岩"], ["Slate", "粘板岩"]]
+
+    /// One layer. Its lengths are in the notation of its [`Params`].
+    pub struct Layer {
+        /// Stable identity of the layer. Its random streams depend on this number and not on its place in the list.
+        pub id: u32;
+
+        /// Disc radius r: no two sites are closer than this.
+        pub radius: f64 as "radius", from Sites {
+            url "r",
+            range [1.0, 8192.0] step 0.1 default 30.0, slider [2.0, 512.0] log,
+            relative [0.01, 8192.0] step 0.01 default 3.0, slider [0.2, 50.0] log,
+            unit LENGTH, label ["Radius r", "半径 r"],
+            en "No two sites of the layer are closer than this, so it sets the size of the rocks.",
+            ja "この層の母点どうしの最小距離。岩の大きさを決めます。"
+        }
+
+        /// A_s: the share of the whole image that the layer may fill, 0 … 1.
+        pub area_fraction: f64 as "areaFraction", from Selection {
+            url "a",
+            range [0.0, 1.0] step 0.01 default 0.25, slider [0.0, 1.0] linear,
+            unit NONE, label ["Area A_s", "面積率 A_s"],
+            en "Share of the whole ground that this layer's rocks may fill.",
+            ja "この層の岩が占めてよい、地面全体に対する面積の割合。"
+        }
+
+        /// Number of cells to select, instead of an area.
+        pub cell_count: Option<u32> as "cellCount", from Selection {
+            url "n",
+            range [0.0, 4_294_967_295.0] step 1.0 default f64::NAN, slider [0.0, 1000.0] linear,
+            unit NONE, label ["Count", "個数"],
+            en "Number of rocks in this layer; when given, it replaces the area.",
+            ja "この層の岩の個数。指定すると面積率の代わりに使われます。"
+        }
+
+        /// c_w1, c_w2, c_w3 of Eq. 2.
+        pub taper: [f64; 3] as "taper", from Mesh {
+            .0 url "w1",
+            range [-500.0, 500.0] step 0.1 default 0.0, slider [-40.0, 40.0] linear,
+            relative [-500.0, 500.0] step 0.01 default 0.0, slider [-4.0, 4.0] linear,
+            unit LENGTH, label ["Taper base c_w1", "幅・基本 c_w1"],
+            en "Moves the tops outward (overhangs) or, if negative, inward (pointed rocks).",
+            ja "上面の頂点を外へ（張り出し）、負なら内へ（尖った岩）動かします。"
+        } {
+            .1 url "w2",
+            range [-500.0, 500.0] step 0.1 default 6.0, slider [-40.0, 40.0] linear,
+            relative [-500.0, 500.0] step 0.01 default 0.3, slider [-4.0, 4.0] linear,
+            unit LENGTH, label ["Taper per rock c_w2", "幅・岩ごと c_w2"],
+            en "Adds a random part of the move, one number per rock.",
+            ja "岩ごとに1つの乱数で変化する移動量を加えます。"
+        } {
+            .2 url "w3",
+            range [-500.0, 500.0] step 0.1 default 2.0, slider [-40.0, 40.0] linear,
+            relative [-500.0, 500.0] step 0.01 default 0.1, slider [-4.0, 4.0] linear,
+            unit LENGTH, label ["Taper per vertex c_w3", "幅・頂点ごと c_w3"],
+            en "Adds a random part of the move, one number per vertex: the outline grows ragged.",
+            ja "頂点ごとの乱数で移動量を加え、輪郭を不規則にします。"
+        }
+
+        /// c_h1, c_h2, c_h3 of Eq. 3.
+        pub height: [f64; 3] as "height", from Mesh {
+            .0 url "h1",
+            range [0.0, 500.0] step 0.1 default 5.0, slider [0.0, 80.0] linear,
+            relative [0.0, 500.0] step 0.01 default 0.3, slider [0.0, 2.0] linear,
+            unit HEIGHT, label ["Height base c_h1", "高さ・基本 c_h1"],
+            en "Height that every top vertex has at least.",
+            ja "上面のすべての頂点が持つ最低の高さ。"
+        } {
+            .1 url "h2",
+            range [0.0, 500.0] step 0.1 default 5.0, slider [0.0, 80.0] linear,
+            relative [0.0, 500.0] step 0.01 default 0.3, slider [0.0, 2.0] linear,
+            unit HEIGHT, label ["Height per rock c_h2", "高さ・岩ごと c_h2"],
+            en "Adds up to this much height, one random number per rock.",
+            ja "岩ごとの乱数で、最大この値まで高さを加えます。"
+        } {
+            .2 url "h3",
+            range [0.0, 500.0] step 0.1 default 3.0, slider [0.0, 80.0] linear,
+            relative [0.0, 500.0] step 0.01 default 0.1, slider [0.0, 2.0] linear,
+            unit HEIGHT, label ["Height per vertex c_h3", "高さ・頂点ごと c_h3"],
+            en "Adds up to this much height, one random number per vertex: the top grows rugged.",
+            ja "頂点ごとの乱数で、最大この値まで高さを加え、上面を起伏させます。"
+        }
+
+        /// 0 is the papers' mesh, 0.2 freshly broken stone, 1 stone rounded by a river.
+        pub weathering: f64 as "weathering", from Mesh {
+            url "we",
+            range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+            unit NONE, label ["Weathering", "風化"],
+            en "Off, the papers' facets; from 0.2, freshly broken stone, worn at its edges and corners first; at 1, rounded by a river.",
+            ja "0 は論文どおりの面。0.2 から割れたばかりの石となり、角や稜から先に摩耗して、1 で川の丸石になります。"
+        }
+
+        /// Strength of the noise that displaces the surface, 0 … 1.
+        pub roughness: f64 as "roughness", from Mesh {
+            url "ro",
+            range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+            unit NONE, label ["Roughness", "粗さ"],
+            en "Bumps of several sizes on the surface.",
+            ja "表面に大小の凹凸を加えます。"
+        }
+
+        /// How many times every triangle is cut into four.
+        pub detail: u32 as "detail", from Mesh {
+            url "de",
+            range [0.0, 3.0] step 1.0 default 0.0, slider [0.0, 3.0] linear,
+            unit NONE, label ["Detail", "細かさ"],
+            en "How often every triangle is cut into four; weathering and roughness need some.",
+            ja "三角形を4分割する回数。風化と粗さの表現には分割が必要です。"
+        }
+
+        /// Share of a rock's height that lies below the ground, 0 … 1.
+        pub embedding: f64 as "embedding", from Mesh {
+            url "em",
+            range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+            unit NONE, label ["Embedding", "埋まり"],
+            en "Share of a rock's height that lies below the ground.",
+            ja "岩の高さのうち、地面の下に埋まる割合。"
+        }
+
+        /// What the rocks are made of.
+        pub material: Material as "material", from Look {
+            url "mat",
+            range [0.0, 5.0] step 1.0 default 0.0, slider [0.0, 5.0] linear,
+            unit NONE, label ["Material", "石質"],
+            en "What the rocks are made of, in natural colours.",
+            ja "自然な配色での岩の種類。",
+            choices &[["Mixed", "混合"], ["Granite", "花崗岩"], ["Basalt", "玄武岩"], ["Sandstone", "砂岩"], ["Limestone", "石灰岩"], ["Slate", "粘板岩"]]
+        }
     }
 }
 
@@ -262,6 +282,19 @@ impl Material {
         Material::Limestone,
         Material::Slate,
     ];
+}
+
+impl Value for Material {
+    const KIND: Kind = Kind::Choice(&["mixed", "granite", "basalt", "sandstone", "limestone", "slate"]);
+    const EMPTY: Self = Material::Mixed;
+
+    fn get(&self, _: usize) -> f64 {
+        f64::from(*self as u8)
+    }
+
+    fn set(&mut self, _: usize, value: f64) {
+        *self = Material::ALL.get(value as usize).copied().unwrap_or_default();
+    }
 }
 
 impl Ground {
@@ -305,21 +338,6 @@ impl Params {
 }
 
 impl Layer {
-    /// Zeroed values, which the table's rows then fill in.
-    pub(crate) const EMPTY: Layer = Layer {
-        id: 0,
-        radius: 0.0,
-        area_fraction: 0.0,
-        cell_count: None,
-        taper: [0.0; 3],
-        height: [0.0; 3],
-        weathering: 0.0,
-        roughness: 0.0,
-        detail: 0,
-        embedding: 0.0,
-        material: Material::Mixed,
-    };
-
     /// A layer with the table's defaults for `notation`.
     pub fn with_defaults(id: u32, notation: Notation) -> Self {
         let mut layer = Layer { id, ..Layer::EMPTY };
