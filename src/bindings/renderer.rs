@@ -5,8 +5,8 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{Camera, Gpu, Layer, Mesh, Mode, Plan, Prop, Props, RenderError, Rocks, Scene, View};
-use crate::shading::{ColorMode, Look, Quality};
+use crate::render::{Camera, Gpu, Layer, Mesh, Plan, Prop, Props, RenderError, Rocks, Scene, View};
+use crate::shading::{ColorMode, Look, Mode, Quality};
 
 thread_local! {
     // wgpu requires callbacks to be `Send`, which a JavaScript function is not, so they carry an index into this list.
@@ -164,22 +164,18 @@ impl Renderer {
         Ok(())
     }
 
-    /// Sets what is shown. View: 0 rocks, 1 wireframe, 2 diagrams, 3 selection. Colour: 0 by layer, 1 by rock, 2 plain,
-    /// 3 natural.
+    /// Sets what is shown: the places of its words in `VIEWS` and `COLORS` of `www/renderer/order.gen.ts`.
     #[wasm_bindgen(js_name = setStyle)]
     pub fn set_style(&mut self, view: u8, color: u8, dark: bool) {
-        let mode = [Mode::Rocks, Mode::Wireframe, Mode::Diagrams, Mode::Selection];
-        let colors = [ColorMode::Layer, ColorMode::Rock, ColorMode::Plain, ColorMode::Natural];
-        let mode = mode.get(view as usize).copied().unwrap_or(Mode::Rocks);
-        let color = colors.get(color as usize).copied().unwrap_or(ColorMode::Layer);
+        let mode = Mode::at(view).unwrap_or(Mode::Rocks);
+        let color = ColorMode::at(color).unwrap_or(ColorMode::Layer);
         if self.view.set_style(mode, color, dark) {
             self.plan = None;
         }
     }
 
-    /// Sets the look. `values`: variation, wetness, moss and dust (0…1), ground (0 soil, 1 sand, 2 gravel), the sun's
-    /// azimuth and elevation in degrees; then, for wood ears, moisture, variation, translucency and velvet (0…1).
-    /// `materials`, per layer id: 0 mixed, 1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate.
+    /// Sets the look. `values`: those of `LOOK` and then of `FLESH` in `www/renderer/order.gen.ts`. `materials`, per layer
+    /// id: 0 mixed, 1 granite, 2 basalt, 3 sandstone, 4 limestone, 5 slate.
     #[wasm_bindgen(js_name = setLook)]
     pub fn set_look(&mut self, values: Vec<f32>, layer_ids: Vec<u32>, materials: Vec<u8>) {
         let changed = self.view.set_look(Look::new(&values, &layer_ids, &materials));
@@ -188,11 +184,11 @@ impl Renderer {
         }
     }
 
-    /// Sets the quality: 0 low, 1 medium, 2 high. It matters only in natural colours.
+    /// Sets the quality: the place of its word in `QUALITIES` of `www/renderer/order.gen.ts`. It matters only in natural
+    /// colours.
     #[wasm_bindgen(js_name = setQuality)]
     pub fn set_quality(&mut self, level: u8) {
-        let levels = [Quality::Low, Quality::Medium, Quality::High];
-        self.view.set_quality(levels.get(level as usize).copied().unwrap_or(Quality::High));
+        self.view.set_quality(Quality::at(level).unwrap_or(Quality::High));
     }
 
     /// Sets the camera, with angles in radians and lengths in px.

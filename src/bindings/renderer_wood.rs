@@ -4,7 +4,8 @@
 use wasm_bindgen::prelude::*;
 
 use super::renderer::{Renderer, to_js};
-use crate::render::{Mesh, Mode, Place, Prop};
+use crate::render::{Mesh, Place, Prop};
+use crate::shading::Mode;
 use crate::shading::wood::Ears;
 
 #[wasm_bindgen]

@@ -4,16 +4,7 @@ use super::camera::FOV_Y;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
 use crate::shading::palette::{self, DARK, LIGHT};
-use crate::shading::{ColorMode, Globals, Look, Quality};
-
-/// What a view shows.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Mode {
-    Rocks,
-    Wireframe,
-    Diagrams,
-    Selection,
-}
+use crate::shading::{ColorMode, Globals, Look, Mode, Quality};
 
 /// The state of one canvas.
 pub(crate) struct View {

@@ -4,13 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::Vec3;
 
-/// How much work is spent on a pixel. The values ascend, because the shaders compare them.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub(crate) enum Quality {
-    Low,
-    Medium,
-    High,
-}
+use super::order::{FleshValues, LookValues};
 
 /// The look that JavaScript sets with `setLook`.
 #[derive(Clone, Debug, PartialEq)]
@@ -36,16 +30,18 @@ impl Default for Look {
 }
 
 impl Look {
-    /// `values` holds variation, wetness, moss, dust, ground, the sun's azimuth and elevation in degrees; then, for
-    /// wood ears, moisture, variation, translucency and velvet. Values that are missing or not finite count as 0.
+    /// `values` holds [`LookValues`] and then [`FleshValues`].
     pub(crate) fn new(values: &[f32], layers: &[u32], materials: &[u8]) -> Self {
-        let value = |at: usize| values.get(at).copied().filter(|value| value.is_finite()).unwrap_or(0.0);
+        let mut values = values.iter().copied();
+        let look = LookValues::take(&mut values);
+        let flesh = FleshValues::take(&mut values);
+        let share = |value: f32| value.clamp(0.0, 1.0);
         Self {
-            weather: [0, 1, 2, 3].map(|at| value(at).clamp(0.0, 1.0)),
-            ground: value(4).clamp(0.0, 2.0).round(),
-            sun: sun(value(5), value(6)),
+            weather: [look.variation, look.wetness, look.moss, look.dust].map(share),
+            ground: look.ground.clamp(0.0, 2.0).round(),
+            sun: sun(look.sun_azimuth, look.sun_elevation),
             debris: materials.last().copied().unwrap_or(0),
-            flesh: [7, 8, 9, 10].map(|at| value(at).clamp(0.0, 1.0)),
+            flesh: [flesh.moisture, flesh.variation, flesh.translucency, flesh.velvet].map(share),
             materials: layers.iter().copied().zip(materials.iter().copied()).collect(),
         }
     }

@@ -4,13 +4,14 @@
 //! Nothing here needs a graphics device, so that tests run it natively; [`crate::render`] puts it on one.
 
 mod look;
+mod order;
 pub(crate) mod palette;
 pub(crate) mod shaders;
 mod sink;
 mod uniforms;
 pub(crate) mod wood;
 
-pub(crate) use look::{Look, Quality};
-pub(crate) use palette::ColorMode;
+pub(crate) use look::Look;
+pub(crate) use order::{ColorMode, Mode, Quality};
 pub(crate) use sink::Stands;
 pub(crate) use uniforms::{FieldUniforms, Globals};

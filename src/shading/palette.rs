@@ -1,14 +1,7 @@
 //! Colours: by layer, by rock, or the papers' grey, packed as four sRGB bytes with red first. Natural colours are made
 //! in the shaders; for these, the four bytes packed here mean something else.
 
-/// How rocks are coloured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum ColorMode {
-    Layer,
-    Rock,
-    Plain,
-    Natural,
-}
+use super::order::ColorMode;
 
 /// Colours of rocks by layer id modulo 8, sRGB. The first three are as in the papers' figures (terracotta r = 90, ochre
 /// r = 30, slate r = 10). Chosen by eye.

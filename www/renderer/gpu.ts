@@ -3,19 +3,11 @@
 import type { Field } from '../data/field.ts';
 import type { RawRenderer } from './artefact.ts';
 import { joinDevice } from './device.ts';
-import type { CameraState, ColorMode, GpuBackend, Quality, View } from '../base/view.ts';
+import type { CameraState, GpuBackend, Quality } from '../base/view.ts';
 import type { LossListener, SharedDevice } from './device.ts';
-import { QUALITIES } from '../base/view.ts';
-import type { Flesh, Look } from '../data/look.ts';
+import { COLORS, FLESH, LOOK, QUALITIES, VIEWS } from './order.gen.ts';
+import type { Look } from '../data/look.ts';
 import type { SceneRenderer, SceneStyle, Wood } from './renderer.ts';
-
-// The order of these two lists is the meaning of the numbers in `RawRenderer.setStyle`.
-const VIEWS: readonly View[] = ['3d', 'wireframe', 'diagrams', 'selection'];
-const COLORS: readonly ColorMode[] = ['layer', 'rock', 'plain', 'natural'];
-
-// The order of these two is that of the numbers in `RawRenderer.setLook`.
-const LOOK = ['variation', 'wetness', 'moss', 'dust', 'ground', 'sunAzimuth', 'sunElevation'] as const satisfies readonly (keyof Look)[];
-const FLESH = ['moisture', 'variation', 'translucency', 'velvet'] as const satisfies readonly (keyof Flesh)[];
 
 /** Layer id and site index of every rock: what a rock's colour is drawn from, whatever happens to the others. */
 function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
