@@ -197,3 +197,16 @@ pub fn cylinder(vertices: usize) -> Mesh {
     }
     mesh
 }
+
+/// The vertices of individual k in its own frame.
+pub fn own(run: &Run, positions: &[f32], k: usize) -> Vec<DVec3> {
+    let individual = run.generator.spawn().individuals[k];
+    let step = 3 * usize::from(run.generator.layout().vertices);
+    let points = positions[k * step..(k + 1) * step].chunks_exact(3);
+    points
+        .map(|p| {
+            let p = DVec3::new(p[0].into(), p[1].into(), p[2].into()) - individual.foot;
+            DVec3::from_array(individual.axes.map(|axis| axis.dot(p)))
+        })
+        .collect()
+}
