@@ -22,9 +22,14 @@ use crate::params::wood_ear::Params;
 /// Half the gap at a plane, cm. It is more than f32 loses within 100 m of the origin.
 const GAP: f64 = 2.0e-3;
 
-/// The tilts from upright that are tried for a plane, and the places between the feet, as shares of their distance.
+/// The tilts from upright that are tried for a plane (tangents), and the places between the feet, as shares of their
+/// distance. Both are found by trial.
 const TILTS: [f64; 5] = [0.0, 0.3, -0.3, 0.8, -0.8];
 const PLACES: [f64; 7] = [0.5, 0.4, 0.6, 0.28, 0.72, 0.16, 0.84];
+
+/// Least distance of the feet along a plane's normal, as a share of their distance. Steeper planes would leave the feet
+/// no room.
+const LEAST_ROOM: f64 = 0.3;
 
 #[derive(Debug)]
 pub(super) struct Press {
@@ -176,19 +181,7 @@ impl Press {
         let level = between.normalize_or(DVec3::X);
         let up = a.axes[1] + b.axes[1];
         let up = (up - up.dot(level) * level).normalize_or_zero();
-        let (c, d) = (usize::from(of.layout.meridians), usize::from(of.layout.rings));
-        let sample = |k: usize| {
-            let body = self.body(k);
-            let mut points = Vec::with_capacity(2 * c);
-            for e in [d - 1, (2 * d) / 3, d / 3] {
-                for f in (0..c).step_by(2) {
-                    let at = 3 * (e * c + f);
-                    points.push(Vec3::from_slice(&body[at..at + 3]).as_dvec3());
-                }
-            }
-            points
-        };
-        let [of_a, of_b] = [sample(i), sample(j)];
+        let [of_a, of_b] = [i, j].map(|k| self.samples(of.layout, k));
         let middle = |points: &[DVec3]| points.iter().sum::<DVec3>() / points.len() as f64;
         let apart = (middle(&of_b) - middle(&of_a)).normalize_or_zero();
         let tilted = TILTS.iter().map(|t| (level + *t * up).normalize_or(level));
@@ -196,19 +189,12 @@ impl Press {
         let mut best = (f64::INFINITY, level, 0.5);
         for normal in tilted.chain([(level + apart).normalize_or(level), apart]) {
             let [from, to] = [a.foot, b.foot].map(|foot| normal.dot(foot));
-            // Steeper planes would leave the feet no room.
-            if to - from < 0.3 * distance {
+            if to - from < LEAST_ROOM * distance {
                 continue;
             }
             for place in PLACES {
                 let offset = from + place * (to - from);
-                let loss = |points: &[DVec3], side: f64, size: f64| {
-                    let over = points.iter().map(|p| (side * (normal.dot(*p) - offset)).max(0.0)).sum::<f64>();
-                    let share = over / (points.len() as f64 * size);
-                    // A large cost for one body is worse than a small cost for both.
-                    share + 4.0 * share * share
-                };
-                let cost = loss(&of_a, 1.0, size_a) + loss(&of_b, -1.0, size_b);
+                let cost = loss(&of_a, 1.0, normal, offset, size_a) + loss(&of_b, -1.0, normal, offset, size_b);
                 if cost < best.0 {
                     best = (cost, normal, place);
                 }
@@ -216,4 +202,26 @@ impl Press {
         }
         (best.1, best.2)
     }
+
+    /// Every other vertex of three rings of a body's inner sheet: what a plane between two bodies is judged by.
+    fn samples(&self, layout: &Layout, k: usize) -> Vec<DVec3> {
+        let (c, d) = (usize::from(layout.meridians), usize::from(layout.rings));
+        let body = self.body(k);
+        let mut points = Vec::with_capacity(2 * c);
+        for e in [d - 1, (2 * d) / 3, d / 3] {
+            for f in (0..c).step_by(2) {
+                let at = 3 * (e * c + f);
+                points.push(Vec3::from_slice(&body[at..at + 3]).as_dvec3());
+            }
+        }
+        points
+    }
+}
+
+/// What a plane costs a body: how far its points are beyond the plane, on average and relative to its size. A large cost
+/// for one body is worse than a small cost for both, so the square counts too, with a weight found by trial.
+fn loss(points: &[DVec3], side: f64, normal: DVec3, offset: f64, size: f64) -> f64 {
+    let over = points.iter().map(|p| (side * (normal.dot(*p) - offset)).max(0.0)).sum::<f64>();
+    let share = over / (points.len() as f64 * size);
+    share + 4.0 * share * share
 }
