@@ -23,16 +23,26 @@ export async function loadedBefore(entryPoints, options) {
   };
 }
 
-/** For each file that is imported later: the files that every entry which leads to such an import imports at once. */
+/**
+ * For each file that is imported later: the files that every entry which leads to such an import imports at once. Those that one entry alone
+ * imports are left in its file, unless what is imported later needs one of them: then they are cut out of it anyway.
+ */
 export function filesBefore(inputs, entryPoints) {
   const before = new Map();
+  const entriesOf = new Map();
   for (const entryPoint of entryPoints) {
     const atOnce = reached(inputs, entryPoint, ['import-statement']);
     const all = reached(inputs, entryPoint, ['import-statement', 'dynamic-import']);
     const later = new Set([...all].flatMap((file) => imports(inputs, file, ['dynamic-import'])));
+    for (const file of atOnce) entriesOf.set(file, (entriesOf.get(file) ?? 0) + 1);
     for (const file of later) before.set(file, (before.get(file) ?? [...atOnce]).filter((other) => atOnce.has(other)));
   }
-  return new Map([...before].map(([file, files]) => [file, files.filter((other) => other.startsWith('www/') && other !== file)]));
+  const withoutAlone = (file, files) => {
+    const needed = reached(inputs, file, ['import-statement']);
+    const isAlone = (other) => entriesOf.get(other) === 1;
+    return files.some((other) => isAlone(other) && needed.has(other)) ? files : files.filter((other) => !isAlone(other));
+  };
+  return new Map([...before].map(([file, files]) => [file, withoutAlone(file, files).filter((other) => other.startsWith('www/') && other !== file)]));
 }
 
 function reached(inputs, entryPoint, kinds) {

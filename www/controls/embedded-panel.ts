@@ -8,12 +8,13 @@ import { copyOrShow } from './dialogs.ts';
 import { hasModifier, travel } from './keys.ts';
 import { LAYOUT_STYLES, PANEL_STYLES } from './panel-styles.ts';
 import { isDialogOpen } from './parts.ts';
-import type { OpenPanel, PanelOwner } from '../element/controls-button.ts';
+import type { OpenPanel, PanelOwner } from '../element/panel-owner.ts';
 import type { ErrorDetail } from '../base/error-pace.ts';
 import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
 import type { History } from '../base/history.ts';
 import type { Edition, Kind } from '../table/table.ts';
-import type { Actions, ScenePanel } from './panel.ts';
+import type { Actions } from './actions.ts';
+import type { ScenePanel } from './panel.ts';
 import type { Change, OpenedLink, Preferences, SceneStore } from './store.ts';
 
 /** From here on the panel stands beside the picture, px. */
@@ -32,7 +33,7 @@ export interface PanelParts<K extends Kind> {
 }
 
 export class EmbeddedPanel<K extends Kind> implements OpenPanel {
-  readonly #owner: PanelOwner<K>;
+  readonly #owner: PanelOwner<K, GeneratorElement<K>>;
   readonly #element: GeneratorElement<K>;
   readonly #store: SceneStore<K>;
   readonly #host = document.createElement('div');
@@ -44,7 +45,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
   readonly #listening = new AbortController();
   readonly #size = new ResizeObserver(([entry]) => entry && this.#layOut(entry.contentRect));
 
-  constructor(owner: PanelOwner<K>, close: () => void, { newStore, panel, script, actions = {} }: PanelParts<K>) {
+  constructor(owner: PanelOwner<K, GeneratorElement<K>>, close: () => void, { newStore, panel, script, actions = {} }: PanelParts<K>) {
     const { element, root } = owner;
     this.#owner = owner;
     this.#element = element;

@@ -6,10 +6,10 @@ import { later } from './strings-later.ts';
 import { LANGUAGES, LANGUAGE_NAMES } from './strings.ts';
 import { icon } from './icons.ts';
 import { segments } from './parts.ts';
-import { THEMES } from './store.ts';
+import { THEMES } from '../base/view.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind } from '../table/table.ts';
-import type { Actions } from './panel.ts';
+import type { Actions } from './actions.ts';
 import type { SceneStore } from './store.ts';
 
 export interface LastSection<K extends Kind> {

@@ -4,37 +4,22 @@ import { LitElement, html, nothing } from 'lit';
 import { sceneAddress, SCENES } from './site.ts';
 import { labelOf } from './strings.ts';
 import { icon } from './icons.ts';
-import { loadLater } from './load-later.ts';
 import { colorChoice, viewChoice } from './view-choice.ts';
 import { fillNumberFields, problemOf } from './numbers.ts';
 import { description, iconButton } from './parts.ts';
 import { messageLine, progressLine } from './status.ts';
 import type { TemplateResult } from 'lit';
-import type { GeneratorElement } from '../element/generator-element.ts';
 import type { StringKey } from './strings.en.ts';
 import type { Row } from '../table/row.ts';
 import type { Kind } from '../table/table.ts';
-import type { Later } from './load-later.ts';
+import type { Actions } from './actions.ts';
+import type { Deferred } from '../base/deferred.ts';
+import type * as module from './later.ts';
 import type { Place } from './parts.ts';
 import type { Problem, SceneStore } from './store.ts';
 
-/** What the panel's place does that the store cannot. */
-export interface Actions<K extends Kind> {
-  freshSeed: () => void;
-  randomise: () => void;
-  /** An element like the one whose panel this is. */
-  newElement: () => GeneratorElement<K>;
-  share: () => void;
-  /** The link to what is shown; the page's alone. */
-  link?: () => string;
-  /** Absent where nobody knows the address of a script to embed. */
-  embed?: (() => void) | undefined;
-  /** Lists the page's keys. */
-  help?: () => void;
-  /** An element's panel alone is closed, and cancels in itself: on the page, `<stage-overlay>` has that. */
-  close?: () => void;
-  cancel?: () => void;
-}
+/** What of a panel comes later. */
+export type Later = typeof module;
 
 export abstract class ScenePanel<K extends Kind> extends LitElement {
   static override properties = { store: { attribute: false }, actions: { attribute: false }, isEmbedded: { attribute: false }, isOpen: { state: true } };
@@ -48,8 +33,9 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
 
   #unsubscribe: (() => void) | undefined;
   #seenProblem: Problem | null = null;
+  /** The file that brings what comes later. */
+  protected abstract readonly deferred: Deferred<Later>;
   protected later: Later | undefined;
-  #loading: Promise<Later> | undefined;
 
   constructor() {
     super();
@@ -87,17 +73,11 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     if ((this.store.result || this.store.messages.length > 0) && !this.later) this.loadLater().catch((thrown: unknown) => console.warn(thrown));
   }
 
-  protected loadLater(): Promise<Later> {
-    this.#loading ??= loadLater();
-    const loading = this.#loading;
-    loading.then(
-      (later) => {
-        this.later = later;
-        this.requestUpdate();
-      },
-      () => (this.#loading = undefined),
-    );
-    return loading;
+  async loadLater(): Promise<Later> {
+    const later = await this.deferred.load();
+    this.later = later;
+    this.requestUpdate();
+    return later;
   }
 
   /** A message under a control that nobody sees is no message. */

@@ -5,16 +5,7 @@ import type { ErrorInfo } from '../base/errors.ts';
 import type { Language } from '../base/language.ts';
 import type { Kind } from '../table/table.ts';
 import type { SceneStore } from './store.ts';
-import type { Wish } from './store-types.ts';
-
-/** How things stood when the error came. */
-interface Circumstances<K extends Kind> {
-  params: K['params'];
-  /** The edit was taken back. */
-  isBack: boolean;
-  /** What was set in a control and taken back. */
-  wish: Wish | null;
-}
+import type { Circumstances } from './store-types.ts';
 
 /**
  * Under the control whose value was refused; where the scene stays what was refused, since there is none before it, under the control

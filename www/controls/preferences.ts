@@ -1,7 +1,7 @@
 /** Language and theme: this browser's, in no link. */
 
 import { LANGUAGES, pickLanguage } from './strings.ts';
-import { THEMES } from './store.ts';
+import { THEMES } from '../base/view.ts';
 import type { Preferences } from './store.ts';
 
 const KEY = 'rock-field';

@@ -25,6 +25,15 @@ export interface Wish {
   value: number | string | null;
 }
 
+/** How things stood when the error came. */
+export interface Circumstances<K extends Kind> {
+  params: K['params'];
+  /** The edit was taken back. */
+  isBack: boolean;
+  /** What was set in a control and taken back. */
+  wish: Wish | null;
+}
+
 /** How a scene is looked at. */
 export type Seen<K extends Kind> = Pick<SceneLink<K>, 'view' | 'color' | 'camera'>;
 

@@ -4,8 +4,7 @@ import { History } from '../base/history.ts';
 import { UNAVAILABLE } from '../base/errors.ts';
 import { presetColor, same } from '../table/table.ts';
 import { loadJapanese, translate } from './strings.ts';
-import { loadLater } from './load-later.ts';
-import type { Later } from './load-later.ts';
+import type { Deferred } from '../base/deferred.ts';
 import type { ErrorInfo } from '../base/errors.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { Notice } from '../table/notices.ts';
@@ -15,13 +14,17 @@ import type { Backend, CameraState, ColorMode, Theme, View } from '../base/view.
 import type { StringKey } from './strings.en.ts';
 import type { Row } from '../table/row.ts';
 import type { Draw, Edition, Kind, Table } from '../table/table.ts';
-import type { Change, Line, Message, Offer, OpenedLink, Preferences, Problem, Remedy, Seen, Wish } from './store-types.ts';
+import type { Change, Circumstances, Line, Message, Offer, OpenedLink, Preferences, Problem, Remedy, Seen, Wish } from './store-types.ts';
 
 export type * from './store-types.ts';
 
-export const THEMES = ['auto', 'light', 'dark'] as const satisfies readonly Theme[];
-
 const MAX_SEED = 0xffff_ffff;
+
+/** What comes later of which the store itself has need. */
+export interface StoreLater {
+  japaneseNotice(notice: Notice): string;
+  placeError<K extends Kind>(store: SceneStore<K>, error: ErrorInfo, circumstances: Circumstances<K>): void;
+}
 
 export abstract class SceneStore<K extends Kind> {
   readonly table: Table<K>;
@@ -43,6 +46,7 @@ export abstract class SceneStore<K extends Kind> {
 
   #docs: Readonly<Record<string, Words>> = {};
   readonly #history: History<Edition<K>>;
+  protected readonly later: Deferred<StoreLater>;
   /** What the last edit set, if it was that of a control. */
   #wish: Wish | null = null;
   /** How things were seen before a link was opened that is not shown yet. */
@@ -50,9 +54,10 @@ export abstract class SceneStore<K extends Kind> {
   readonly #listeners = new Set<(change: Change) => void>();
 
   /** `history`: an element's, whose steps are then the store's too. */
-  constructor(table: Table<K>, link: OpenedLink<K>, preferences: Preferences, history?: History<Edition<K>>) {
+  constructor(table: Table<K>, link: OpenedLink<K>, preferences: Preferences, later: Deferred<StoreLater>, history?: History<Edition<K>>) {
     const { params, preset, view, color, camera, notices } = link;
     this.table = table;
+    this.later = later;
     this.#history = history ?? new History<Edition<K>>({ params, preset });
     this.view = view;
     this.chosenColor = color;
@@ -288,11 +293,11 @@ export abstract class SceneStore<K extends Kind> {
   /** In English at once; the words of the other language may have to be fetched. */
   #messagesOf(notices: readonly Notice[]): Line[] {
     let inJapanese: ((notice: Notice) => string) | undefined;
-    const fetched = ({ japaneseNotice }: Later) => {
+    const fetched = ({ japaneseNotice }: StoreLater) => {
       inJapanese = japaneseNotice;
       this.notify('messages');
     };
-    if (notices.length > 0) loadLater().then(fetched, () => undefined);
+    if (notices.length > 0) this.later.load().then(fetched, () => undefined);
     return notices.map((notice) => ({ text: (language) => (language === 'ja' && inJapanese?.(notice)) || notice.text, isProblem: true }));
   }
 
@@ -369,7 +374,7 @@ export abstract class SceneStore<K extends Kind> {
     if (!UNAVAILABLE.test(error.name)) this.wanted = null;
     this.setProgress(null);
     // In its own words where ours cannot be had.
-    await loadLater().then(({ placeError }) => placeError(this, error, { params, isBack, wish }), () => this.say(() => error.message, true));
+    await this.later.load().then(({ placeError }) => placeError(this, error, { params, isBack, wish }), () => this.say(() => error.message, true));
   }
 
   /** Stands before all messages. */

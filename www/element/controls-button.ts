@@ -3,45 +3,9 @@
  * wanted. Of the panel itself this file knows nothing but that it can be opened, told of changes and closed.
  */
 
-import type { Draw, Edition, Kind } from '../table/table.ts';
+import type { ControlledElement, OpenPanel, PanelOwner } from './panel-owner.ts';
+import type { Kind } from '../table/table.ts';
 import { addStyles } from '../base/document-styles.ts';
-import type { History } from '../base/history.ts';
-import type { Language } from '../base/language.ts';
-import type { ColorMode } from '../base/view.ts';
-import type { GeneratorElement } from './generator-element.ts';
-
-/** What the panel needs of its element beside what is public. */
-export interface PanelOwner<K extends Kind> {
-  element: GeneratorElement<K>;
-  root: ShadowRoot;
-  language: () => Language;
-  /** Whether the element's cycle has begun: before, nothing is loaded. */
-  isOpen: () => boolean;
-  /** Whether what is shown is what the parameters say. */
-  isSettled: () => boolean;
-  /** Null while the colour is the preset's. */
-  chosenColor: () => ColorMode | null;
-  result: () => K['result'] | null;
-  random: (params: K['params'], draw: Draw) => Promise<K['params']>;
-  history: () => History<Edition<K>>;
-  /** The panel, on demand: nothing of it is fetched before. */
-  loadPanel: () => Promise<PanelModule<K>>;
-  say: (text: string) => void;
-}
-
-/** The panel while it is open. */
-export interface OpenPanel {
-  focus: () => void;
-  readonly hasFocus: boolean;
-  /** Something may have changed at the element: shows it. */
-  sync: () => void;
-  dispose: () => void;
-}
-
-/** What the file of a panel exports. */
-export interface PanelModule<K extends Kind> {
-  openPanel: (owner: PanelOwner<K>, close: () => void) => OpenPanel;
-}
 
 const WORDS = {
   controls: { en: 'Controls', ja: '設定' },
@@ -75,16 +39,16 @@ const STYLES = `
 @media (pointer: coarse) { .controls-button { width: 40px; height: 40px } }
 `;
 
-export class ControlsButton<K extends Kind> {
+export class ControlsButton<K extends Kind, Owner extends ControlledElement> {
   readonly #button = document.createElement('button');
-  readonly #owner: PanelOwner<K>;
+  readonly #owner: PanelOwner<K, Owner>;
   #panel: OpenPanel | undefined;
   /** Counts openings and closings: what has loaded meanwhile may no longer be wanted. */
   #turn = 0;
   #attribute: string | null = null;
   #hasFailed = false;
 
-  constructor(owner: PanelOwner<K>) {
+  constructor(owner: PanelOwner<K, Owner>) {
     this.#owner = owner;
     const button = this.#button;
     button.type = 'button';

@@ -3,27 +3,23 @@
 import { INTERACTIONS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
 import { checkChoice, SCENE_ATTRIBUTES } from './attribute-reader.ts';
 import type { Backend, CameraState, ColorMode, Interaction, Theme, View, WantedQuality } from '../base/view.ts';
-import type { SceneAttributes } from './attribute-reader.ts';
 import { checkCamera } from '../table/camera-bounds.ts';
 import { METRES_PER_PIXEL } from '../scene/camera/orbit.ts';
-import type { Draw, Edition, Kind, Table } from '../table/table.ts';
+import type { Edition, Kind } from '../table/table.ts';
 import { CAN_SHOW } from '../base/document-styles.ts';
-import type { ControlsButton, PanelModule } from './controls-button.ts';
+import type { ControlsButton } from './controls-button.ts';
+import type { Definition } from './definition.ts';
 import { errorInfo, isAbort, RockFieldError, UNAVAILABLE } from '../base/errors.ts';
 import type { ErrorDetail } from '../base/error-pace.ts';
 import type { Progress } from '../generator/protocol.ts';
 import { CODE, History } from '../base/history.ts';
 import type { SceneLink } from '../table/link.ts';
-import type { Language } from '../base/language.ts';
-import type { RowProperties } from './parameter-properties.ts';
 import { lazily } from '../base/lazy.ts';
 import { REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
-import type { Look } from '../data/look.ts';
-import type { Runs, RunsHost } from '../generator/runs.ts';
+import type { Runs } from '../generator/runs.ts';
 import { SceneElement } from '../scene/scene-element.ts';
 import { isLook, isMade } from '../table/row.ts';
 import { presetColor, same } from '../table/table.ts';
-import type { Row } from '../table/row.ts';
 
 /** The events, by name, with their details. None bubbles; all are composed. */
 export interface SceneEventMap<Stage extends string> {
@@ -41,38 +37,21 @@ export interface SceneEventMap<Stage extends string> {
   notice: CustomEvent<{ message: string }>;
 }
 
-/** What one generator's scene is to its element. */
-export interface Scene<K extends Kind> {
-  table: Table<K>;
-  properties: RowProperties<K>;
-  /** By attribute: the rows of the whole. */
-  rowAttributes: ReadonlyMap<string, Row>;
-  /** Attributes that tell the items. */
-  itemAttributes: readonly string[];
-  /** Attributes of parameters that are no rows, with the key of each. */
-  ownAttributes: Readonly<Record<string, keyof K['params']>>;
-  /** What the items are called, as a property. */
-  list: string;
-  readAttributes(get: (name: string) => string | null): SceneAttributes<K>;
-  newRuns(host: RunsHost<K['params'], K['result'], K['stage']>): Runs<K['params'], K['result'], K['stage']>;
-  lookOf(params: K['params']): Look;
-  /** Width and height of the ground, px. */
-  groundSize(params: K['params']): [number, number];
-  encode(state: SceneLink<K>): string;
-  /** What is shown, in a sentence. */
-  describe(result: K['result'], metresPerPixel: number, language: Language): Promise<string>;
-  random(params: K['params'], draw: Draw): Promise<K['params']>;
-  loadPanel(): Promise<PanelModule<K>>;
-}
-
 /** Attributes that are no parameters and change nothing but manners. */
 const MANNERS = ['poster', 'disabled', 'auto-rotate', 'controls'];
 
-export function observedAttributes<K extends Kind>(scene: Scene<K>): readonly string[] {
-  return [...parameterAttributes(scene), ...MANNERS];
+/** Where a definition says what its attributes are called. */
+interface AttributeNames {
+  rowAttributes: ReadonlyMap<string, unknown>;
+  itemAttributes: readonly string[];
+  ownAttributes: object;
 }
 
-function parameterAttributes<K extends Kind>({ rowAttributes, itemAttributes, ownAttributes }: Scene<K>): string[] {
+export function observedAttributes(definition: AttributeNames): readonly string[] {
+  return [...parameterAttributes(definition), ...MANNERS];
+}
+
+function parameterAttributes({ rowAttributes, itemAttributes, ownAttributes }: AttributeNames): string[] {
   return [...SCENE_ATTRIBUTES, ...rowAttributes.keys(), ...itemAttributes, ...Object.keys(ownAttributes)];
 }
 
@@ -103,7 +82,7 @@ export let historyOf: <K extends Kind>(element: GeneratorElement<K>, onEdit: () 
  * @fires notice - An attribute could not be taken as it stood. `preventDefault()` keeps the message off the picture.
  */
 export abstract class GeneratorElement<K extends Kind> extends SceneElement {
-  readonly #scene: Scene<K>;
+  readonly #definition: Definition<K, GeneratorElement<K>>;
   readonly #runs: Runs<K['params'], K['result'], K['stage']>;
   /** Null before the attributes have been read. */
   #params: K['params'] | null = null;
@@ -112,7 +91,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   #scheduled = false;
   /** Steps of `undo`, of the panel and of code alike; edits that follow each other closely are one. */
   #history: History<Edition<K>> | undefined;
-  #controls: ControlsButton<K> | undefined;
+  #controls: ControlsButton<K, GeneratorElement<K>> | undefined;
   /** Null: nobody chose one, it is the preset's own. */
   #color: ColorMode | null = null;
   /** What is on screen, and what it was made from. */
@@ -133,11 +112,11 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   #interaction: Interaction = INTERACTIONS[0];
   #metresPerPixel = METRES_PER_PIXEL;
 
-  constructor(scene: Scene<K>) {
+  constructor(definition: Definition<K, GeneratorElement<K>>) {
     super();
-    this.#scene = scene;
-    this.#unread = new Set(parameterAttributes(scene));
-    this.#runs = scene.newRuns({
+    this.#definition = definition;
+    this.#unread = new Set(parameterAttributes(definition));
+    this.#runs = definition.newRuns({
       onResult: (result, { superseded, isPreview }, params) => this.#show(result, superseded, isPreview, params),
       onProgress: (progress) => this.tellProgress(progress),
       onError: (error, params) => {
@@ -171,11 +150,11 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
    */
   get params(): K['params'] {
     this.#readAttributes();
-    return this.#scene.table.resolve(this.#params ?? this.#default);
+    return this.#definition.table.resolve(this.#params ?? this.#default);
   }
 
   set params(params: K['params'] & { preset?: K['preset'] | undefined }) {
-    const resolved = this.#scene.table.resolve(params);
+    const resolved = this.#definition.table.resolve(params);
     this.#readAttributes();
     this.#takeParams(resolved);
     this.#record(params.preset);
@@ -184,12 +163,12 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   get #default(): K['params'] {
-    const { table } = this.#scene;
+    const { table } = this.#definition;
     return table.presetParams(table.presets[0]?.name ?? '');
   }
 
   #sameMade(one: K['params'] | null, other: K['params'] | null): boolean {
-    return one !== null && other !== null && same(this.#scene.table, one, other, isMade);
+    return one !== null && other !== null && same(this.#definition.table, one, other, isMade);
   }
 
   /** Until it is released, edits are one step of undo. */
@@ -199,7 +178,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   #setParams(params: K['params']): void {
-    const isDressed = this.#params !== null && this.#sameMade(this.#params, params) && !same(this.#scene.table, this.#params, params, isLook);
+    const isDressed = this.#params !== null && this.#sameMade(this.#params, params) && !same(this.#definition.table, this.#params, params, isLook);
     const isShown = this.#shown === this.#made && this.#sameMade(params, this.#made);
     this.#params = params;
     if (isDressed) return;
@@ -218,7 +197,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
 
   /** What the parameters were written against. */
   protected get presetInUse(): K['preset'] {
-    return this.#history?.present.preset ?? this.#scene.table.presets[0]?.name ?? '';
+    return this.#history?.present.preset ?? this.#definition.table.presets[0]?.name ?? '';
   }
 
   /** Shows the parameters' look, unless what they make is still to come: this then brings it. */
@@ -229,12 +208,12 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   #putOn(params: K['params'], preset: K['preset']): void {
-    this.setSceneLook(this.#scene.lookOf(params));
-    this.sceneColor = this.#color ?? presetColor(this.#scene.table, preset);
+    this.setSceneLook(this.#definition.lookOf(params));
+    this.sceneColor = this.#color ?? presetColor(this.#definition.table, preset);
   }
 
   #takeParams(params: K['params']): void {
-    this.#scene.properties.forget(this);
+    this.#definition.properties.forget(this);
     this.#setParams(params);
   }
 
@@ -244,7 +223,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     const edition: Edition<K> = { params: this.#params, preset };
     const present = this.#history?.present;
     if (!present) this.#history = new History(edition);
-    else if (preset !== present.preset || !same(this.#scene.table, edition.params, present.params)) this.#history?.record(edition, label, performance.now());
+    else if (preset !== present.preset || !same(this.#definition.table, edition.params, present.params)) this.#history?.record(edition, label, performance.now());
     this.#settle();
     this.#tellEdit();
   }
@@ -281,7 +260,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   #goBack(): void {
     const history = this.#ownHistory;
     const { params } = history.present;
-    this.#scene.properties.keepTrue(this, params);
+    this.#definition.properties.keepTrue(this, params);
     this.#params = params;
     if (this.#result && this.#sameMade(params, this.#shown)) this.#runs.settle(this.#result);
     else this.#runs.stale = true;
@@ -303,7 +282,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   set view(view: View) {
-    const { views } = this.#scene.table;
+    const { views } = this.#definition.table;
     const checked = checkChoice('view', view ?? views[0], views);
     this.#readAttributes();
     this.sceneView = checked;
@@ -313,11 +292,11 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   /** As the attribute; assigning `null` lets it follow the preset again. */
   get color(): ColorMode {
     this.#readAttributes();
-    return this.#color ?? presetColor(this.#scene.table, this.presetInUse);
+    return this.#color ?? presetColor(this.#definition.table, this.presetInUse);
   }
 
   set color(color: ColorMode | null) {
-    const checked = color === null || color === undefined ? null : checkChoice('color', color, this.#scene.table.colors);
+    const checked = color === null || color === undefined ? null : checkChoice('color', color, this.#definition.table.colors);
     this.#readAttributes();
     if (checked !== this.#color) this.recolor(() => this.#chooseColor(checked));
     this.#controls?.sync();
@@ -422,7 +401,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   shareURL(base: string = addressOf(this.ownerDocument)): string {
     const url = new URL(base, this.ownerDocument.baseURI);
     const { params, preset } = this.#ownHistory.settled;
-    url.hash = this.#scene.encode({ params, preset, ...(this.#beforeLink ?? this.#seen) });
+    url.hash = this.#definition.encode({ params, preset, ...(this.#beforeLink ?? this.#seen) });
     return url.href;
   }
 
@@ -437,7 +416,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
    */
   async randomize({ lock = [] }: { lock?: readonly string[] } = {}): Promise<void> {
     const { lockedDraw } = await lazily(() => import('./locked-draw.ts'));
-    const params = await lockedDraw(this.#scene, this.params, () => this.freshSeed(), { preset: this.presetInUse, lock });
+    const params = await lockedDraw(this.#definition, this.params, () => this.freshSeed(), { preset: this.presetInUse, lock });
     this.#history?.hold();
     this.params = params;
     this.#history?.release();
@@ -486,7 +465,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   protected async adopt(change: (params: K['params']) => K['params'], { signal, taken }: { signal: AbortSignal; taken: () => void }): Promise<void> {
     for (;;) {
       signal.throwIfAborted();
-      const candidate = { params: this.#scene.table.resolve(change(this.params)), taken };
+      const candidate = { params: this.#definition.table.resolve(change(this.params)), taken };
       this.#candidate = candidate;
       this.#candidates.add(candidate.params);
       this.#presets.set(candidate.params, this.presetInUse);
@@ -510,7 +489,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   #take(params: K['params']): void {
-    this.#scene.properties.forget(this);
+    this.#definition.properties.forget(this);
     this.#params = params;
     this.#record(this.presetInUse, '');
   }
@@ -553,7 +532,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   override connectedCallback(): void {
-    const { properties, list } = this.#scene;
+    const { properties, list } = this.#definition;
     for (const name of [...REFLECTED_PROPERTIES, list, ...properties.names, ...PROPERTIES]) this.#upgrade(name);
     super.connectedCallback();
   }
@@ -588,8 +567,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     }
   }
 
-  #newControls(Button: typeof ControlsButton): ControlsButton<K> {
-    return new Button<K>({
+  #newControls(Button: typeof ControlsButton): ControlsButton<K, GeneratorElement<K>> {
+    return new Button<K, GeneratorElement<K>>({
       element: this,
       root: this.shadowRoot as ShadowRoot,
       language: () => this.language,
@@ -598,8 +577,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
       chosenColor: () => this.#color,
       history: () => this.#ownHistory,
       result: () => this.#result,
-      random: this.#scene.random,
-      loadPanel: this.#scene.loadPanel,
+      random: this.#definition.random,
+      loadPanel: this.#definition.loadPanel,
       say: (text) => this.notify(text),
     });
   }
@@ -609,7 +588,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   protected override groundSize(): [number, number] {
-    return this.#scene.groundSize(this.#params ?? this.#default);
+    return this.#definition.groundSize(this.#params ?? this.#default);
   }
 
   #show(result: K['result'], superseded: boolean, isPreview: boolean, params: K['params']): void {
@@ -644,7 +623,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   async #describe(result: K['result']): Promise<void> {
-    const words = await this.#scene.describe(result, this.#metresPerPixel, this.language);
+    const words = await this.#definition.describe(result, this.#metresPerPixel, this.language);
     if (this.#result === result) this.describe(words);
   }
 
@@ -665,7 +644,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     const unread = this.#unread;
     if (unread.size === 0) return;
     this.#unread = new Set();
-    const { table, properties, rowAttributes, itemAttributes, ownAttributes, readAttributes } = this.#scene;
+    const { table, properties, rowAttributes, itemAttributes, ownAttributes, readAttributes } = this.#definition;
     const read = readAttributes((name) => this.getAttribute(name));
     const { params } = read;
     const has = (...names: string[]) => names.some((name) => unread.has(name));
@@ -699,10 +678,10 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
 
   #withAssigned(params: K['params']): K['params'] {
     try {
-      return this.#scene.properties.withAssigned(this, params);
+      return this.#definition.properties.withAssigned(this, params);
     } catch (thrown) {
       // Of a layer that is no more, or in a notation with other bounds. Nothing may be thrown out of a lifecycle callback.
-      this.#scene.properties.forget(this);
+      this.#definition.properties.forget(this);
       this.report(errorInfo(thrown));
       return params;
     }

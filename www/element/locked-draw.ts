@@ -1,7 +1,8 @@
 /** Parameters by lot, but for what is locked. */
 
 import { RockFieldError } from '../base/errors.ts';
-import type { Scene } from './generator-element.ts';
+import type { ControlledElement } from './panel-owner.ts';
+import type { Definition } from './definition.ts';
 import { shown, wrongType } from '../table/param-checks.ts';
 import type { Draw, Kind } from '../table/table.ts';
 
@@ -10,7 +11,7 @@ import type { Draw, Kind } from '../table/table.ts';
  *
  * @throws {RockFieldError} `UnknownKey` for a name in `lock` that is no parameter.
  */
-export async function lockedDraw<K extends Kind>({ table, properties, list, random }: Scene<K>, old: K['params'], freshSeed: () => Promise<number>, { preset, lock }: Required<Omit<Draw, 'seed'>>): Promise<K['params']> {
+export async function lockedDraw<K extends Kind>({ table, properties, list, random }: Pick<Definition<K, ControlledElement>, 'table' | 'properties' | 'list' | 'random'>, old: K['params'], freshSeed: () => Promise<number>, { preset, lock }: Required<Omit<Draw, 'seed'>>): Promise<K['params']> {
   if (!Array.isArray(lock)) throw wrongType('lock', lock, 'a list of names');
   const stranger = lock.find((name) => name !== list && !properties.names.includes(name));
   if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${shown(stranger)}` });

@@ -1,8 +1,6 @@
 /** A page of one scene: wires an element, the controls and the address bar to one store, which has one history with the element. */
 
 import '../controls/stage-overlay.ts';
-import { loadLater } from '../controls/load-later.ts';
-import type { Later } from '../controls/load-later.ts';
 import { savePreferences } from '../controls/preferences.ts';
 import { UNAVAILABLE, errorInfo } from '../base/errors.ts';
 import { historyOf } from '../element/generator-element.ts';
@@ -10,7 +8,8 @@ import { lazily, onMissingFile, tellMissingFile } from '../base/lazy.ts';
 import { isLink } from '../table/link.ts';
 import { rememberScene } from '../controls/site.ts';
 import { pageTitle, translate } from '../controls/strings.ts';
-import type { Actions, ScenePanel } from '../controls/panel.ts';
+import type { Actions } from '../controls/actions.ts';
+import type { Later, ScenePanel } from '../controls/panel.ts';
 import type { Draw, Edition, Kind } from '../table/table.ts';
 import type { Change, OpenedLink, Preferences, SceneStore } from '../controls/store.ts';
 import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
@@ -194,7 +193,7 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
 
   // What the buttons do.
 
-  const act = (name: keyof Later['pageActions']) => () => void loadLater().then(({ pageActions }) => pageActions[name]({ store, element, stage, random, link }));
+  const act = (name: keyof Later['pageActions']) => () => void panel.loadLater().then(({ pageActions }) => pageActions[name]({ store, element, stage, random, link }));
 
   const actions: Actions<K> = {
     freshSeed: act('freshSeed'),

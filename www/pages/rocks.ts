@@ -2,8 +2,8 @@
 
 import '../entries/rock-field.ts';
 import { ControlPanel } from '../rocks/controls/panel.ts';
-import { loadLater } from '../controls/load-later.ts';
 import { loadPreferences } from '../controls/preferences.ts';
+import { ROCK_LATER } from '../rocks/controls/deferred.ts';
 import { Store } from '../rocks/controls/store.ts';
 import { isLink } from '../table/link.ts';
 import { openPage } from './page.ts';
@@ -27,12 +27,12 @@ if (preferences.language === 'ja') await loadJapanese();
 const element = document.createElement('rock-field');
 
 openPage({
-  newStore: (link, own, history) => new Store(link, own, history),
+  newStore: (link, own, history) => new Store(link, own, ROCK_LATER, history),
   preferences,
   element,
   panel: new ControlPanel(),
   readLink,
   encode: encodeLink,
   shown: () => element.field,
-  random: async (params, draw) => (await loadLater()).randomParams(params, draw),
+  random: async (params, draw) => (await ROCK_LATER.load()).randomParams(params, draw),
 });

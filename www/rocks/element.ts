@@ -5,7 +5,8 @@ import type { Field, FieldStats } from '../data/field.ts';
 import { GeneratorClient } from './client.ts';
 import type { StageName } from '../generator/protocol.ts';
 import { GeneratorElement, observedAttributes } from '../element/generator-element.ts';
-import type { Scene, SceneEventMap } from '../element/generator-element.ts';
+import type { Definition } from '../element/definition.ts';
+import type { SceneEventMap } from '../element/generator-element.ts';
 import { lazily } from '../base/lazy.ts';
 import { loadPanel } from './load-panel.ts';
 import { lookOf } from './look.ts';
@@ -24,7 +25,7 @@ export interface RockFieldEventMap extends SceneEventMap<StageName> {
   generate: CustomEvent<{ stats: FieldStats; field: Field; superseded: boolean }>;
 }
 
-const SCENE: Scene<Rocks> = {
+const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
   table: ROCKS,
   properties: new RowProperties(ROCKS, [...ROCKS.rows, ...ROCKS.itemRows]),
   rowAttributes: FIELD_ATTRIBUTES,
@@ -60,10 +61,10 @@ type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEv
  * @fires generate - A field is finished and on screen; `detail` has its statistics.
  */
 export class RockFieldElement extends GeneratorElement<Rocks> {
-  static readonly observedAttributes: readonly string[] = observedAttributes(SCENE);
+  static readonly observedAttributes: readonly string[] = observedAttributes(DEFINITION);
 
   constructor() {
-    super(SCENE);
+    super(DEFINITION);
   }
 
   /** The layers as objects; what an entry leaves out has the table's default. */
@@ -89,5 +90,5 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
   }
 }
 
-SCENE.properties.define(RockFieldElement.prototype);
+DEFINITION.properties.define(RockFieldElement.prototype);
 defineReflectedProperties(RockFieldElement.prototype);

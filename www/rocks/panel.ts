@@ -3,13 +3,15 @@
 import { panelAddress } from '../controls/clipboard.ts';
 import { ControlPanel } from './controls/panel.ts';
 import { EmbeddedPanel } from '../controls/embedded-panel.ts';
+import { ROCK_LATER } from './controls/deferred.ts';
 import { Store } from './controls/store.ts';
-import type { OpenPanel, PanelOwner } from '../element/controls-button.ts';
+import type { GeneratorElement } from '../element/generator-element.ts';
+import type { OpenPanel, PanelOwner } from '../element/panel-owner.ts';
 import type { Rocks } from './table.ts';
 
-export function openPanel(owner: PanelOwner<Rocks>, close: () => void): OpenPanel {
+export function openPanel(owner: PanelOwner<Rocks, GeneratorElement<Rocks>>, close: () => void): OpenPanel {
   return new EmbeddedPanel(owner, close, {
-    newStore: (link, preferences, history) => new Store(link, preferences, history),
+    newStore: (link, preferences, history) => new Store(link, preferences, ROCK_LATER, history),
     panel: new ControlPanel(),
     script: panelAddress(import.meta.url),
   });

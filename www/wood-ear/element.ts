@@ -9,7 +9,8 @@ import type { Field } from '../data/field.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { WoodEarStage } from './session.ts';
 import { GeneratorElement, observedAttributes } from '../element/generator-element.ts';
-import type { Scene, SceneEventMap } from '../element/generator-element.ts';
+import type { Definition } from '../element/definition.ts';
+import type { SceneEventMap } from '../element/generator-element.ts';
 import { lazily } from '../base/lazy.ts';
 import { loadWoodEarPanel } from './load-panel.ts';
 import { besideNotice, listenToDrops, logAmong, nothingDropped } from './log-drop.ts';
@@ -39,7 +40,7 @@ export interface WoodEarLogEventMap extends SceneEventMap<WoodEarStage> {
   change: CustomEvent<{ params: WoodEarSceneParams; held: boolean }>;
 }
 
-const SCENE: Scene<WoodEars> = {
+const DEFINITION: Definition<WoodEars, GeneratorElement<WoodEars>> = {
   table: WOOD_EARS,
   properties: new RowProperties(WOOD_EARS, WOOD_EARS.rows),
   rowAttributes: WOOD_EAR_ATTRIBUTES,
@@ -90,7 +91,7 @@ const AROUND = { share: 0.15, cm: 6 };
  * @fires change - The user placed, moved or removed a base, or brought a log.
  */
 export class WoodEarLogElement extends GeneratorElement<WoodEars> {
-  static readonly observedAttributes: readonly string[] = [...observedAttributes(SCENE), 'editable'];
+  static readonly observedAttributes: readonly string[] = [...observedAttributes(DEFINITION), 'editable'];
 
   #shown: WoodEarScene | null = null;
   #wood: Wood | null = null;
@@ -107,7 +108,7 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
   #loading: AbortController | undefined;
 
   constructor() {
-    super(SCENE);
+    super(DEFINITION);
   }
 
   /** Where the colonies spread from, as objects. */
@@ -352,5 +353,5 @@ function subjectOf(params: WoodEarSceneParams): Subject {
   return { low: [middle + low, middle - radius - AROUND.cm, 0], high: [middle + high, middle + radius + AROUND.cm, height + AROUND.cm] };
 }
 
-SCENE.properties.define(WoodEarLogElement.prototype);
+DEFINITION.properties.define(WoodEarLogElement.prototype);
 defineReflectedProperties(WoodEarLogElement.prototype);

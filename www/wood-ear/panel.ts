@@ -5,7 +5,8 @@ import { EmbeddedPanel } from '../controls/embedded-panel.ts';
 import { WoodEarPanel } from './controls/panel.ts';
 import { WoodEarStore } from './controls/store.ts';
 import { errorInfo, isAbort } from '../base/errors.ts';
-import type { OpenPanel, PanelOwner } from '../element/controls-button.ts';
+import type { GeneratorElement } from '../element/generator-element.ts';
+import type { OpenPanel, PanelOwner } from '../element/panel-owner.ts';
 import type { WoodEars } from './table.ts';
 
 /** The part of `<wood-ear-log>` that no other element has. */
@@ -13,7 +14,7 @@ interface LogReader {
   loadLog(file: File): Promise<unknown>;
 }
 
-export function openPanel(owner: PanelOwner<WoodEars>, close: () => void): OpenPanel {
+export function openPanel(owner: PanelOwner<WoodEars, GeneratorElement<WoodEars>>, close: () => void): OpenPanel {
   const element = owner.element as unknown as HTMLElement & LogReader;
   return new EmbeddedPanel(owner, close, {
     newStore: (link, preferences, history) => new WoodEarStore(link, preferences, history),

@@ -10,7 +10,7 @@ import { rockCount } from './summary.ts';
 import type { TemplateResult } from 'lit';
 import type { ParamSpec } from '../spec.ts';
 import type { Layer } from '../params.ts';
-import type { Later } from '../../controls/load-later.ts';
+import type { RockLater } from './deferred.ts';
 import type { Store } from './store.ts';
 
 /** Colours of the renderer's palette, repeated by layer id; page.css has them. */
@@ -20,7 +20,7 @@ export interface LayerCard {
   focus: (index: number) => void;
   store: Store;
   /** Its parameters come later. */
-  later: Later | undefined;
+  later: RockLater | undefined;
   layer: Layer;
   index: number;
   isOpen: boolean;

@@ -9,12 +9,15 @@ import { description } from '../../controls/parts.ts';
 import { register, ScenePanel } from '../../controls/panel.ts';
 import type { TemplateResult } from 'lit';
 import type { Rocks } from '../table.ts';
-import type { Later } from '../../controls/load-later.ts';
+import { ROCK_LATER } from './deferred.ts';
+import type { RockLater } from './deferred.ts';
 import type { Place } from '../../controls/parts.ts';
 import type { Store } from './store.ts';
 
 export class ControlPanel extends ScenePanel<Rocks> {
   declare store: Store;
+  protected override readonly deferred = ROCK_LATER;
+  protected declare later: RockLater | undefined;
   /** Ids of the layers whose cards are open. */
   readonly #openLayers = new Set<number>();
 
@@ -33,7 +36,7 @@ export class ControlPanel extends ScenePanel<Rocks> {
     return presetName(this.store.language, { name: this.store.preset });
   }
 
-  protected override choosePreset({ choosePreset, presetGroups }: Later, place: Place): void {
+  protected override choosePreset({ choosePreset, presetGroups }: RockLater, place: Place): void {
     const { store, actions } = this;
     // From above, grounds are no pictures.
     const canDraw = store.backend === 'webgpu' || store.backend === 'webgl';

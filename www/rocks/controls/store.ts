@@ -1,30 +1,37 @@
 /** The store of a field of rocks: with layers, and two notations. */
 
 import { ROCKS } from '../table.ts';
-import { withLater } from '../../controls/load-later.ts';
 import { SceneStore } from '../../controls/store.ts';
 import { summary } from './summary.ts';
 import type { Layer } from '../params.ts';
-import type { Later } from '../../controls/load-later.ts';
+import type { Deferred } from '../../base/deferred.ts';
+import type * as strings from '../../controls/strings-later.ts';
+import type * as layers from './next-layer.ts';
+import type * as notation from './notation.ts';
+import type * as scale from './scaled-layer.ts';
 import type { Field } from '../../data/field.ts';
 import type { StageName } from '../../generator/protocol.ts';
 import type { History } from '../../base/history.ts';
 import type { Notation, Row } from '../../table/row.ts';
 import type { Rocks } from '../table.ts';
 import type { Edition } from '../../table/table.ts';
-import type { OpenedLink, Preferences } from '../../controls/store.ts';
+import type { OpenedLink, Preferences, StoreLater } from '../../controls/store.ts';
 
 /** Colours of the renderer's palette, which layers have by their ids. */
 const COLORS = 8;
 
+/** What the store needs of what comes later. */
+type RockStoreLater = StoreLater & typeof layers & typeof notation & typeof scale & Pick<typeof strings, 'later'>;
+
 export class Store extends SceneStore<Rocks> {
   /** Whether height and taper stay when the radius changes; else they keep their proportions. */
   keepsShape = false;
+  protected declare readonly later: Deferred<RockStoreLater>;
   /** The layer whose radius was changed last, as it was before, and as it is. All that follows is measured from there: a drag rounds nothing away. */
   #resized: { from: Layer; to: Layer } | undefined;
 
-  constructor(link: OpenedLink<Rocks>, preferences: Preferences, history?: History<Edition<Rocks>>) {
-    super(ROCKS, link, preferences, history);
+  constructor(link: OpenedLink<Rocks>, preferences: Preferences, later: Deferred<RockStoreLater>, history?: History<Edition<Rocks>>) {
+    super(ROCKS, link, preferences, later, history);
   }
 
   get field(): Field | null {
@@ -51,7 +58,7 @@ export class Store extends SceneStore<Rocks> {
 
   override setParam(row: Row, item: number | null, value: number | string | null): void {
     if (row.key === 'notation') void this.setNotation(value as Notation);
-    else if (row.key === 'radius' && item !== null && !this.keepsShape) void withLater((later) => this.#resize(later, row, item, Number(value)));
+    else if (row.key === 'radius' && item !== null && !this.keepsShape) void this.later.use((later) => this.#resize(later, row, item, Number(value)));
     else super.setParam(row, item, value);
   }
 
@@ -64,7 +71,7 @@ export class Store extends SceneStore<Rocks> {
     this.notify('messages');
   }
 
-  #resize({ scaledLayer, later }: Later, row: Row, item: number, radius: number): void {
+  #resize({ scaledLayer, later }: RockStoreLater, row: Row, item: number, radius: number): void {
     const { layers, notation } = this.params;
     const layer = layers[item];
     if (!layer) return;
@@ -76,7 +83,7 @@ export class Store extends SceneStore<Rocks> {
   }
 
   setNotation(notation: Notation): Promise<void> {
-    return withLater(({ inNotation, later }) => {
+    return this.later.use(({ inNotation, later }) => {
       const { params, clamped } = inNotation(this.params, notation);
       this.edit(params);
       if (clamped) this.say((language) => later(language, 'notationClamped'));
@@ -84,7 +91,7 @@ export class Store extends SceneStore<Rocks> {
   }
 
   addLayer(): Promise<void> {
-    return withLater(({ nextLayer }) => this.setItems([...this.params.layers, nextLayer(this.params, this.#freeId())]));
+    return this.later.use(({ nextLayer }) => this.setItems([...this.params.layers, nextLayer(this.params, this.#freeId())]));
   }
 
   duplicateLayer(index: number): void {

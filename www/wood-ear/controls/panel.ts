@@ -11,7 +11,9 @@ import { BASE_ROWS, LOG_ROWS } from '../request.ts';
 import { icon } from '../../controls/icons.ts';
 import { problemOf } from '../../controls/numbers.ts';
 import { description, iconButton, menu, segments } from '../../controls/parts.ts';
+import { WOOD_EAR_LATER } from './deferred.ts';
 import { register, ScenePanel } from '../../controls/panel.ts';
+import type { Later } from '../../controls/panel.ts';
 import { woodEarStatistics } from './statistics.ts';
 import type { TemplateResult } from 'lit';
 import type { PresetName } from '../../rocks/params.ts';
@@ -19,10 +21,9 @@ import type { WoodEarStringKey } from './strings.ts';
 import type { Row } from '../../table/row.ts';
 import type { WoodEarBase } from '../request.ts';
 import type { WoodEars } from '../table.ts';
-import type { Later } from '../../controls/load-later.ts';
 import type { Place } from '../../controls/parts.ts';
 import type { PresetGroup } from '../../controls/preset-picker.ts';
-import type { Actions } from '../../controls/panel.ts';
+import type { Actions } from '../../controls/actions.ts';
 import type { WoodEarStore } from './store.ts';
 
 /** The thesis's sliders, which everybody begins with. */
@@ -39,6 +40,7 @@ export interface WoodEarActions extends Actions<WoodEars> {
 export class WoodEarPanel extends ScenePanel<WoodEars> {
   declare store: WoodEarStore;
   declare actions: WoodEarActions;
+  protected override readonly deferred = WOOD_EAR_LATER;
   readonly #openBases = new Set<number>();
 
   protected override words(key: 'presetHelp' | 'shareHelp' | 'embedHelp'): string {

@@ -1,5 +1,6 @@
 /** The store of a colony of wood ears: with bases, a log, and what that lies on. */
 
+import { WOOD_EAR_LATER } from './deferred.ts';
 import { woodEarText } from './strings.ts';
 import { groundOf, WOOD_EARS } from '../table.ts';
 import { SceneStore } from '../../controls/store.ts';
@@ -15,7 +16,7 @@ import type { Offer, OpenedLink, Preferences } from '../../controls/store.ts';
 
 export class WoodEarStore extends SceneStore<WoodEars> {
   constructor(link: OpenedLink<WoodEars>, preferences: Preferences, history?: History<Edition<WoodEars>>) {
-    super(WOOD_EARS, link, preferences, history);
+    super(WOOD_EARS, link, preferences, WOOD_EAR_LATER, history);
   }
 
   override summary(): string {

@@ -1,0 +1,22 @@
+/** What the buttons of a panel do. */
+
+import type { GeneratorElement } from '../element/generator-element.ts';
+import type { Kind } from '../table/table.ts';
+
+/** What the panel's place does that the store cannot. */
+export interface Actions<K extends Kind> {
+  freshSeed: () => void;
+  randomise: () => void;
+  /** An element like the one whose panel this is. */
+  newElement: () => GeneratorElement<K>;
+  share: () => void;
+  /** The link to what is shown; the page's alone. */
+  link?: () => string;
+  /** Absent where nobody knows the address of a script to embed. */
+  embed?: (() => void) | undefined;
+  /** Lists the page's keys. */
+  help?: () => void;
+  /** An element's panel alone is closed, and cancels in itself: on the page, `<stage-overlay>` has that. */
+  close?: () => void;
+  cancel?: () => void;
+}

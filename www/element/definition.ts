@@ -1,0 +1,34 @@
+/** What a generator is to its element: everything in which `<rock-field>` and `<wood-ear-log>` differ but for what they show. */
+
+import type { Language } from '../base/language.ts';
+import type { Look } from '../data/look.ts';
+import type { Runs, RunsHost } from '../generator/runs.ts';
+import type { SceneLink } from '../table/link.ts';
+import type { Row } from '../table/row.ts';
+import type { Draw, Kind, Table } from '../table/table.ts';
+import type { SceneAttributes } from './attribute-reader.ts';
+import type { ControlledElement, PanelModule } from './panel-owner.ts';
+import type { RowProperties } from './parameter-properties.ts';
+
+export interface Definition<K extends Kind, Owner extends ControlledElement> {
+  table: Table<K>;
+  properties: RowProperties<K>;
+  /** By attribute: the rows of the whole. */
+  rowAttributes: ReadonlyMap<string, Row>;
+  /** Attributes that tell the items. */
+  itemAttributes: readonly string[];
+  /** Attributes of parameters that are no rows, with the key of each. */
+  ownAttributes: Readonly<Record<string, keyof K['params']>>;
+  /** What the items are called, as a property. */
+  list: string;
+  readAttributes(get: (name: string) => string | null): SceneAttributes<K>;
+  newRuns(host: RunsHost<K['params'], K['result'], K['stage']>): Runs<K['params'], K['result'], K['stage']>;
+  lookOf(params: K['params']): Look;
+  /** Width and height of the ground, px. */
+  groundSize(params: K['params']): [number, number];
+  encode(state: SceneLink<K>): string;
+  /** What is shown, in a sentence. */
+  describe(result: K['result'], metresPerPixel: number, language: Language): Promise<string>;
+  random(params: K['params'], draw: Draw): Promise<K['params']>;
+  loadPanel(): Promise<PanelModule<K, Owner>>;
+}
