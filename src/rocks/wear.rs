@@ -207,10 +207,11 @@ impl Wearer {
         let mut inner = Vec::with_capacity(corners);
         for (i, &(outward, distance)) in sides.iter().enumerate() {
             // Rocks that touch have ground each other down.
-            let gap = if (rock.touches)(i) { 0.01 + 0.05 * worn } else { 0.0 };
-            let distance = (distance * (1.0 - gap) + step).max(0.25 * distance).max(least);
+            let gap = if (rock.touches)(i) { GAP + GAP_WORN * worn } else { 0.0 };
+            let distance = (distance * (1.0 - gap) + step).max(LEAST_SIDE * distance).max(least);
             // Broken sides lean, each by its own random amount.
-            let lean = (0.7 * stream.unit() - 0.2) * (1.0 - 0.7 * worn) * radius / up.max(0.3 * radius);
+            let lean = (LEANS * stream.unit() - LEANS_INWARD) * (1.0 - UPRIGHT_WORN * worn);
+            let lean = lean * radius / up.max(LEAST_HEIGHT * radius);
             let normal = turn.rotate(outward).extend(lean).normalize();
             self.body.push(normal, distance * normal.truncate().length());
             inner.push((outward, distance));
@@ -218,26 +219,26 @@ impl Wearer {
         // A stone breaks along few planes. On a rounded stone, the facets of the top vertices merge into one surface
         // with those planes.
         for vertex in top {
-            let at = (vertex.truncate() - middle).clamp_length_max(0.85 * radius);
-            let z = (vertex.z - WAIST * height).max(0.2 * up);
+            let at = (vertex.truncate() - middle).clamp_length_max(FACETS_WITHIN * radius);
+            let z = (vertex.z - WAIST * height).max(FACETS_ABOVE * up);
             let normal = (at / (radius * radius)).extend(z / (up * up)).normalize();
-            self.body.push(normal, (1.08 + 0.17 * worn) * normal.dot(at.extend(z)).max(least));
+            self.body.push(normal, (FACETS_OUT + FACETS_OUT_WORN * worn) * normal.dot(at.extend(z)).max(least));
         }
         for _ in 0..CUTS {
             let around = stream.direction();
-            let z = 0.1 + 0.75 * stream.unit();
+            let z = CUTS_UP + CUTS_STEEPER * stream.unit();
             let normal = (around * (1.0 - z * z).sqrt() * up).extend(z * radius).normalize();
             let reach = (normal * DVec3::new(radius, radius, up)).length();
-            self.body.push(normal, reach * (0.68 + 0.3 * stream.unit() + 0.25 * worn));
+            self.body.push(normal, reach * (CUTS_OUT + CUTS_VARY * stream.unit() + CUTS_OUT_WORN * worn));
         }
-        let tilt = TILT * stream.unit() * (1.0 - 0.5 * worn) * up / radius;
+        let tilt = TILT * stream.unit() * (1.0 - LEVEL_WORN * worn) * up / radius;
         self.body.push((stream.direction() * tilt).extend(1.0).normalize(), up);
         self.body.push(DVec3::NEG_Z, down);
 
         // Rounding has made the body smaller, so it is enlarged until it touches its cell and reaches its height.
         let fit = inner.iter().map(|&(outward, distance)| distance * self.body.gauge(outward.extend(0.0)));
         let share = 1.0 - SHRINK * stream.unit();
-        let across = share * fit.fold(1.3_f64, f64::min);
+        let across = share * fit.fold(MOST_WIDENED, f64::min);
         let along = share * self.body.gauge(DVec3::Z) * up;
         let axis = stream.direction();
         let squeeze = 1.0 - SQUEEZE * stream.unit();
@@ -259,11 +260,48 @@ impl Wearer {
     }
 }
 
+// The numbers below are chosen by eye. Those whose names end with `WORN` are what a fully rounded stone has in addition,
+// or is lacking.
+
+/// How much of a side rocks that touch have ground away, as a share of its distance from the middle.
+const GAP: f64 = 0.01;
+const GAP_WORN: f64 = 0.05;
+
+/// Least distance of a side from the middle after Eq. 2 has moved it, as a share of its distance in the cell.
+const LEAST_SIDE: f64 = 0.25;
+
+/// Width of the range in which sides lean, and how much of it is inward; both are slopes, relative to the radius over
+/// the height above the waist. That height counts as at least `LEAST_HEIGHT` radii.
+const LEANS: f64 = 0.7;
+const LEANS_INWARD: f64 = 0.2;
+const UPRIGHT_WORN: f64 = 0.7;
+const LEAST_HEIGHT: f64 = 0.3;
+
+/// Where the facets of the top vertices touch the stone: at most this far from the middle, in radii, and at least this
+/// high above the waist, as a share of the height above it. They are moved outward by the factors `FACETS_OUT`.
+const FACETS_WITHIN: f64 = 0.85;
+const FACETS_ABOVE: f64 = 0.2;
+const FACETS_OUT: f64 = 1.08;
+const FACETS_OUT_WORN: f64 = 0.17;
+
 /// Number of planes that a stone has broken along, besides its top, its sides and the facets of its top vertices.
 const CUTS: usize = 4;
 
+/// The planes' normals on the unit sphere: least height, and range of heights above it.
+const CUTS_UP: f64 = 0.1;
+const CUTS_STEEPER: f64 = 0.75;
+
+/// Distances of the planes from the middle, relative to the ellipsoid around it: least distance and range.
+const CUTS_OUT: f64 = 0.68;
+const CUTS_VARY: f64 = 0.3;
+const CUTS_OUT_WORN: f64 = 0.25;
+
 /// Largest tilt of the top, relative to the slope from the middle to the waist.
 const TILT: f64 = 0.9;
+const LEVEL_WORN: f64 = 0.5;
+
+/// The most by which a body is widened so that it touches its cell.
+const MOST_WIDENED: f64 = 1.3;
 
 /// Everything that is needed to map the disc onto the body.
 struct Stone {

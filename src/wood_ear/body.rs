@@ -87,6 +87,19 @@ impl Rib {
     }
 }
 
+// The numbers below are chosen by eye.
+
+/// Thickness of dry flesh, as a share of that of wet flesh.
+const DRY: f64 = 0.5;
+/// How much thinner the flesh is at the rim than at the foot, as a share.
+const THINNER: f64 = 0.55;
+/// How deep the stalk reaches into the log, in rim radii, and how wide its end is, relative to ring 1: at foot 0, and
+/// what is added up to foot 1.
+const STALK_DEPTH: [f64; 2] = [0.12, 0.15];
+const STALK_WIDTH: [f64; 2] = [0.4, 0.9];
+/// Depth of the middle of the stalk's end, relative to its rim.
+const STALK_TIP: f64 = 1.3;
+
 /// Computes the vertices of one body in its own frame, cm, and puts them into `body`. If `lift` is not 0, all but the
 /// stalk's are lifted by it and by the thickness of the flesh.
 pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend, lift: f64, body: &mut Vec<Rib>) {
@@ -94,7 +107,7 @@ pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend
     let d = f64::from(layout.rings);
     body.clear();
     // Dry flesh is thinner than wet flesh.
-    let wet = if layout.thick { params.thickness * (0.5 + 0.5 * params.moisture / 100.0) } else { 0.0 };
+    let wet = if layout.thick { params.thickness * (DRY + (1.0 - DRY) * params.moisture / 100.0) } else { 0.0 };
     let lift = if lift > 0.0 { DVec3::new(0.0, lift + wet, 0.0) } else { DVec3::ZERO };
     let mut add = |p: DVec3, share: f64| body.push(bend.rib(p * sheet.size + lift, share));
     let share = |v: usize| (v / c + 1) as f64 / d;
@@ -104,7 +117,7 @@ pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend
     if layout.thick {
         let outward = outward(layout, &sheet.points);
         // The flesh is thinner at the rim than at the foot.
-        let thickness = |v: usize| wet / sheet.size * (1.0 - 0.55 * share(v));
+        let thickness = |v: usize| wet / sheet.size * (1.0 - THINNER * share(v));
         let rim = sheet.points.len() - c;
         let half = 0.5 * thickness(rim);
         for k in 1..=RIM_RINGS {
@@ -121,13 +134,13 @@ pub(super) fn build(params: &Params, layout: &Layout, sheet: &Sheet, bend: &Bend
     }
     if layout.foot {
         // The foot reaches into the log, because the log's surface may fall away below ring 1.
-        let depth = 0.12 + 0.15 * params.foot;
-        let width = 0.4 + 0.9 * params.foot;
+        let depth = STALK_DEPTH[0] + STALK_DEPTH[1] * params.foot;
+        let width = STALK_WIDTH[0] + STALK_WIDTH[1] * params.foot;
         let sunk = |p: DVec3| p - lift / sheet.size;
         for p in &sheet.points[..c] {
             add(sunk(DVec3::new(p.x * width, -depth, p.z * width)), 0.0);
         }
-        add(sunk(DVec3::new(0.0, -1.3 * depth, 0.0)), 0.0);
+        add(sunk(DVec3::new(0.0, -STALK_TIP * depth, 0.0)), 0.0);
         if layout.thick {
             let floor = sheet.points[..c].iter().map(|p| p.y).sum::<f64>() / c as f64;
             add(DVec3::new(0.0, floor, 0.0), 0.0);
