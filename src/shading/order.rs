@@ -96,7 +96,6 @@ mod tests {
     use super::*;
 
     #[test]
-    #[cfg(not(target_family = "wasm"))]
     fn typescript_has_the_same_order() {
         let lists = [
             ("VIEWS", "The index of its word is what `RawRenderer.setStyle` takes as a view.", Mode::WORDS),
