@@ -24,20 +24,15 @@ export async function pack() {
   return { outside, tarball, folder };
 }
 
-/** Packs and looks; throws when something is wrong with the package. */
-export async function check() {
-  const { outside, tarball, folder } = await pack();
-  try {
-    const { exports } = JSON.parse(readFileSync(path.join(folder, 'package.json'), 'utf8'));
-    await publint(folder);
-    await types(tarball, exports);
-    importEach(outside, exports);
-    await graph(folder, exports);
-    const files = readdirSync(folder, { recursive: true }).filter((name) => statSync(path.join(folder, name)).isFile());
-    say(`• ${path.basename(tarball)}: ${files.length} files, ${(statSync(tarball).size / 1000).toFixed(0)} kB`);
-  } finally {
-    rmSync(outside, { recursive: true, force: true });
-  }
+/** Looks at what `pack` has packed; throws when something is wrong with it. */
+export async function examine({ outside, tarball, folder }) {
+  const { exports } = JSON.parse(readFileSync(path.join(folder, 'package.json'), 'utf8'));
+  await publint(folder);
+  await types(tarball, exports);
+  importEach(outside, exports);
+  await graph(folder, exports);
+  const files = readdirSync(folder, { recursive: true }).filter((name) => statSync(path.join(folder, name)).isFile());
+  say(`• ${path.basename(tarball)}: ${files.length} files, ${(statSync(tarball).size / 1000).toFixed(0)} kB`);
 }
 
 function publint(folder) {
@@ -109,7 +104,12 @@ function filesOf(target, conditions = []) {
 
 if (isMain(import.meta)) {
   await main(async () => {
-    await check();
+    const packed = await pack();
+    try {
+      await examine(packed);
+    } finally {
+      rmSync(packed.outside, { recursive: true, force: true });
+    }
     say('✓ the package is in order');
   });
 }

@@ -4,7 +4,7 @@
 //   SKIP_BROWSERS=1 npm test         without the browser tests
 //
 // The last line on stdout is always `N passed, N failed`, counting steps.
-import { existsSync, readdirSync } from 'node:fs';
+import { existsSync, readdirSync, rmSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { pipeline } from 'node:stream/promises';
@@ -28,7 +28,12 @@ const HANGS_MS = 1_200_000;
 /** Browser tests that take long begin first, so that none of them runs on alone when the others have ended. */
 const LONG_FILES = ['docs', 'wood-ear', 'page', 'element', 'controls', 'wood-ear-natural', 'many', 'natural', 'page-panel', 'wood-ear-files', 'devices', 'deaths', 'places'];
 
-/** In order; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards. */
+/**
+ * In order; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards.
+ *
+ * The lanes begin when all steps without a lane are done, and run side by side, since each of their steps waits for a part of its time.
+ * `prepare` comes before any lane begins: what it changes is used by several of them.
+ */
 const STEPS = [
   { name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
   { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
@@ -44,18 +49,33 @@ const STEPS = [
   { name: 'types', expected: '5 s', needs: ['build'], work: () => node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit']) },
   { name: 'dependencies', expected: '2 s', needs: ['build'], work: async () => (await import('./check-deps.mjs')).check() },
   { name: 'web', expected: '20 s', needs: ['build'], work: webTests },
-  { name: 'package', expected: '10 s', needs: ['build'], work: async () => (await import('./package.mjs')).check() },
-  { name: 'browsers', expected: '10 min', needs: ['build'], work: browserTests },
-  { name: 'hosts', expected: '2 min / 70 s', needs: ['build'], work: hosts },
-  { name: 'engines', expected: '2 min / 1 min', needs: ['build'], work: async () => (await import('./engines.mjs')).check() },
+  { name: 'package', expected: '10 s', needs: ['build'], work: async () => (await import('./package.mjs')).examine(await packed()) },
+  { name: 'browsers', expected: '10 min', needs: ['build'], lane: 1, prepare: chromium, work: browserTests },
+  { name: 'hosts', expected: '3 min / 2 min', needs: ['build'], lane: 2, prepare: packed, work: hosts },
+  { name: 'engines', expected: '3 min / 2 min', needs: ['build'], lane: 2, work: async () => (await import('./engines.mjs')).check() },
 ];
 
+const LANES = [1, 2];
+
+/** What `packed` resolves with. */
+let inPackage = null;
+
 await main(async () => {
+  const start = performance.now();
   const steps = chosen();
-  const results = [];
-  results.push(await attempt({ name: 'setup', expected: '5 min / 1 s', work: setUp }));
-  for (const step of steps) results.push(await attempt(step, results));
-  summarise(results);
+  const results = [await attempt({ name: 'setup', expected: '5 min / 1 s', work: setUp })];
+  const inOrder = async (lane) => {
+    for (const step of steps.filter((one) => one.lane === lane)) results.push(await attempt(step, results));
+  };
+  try {
+    await inOrder(undefined);
+    // What fails here fails again in its step, which says so.
+    for (const { prepare } of steps) await prepare?.().catch(() => {});
+    await Promise.all(LANES.map(inOrder));
+  } finally {
+    if (inPackage) rmSync((await inPackage).outside, { recursive: true, force: true });
+  }
+  summarise(results, performance.now() - start);
 });
 
 async function attempt({ name, expected, needs = [], work }, before = []) {
@@ -76,11 +96,10 @@ async function attempt({ name, expected, needs = [], work }, before = []) {
   return { name, outcome, note, ms: performance.now() - start };
 }
 
-function summarise(results) {
+function summarise(results, total) {
   const lines = results.map(({ name, outcome, ms }) => `${name.padEnd(20)}${seconds(ms).padStart(8)} s   ${outcome}`);
   const notes = results.filter(({ note }) => note).map(({ name, outcome, note }) => `${outcome === 'FAIL' ? '✗' : '!'} ${name}: ${note}`);
   const count = (wanted) => results.filter(({ outcome }) => outcome === wanted).length;
-  const total = results.reduce((sum, { ms }) => sum + ms, 0);
   console.log(['', ...lines, `${'total'.padEnd(20)}${seconds(total).padStart(8)} s`, '', ...notes].join('\n'));
   console.log(`${count('ok')} passed, ${count('FAIL')} failed`);
   if (count('FAIL') > 0) process.exitCode = 1;
@@ -127,10 +146,21 @@ async function webTests() {
   await node(['--enable-source-maps', '--test', `--test-timeout=${HANGS_MS}`, `--test-concurrency=${os.availableParallelism()}`, ...(await bundleWebTests())]);
 }
 
+/** The path of the browser of the tests, which is installed if there is none; null where they are left out. */
+async function chromium() {
+  if (process.env.SKIP_BROWSERS) return null;
+  return (await import('./browser.mjs')).ensureBrowser();
+}
+
+/** The package, packed and unpacked once for all steps: packing builds dist/ again, which nothing may be looking at meanwhile. */
+async function packed() {
+  inPackage ??= import('./package.mjs').then(({ pack }) => pack());
+  return inPackage;
+}
+
 async function browserTests() {
-  if (process.env.SKIP_BROWSERS) return 'left out, as SKIP_BROWSERS asks';
-  const { ensureBrowser } = await import('./browser.mjs');
-  const browser = await ensureBrowser();
+  const browser = await chromium();
+  if (!browser) return 'left out, as SKIP_BROWSERS asks';
   const folder = path.join(root, 'tests', 'e2e');
   const names = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.test.mjs')) : [];
   if (names.length === 0) throw new Failure('there are no tests in tests/e2e');
@@ -148,7 +178,6 @@ async function browserTests() {
 
 /** The package in the pages of others. */
 async function hosts() {
-  if (process.env.SKIP_BROWSERS) return 'left out, as SKIP_BROWSERS asks';
-  const { ensureBrowser } = await import('./browser.mjs');
-  await node([path.join('tests', 'hosts', 'run.mjs')], { CHROME_PATH: await ensureBrowser() });
+  if (!(await chromium())) return 'left out, as SKIP_BROWSERS asks';
+  await (await import('../tests/hosts/run.mjs')).check(await packed());
 }

@@ -83,30 +83,26 @@ const MORE = {
   },
 };
 
-export async function check(chosen = Object.keys(HOSTS)) {
+/** Shows the package that `pack` has packed in the hosts of these names. */
+export async function check({ outside, folder }, chosen = Object.keys(HOSTS)) {
   const hosts = { ...HOSTS, ...MORE };
   const stranger = chosen.find((name) => !hosts[name]);
   if (stranger) throw new Failure(`no host is called ${stranger}; there are: ${Object.keys(hosts).join(' · ')}`);
-  const { outside, folder } = await pack();
-  try {
-    const failed = [];
-    await inLanes(chosen.entries(), async ([number, name]) => {
-      const site = path.join(outside, `site-${number}`);
-      mkdirSync(site);
-      const start = performance.now();
-      try {
-        await hosts[name](site, folder);
-        say(`✓ ${name} (${seconds(performance.now() - start)} s)`);
-      } catch (error) {
-        say(`✗ ${name}: ${error.message}`);
-        failed.push(name);
-      }
-    }, LANES);
-    assert.deepEqual(failed, [], 'hosts in which there are no rocks');
-    return chosen.length;
-  } finally {
-    rmSync(outside, { recursive: true, force: true });
-  }
+  const failed = [];
+  await inLanes(chosen.entries(), async ([number, name]) => {
+    const site = path.join(outside, `site-${number}`);
+    mkdirSync(site);
+    const start = performance.now();
+    try {
+      await hosts[name](site, folder);
+      say(`✓ ${name} (${seconds(performance.now() - start)} s)`);
+    } catch (error) {
+      say(`✗ ${name}: ${error.message}`);
+      failed.push(name);
+    }
+  }, LANES);
+  assert.deepEqual(failed, [], 'hosts in which there are no rocks');
+  return chosen.length;
 }
 
 function page(scripts) {
@@ -160,7 +156,12 @@ async function withoutScripts(session, url) {
 if (isMain(import.meta)) {
   await main(async () => {
     const names = process.argv.slice(2);
-    const count = await check(names.length > 0 ? names : undefined);
-    say(`✓ ${count} hosts show rocks`);
+    const packed = await pack();
+    try {
+      const count = await check(packed, names.length > 0 ? names : undefined);
+      say(`✓ ${count} hosts show rocks`);
+    } finally {
+      rmSync(packed.outside, { recursive: true, force: true });
+    }
   });
 }
