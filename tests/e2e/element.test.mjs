@@ -35,6 +35,9 @@ const COUNTERS = `
   globalThis.types = () => heard.map(({ type }) => type);
 `;
 
+/** A small field: a software GPU pays by the triangle, too. */
+const SMALL = 'image-width="200" image-height="150"';
+
 const page0 = (body) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>element</title><link rel="icon" href="data:,">
 <style>body { margin: 0 } rock-field { width: 400px; height: 300px }</style><script>${COUNTERS}</script>${body}
 <script type="module" src="/rock-field.js"></script>`;
@@ -49,7 +52,7 @@ before(async () => {
 after(() => session?.close());
 
 /** A page with this body; waits for the first picture unless told otherwise. */
-async function open(body = '<rock-field id="a"></rock-field><script>listenTo(a)</script>', { painted = true, ...options } = {}) {
+async function open(body = `<rock-field id="a" ${SMALL}></rock-field><script>listenTo(a)</script>`, { painted = true, ...options } = {}) {
   html = page0(body);
   const opened = await session.open('element.html', options);
   if (painted) await opened.page.evaluate(() => customElements.whenDefined('rock-field').then(() => document.querySelector('rock-field').ready));
@@ -74,7 +77,7 @@ function quiet(page) {
 }
 
 test('without any attribute it shows the first preset: one run, one load, then silence', async () => {
-  const { page, errors, warnings, close } = await open();
+  const { page, errors, warnings, close } = await open('<rock-field id="a"></rock-field><script>listenTo(a)</script>');
   await until(page, () => a.shadowRoot.getElementById('description').textContent !== '');
   const state = await page.evaluate(() => ({ preset: a.params.layers.length, rocks: a.field.stats.rocks, backend: a.backend, types: types(), label: a.shadowRoot.getElementById('description').textContent }));
   assert.equal(state.preset, 3);
@@ -144,7 +147,7 @@ test('the look is drawn at once and starts no run, by property, attribute, undo 
 });
 
 test('the colour is the preset\'s until one is chosen, and comes with its field', async () => {
-  const { page, errors, close } = await open('<rock-field id="a"></rock-field><script>listenTo(a)</script>');
+  const { page, errors, close } = await open();
   const seen = await page.evaluate(async () => {
     const framings = [];
     const look = () => framings.push(JSON.stringify(a.defaultCamera));
@@ -171,7 +174,7 @@ test('the colour is the preset\'s until one is chosen, and comes with its field'
     colors.push(new URL(a.shareURL()).hash);
     return { colors, framings };
   });
-  assert.deepEqual(seen.colors, ['layer', 'natural', 'plain', '#v=1&preset=scree&color=plain', 'natural', '#v=1&preset=scree&camera', 'layer', 'natural', '#v=1&preset=journal-fig11a&color=natural']);
+  assert.deepEqual(seen.colors, ['layer', 'natural', 'plain', '#v=1&preset=scree&w=200&h=150&color=plain', 'natural', '#v=1&preset=scree&w=200&h=150&camera', 'layer', 'natural', '#v=1&preset=journal-fig11a&w=200&h=150&color=natural']);
   const [before, pending, after] = seen.framings;
   assert.equal(pending, before, 'the old field is framed close up before the new one is there');
   assert.notEqual(after, before);
@@ -210,7 +213,7 @@ test('params is a copy, both ways', async () => {
 });
 
 test('properties set before the element was defined are taken over', async () => {
-  const { page, close } = await open(`<rock-field id="a"></rock-field><script>listenTo(a); a.view = 'diagrams'; a.theme = 'dark'; a.color = 'plain'</script>`);
+  const { page, close } = await open(`<rock-field id="a" ${SMALL}></rock-field><script>listenTo(a); a.view = 'diagrams'; a.theme = 'dark'; a.color = 'plain'</script>`);
   assert.deepEqual(await page.evaluate(() => [a.view, a.theme, a.color, Object.hasOwn(a, 'view')]), ['diagrams', 'dark', 'plain', false]);
   await close();
 });
@@ -272,7 +275,7 @@ test('before the first picture one sees what the page has put behind the element
 });
 
 test('it has the size of a replaced element unless the page says otherwise, in device pixels', async () => {
-  const { page, close } = await open('<style>rock-field { width: revert-layer; height: revert-layer }</style><rock-field id="a"></rock-field><script>listenTo(a)</script>', { deviceScaleFactor: 2 });
+  const { page, close } = await open(`<style>rock-field { width: revert-layer; height: revert-layer }</style><rock-field id="a" ${SMALL} view="selection" quality="low"></rock-field><script>listenTo(a)</script>`, { deviceScaleFactor: 2 });
   const measure = () => page.evaluate(async () => {
     await frame();
     await frame();
@@ -297,7 +300,7 @@ test('it has the size of a replaced element unless the page says otherwise, in d
 });
 
 test('out of sight nothing is drawn, and the newest field is there when it comes back', async () => {
-  const { page, close } = await open('<rock-field id="a"></rock-field><div style="height: 5000px"></div><script>listenTo(a)</script>');
+  const { page, close } = await open(`<rock-field id="a" ${SMALL}></rock-field><div style="height: 5000px"></div><script>listenTo(a)</script>`);
   await page.evaluate(
     () =>
       new Promise((resolve) => {
@@ -319,7 +322,7 @@ test('out of sight nothing is drawn, and the newest field is there when it comes
 });
 
 test('moving it in the document costs nothing', async () => {
-  const { page, close } = await open('<rock-field id="a"></rock-field><p id="b"></p><script>listenTo(a)</script>');
+  const { page, close } = await open(`<rock-field id="a" ${SMALL}></rock-field><p id="b"></p><script>listenTo(a)</script>`);
   const kept = await page.evaluate(async () => {
     heard.length = 0;
     const canvas = a.shadowRoot.querySelector('canvas');
