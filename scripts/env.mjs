@@ -30,9 +30,9 @@ function userCache() {
   return process.env.XDG_CACHE_HOME || path.join(os.homedir(), '.cache');
 }
 
-/** The version of a crate in Cargo.lock. */
-export function lockedVersion(crate) {
-  const lock = readFileSync(path.join(root, 'Cargo.lock'), 'utf8');
+/** The version of a crate in a Cargo.lock, by default that of the repository. */
+export function lockedVersion(crate, folder = root) {
+  const lock = readFileSync(path.join(folder, 'Cargo.lock'), 'utf8');
   return new RegExp(`name = "${crate}"\\r?\\nversion = "([^"]+)"`).exec(lock)?.[1];
 }
 

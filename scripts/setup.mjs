@@ -1,4 +1,4 @@
-// Sets up what building needs: the wasm target, the wasm-bindgen tools and the npm packages. Node built-ins only.
+// Sets up what building needs: the wasm target, wasm-bindgen and the npm packages. Node built-ins only.
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { cache, cargoEnv, lockedVersion, root } from './env.mjs';
@@ -94,20 +94,41 @@ function bindgenRoot() {
   return path.join(cache, 'tools', `wasm-bindgen-${lockedVersion('wasm-bindgen')}`);
 }
 
+/** What the build needs of wasm-bindgen is compiled by itself (scripts/bindgen): 43 packages, where the official command with its test runner has 254. */
 async function bindgen() {
   const version = lockedVersion('wasm-bindgen');
   if (!version) throw new Failure('Cargo.lock has no wasm-bindgen; restore it with: git checkout Cargo.lock');
-  if (bindgenProgram('wasm-bindgen') && bindgenProgram('wasm-bindgen-test-runner')) return;
-  const args = ['install', 'wasm-bindgen-cli', '--version', version, '--root', bindgenRoot(), '--force'];
-  await step(`Compiling the wasm-bindgen tools ${version}`, 'once, 2–6 min', async () => {
-    mkdirSync(bindgenRoot(), { recursive: true });
-    try {
-      await run('cargo', [...args, '--locked'], { env: cargoEnv });
-    } catch {
-      say('  Its locked dependencies could not be had; trying with the newest ones.');
-      await run('cargo', args, { env: cargoEnv });
-    }
-  });
+  if (bindgenProgram('wasm-bindgen')) return;
+  const folder = path.join(root, 'scripts', 'bindgen');
+  for (const crate of ['rock-field-bindgen', 'wasm-bindgen-cli-support']) {
+    const own = lockedVersion(crate, folder);
+    if (own !== version) throw new Failure(`${crate} in scripts/bindgen/Cargo.toml must be ${version}, as wasm-bindgen in Cargo.lock; it is ${own}`);
+  }
+  await step(`Compiling wasm-bindgen ${version}`, 'once, 1–2 min', () => cargoInstall(['--path', folder]));
+}
+
+/** The program that runs the crate's tests as wasm in Node, compiled if there is none; only these tests need it. */
+export async function bindgenTestRunner() {
+  const name = 'wasm-bindgen-test-runner';
+  const version = lockedVersion('wasm-bindgen');
+  if (!bindgenProgram(name)) {
+    await step(`Compiling ${name} ${version}`, 'once, 2–6 min', () => cargoInstall(['wasm-bindgen-cli', '--version', version, '--bin', name]));
+  }
+  const program = bindgenProgram(name);
+  if (!program) throw new Failure(`there is no ${name} ${version} after it was compiled`);
+  return program;
+}
+
+/** `cargo install` into our cache. */
+async function cargoInstall(what) {
+  const args = ['install', ...what, '--root', bindgenRoot(), '--force'];
+  mkdirSync(bindgenRoot(), { recursive: true });
+  try {
+    await run('cargo', [...args, '--locked'], { env: cargoEnv });
+  } catch {
+    say('  Its locked dependencies could not be had; trying with the newest ones.');
+    await run('cargo', args, { env: cargoEnv });
+  }
 }
 
 /** Installs the npm packages when what is installed is not what package-lock.json says. */
@@ -138,5 +159,9 @@ function readJson(file) {
 }
 
 if (isMain(import.meta)) {
-  await main(() => setup({ components: process.argv.includes('--all') ? ['rustfmt', 'clippy'] : [] }));
+  await main(async () => {
+    const isAll = process.argv.includes('--all');
+    await setup({ components: isAll ? ['rustfmt', 'clippy'] : [] });
+    if (isAll) await bindgenTestRunner();
+  });
 }

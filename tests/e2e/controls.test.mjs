@@ -373,12 +373,14 @@ test('an element that is removed leaves no panel and no listener behind', async 
   await openPanel(page);
 });
 
-test('small, tall and wide: the panel stays inside, every control can be reached, and the picture is where it can be seen', async () => {
-  for (const [size, layout] of [[[300, 150], 'over'], [[360, 300], 'over'], [[360, 640], 'below'], [[640, 400], 'beside']]) {
-    for (const touch of [false, true]) {
-      const opened = await open(undefined, { size, deviceScaleFactor: 1, ...(touch && { hasTouch: true, isMobile: true, viewport: { width: size[0] + 40, height: size[1] + 140 } }) });
-      const { page } = opened;
-      const name = `${size.join('x')}${touch ? ' touch' : ''}`;
+for (const touch of [false, true]) {
+  test(`small, tall and wide${touch ? ', by touch' : ''}: the panel stays inside, every control can be reached, and the picture is where it can be seen`, async () => {
+    const opened = await open(undefined, { size: [640, 640], ...(touch && { hasTouch: true, isMobile: true }) });
+    const { page } = opened;
+    for (const [[width, height], layout] of [[[300, 150], 'over'], [[360, 300], 'over'], [[360, 640], 'below'], [[640, 400], 'beside']]) {
+      const name = `${width}x${height}${touch ? ' touch' : ''}`;
+      await page.setViewportSize({ width: touch ? width + 40 : 760, height: height + 140 });
+      await page.evaluate((size) => Object.assign(a.style, size), { width: `${width}px`, height: `${height}px` });
       if (touch) await button(page).tap();
       else await button(page).click();
       await panel(page).locator('.panel-body').waitFor();
@@ -398,10 +400,11 @@ test('small, tall and wide: the panel stays inside, every control can be reached
       assert.ok(await page.locator('rock-field .panel-body').evaluate((at) => at.scrollWidth <= at.clientWidth), `${name}: nothing sideways`);
       assert.deepEqual(await page.evaluate(() => [a.scrollTop, a.shadowRoot.querySelector('.controls-panel').scrollTop]), [0, 0]);
       await page.screenshot({ path: screenshotPath(`controls-${name.replace(' ', '-')}`) });
-      await closeClean(opened);
+      await panel(page).getByRole('button', { name: 'Close' }).click();
     }
-  }
-});
+    await closeClean(opened);
+  });
+}
 
 test('under a strict policy, and from another origin as a classic script, the panel comes as well', async () => {
   const csp = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; style-src 'self'; img-src data:";
@@ -425,18 +428,20 @@ test('under a strict policy, and from another origin as a classic script, the pa
 });
 
 for (const lang of ['en', 'ja']) {
-  for (const colorScheme of ['light', 'dark']) {
-    test(`axe finds nothing, closed or open: ${lang}, ${colorScheme}`, async () => {
-      const opened = await open(undefined, { lang, colorScheme, deviceScaleFactor: 1 });
-      const { page } = opened;
-      assert.deepEqual(await violations(page), []);
+  test(`axe finds nothing, closed or open, in light and in dark colours: ${lang}`, async () => {
+    const opened = await open(undefined, { lang });
+    const { page } = opened;
+    for (const colorScheme of ['light', 'dark']) {
+      await page.emulateMedia({ colorScheme });
+      assert.deepEqual(await violations(page), [], colorScheme);
       await openPanel(page);
       await panel(page).locator('.layer-table').waitFor();
-      assert.deepEqual(await violations(page), []);
+      assert.deepEqual(await violations(page), [], `${colorScheme}, open`);
       await page.screenshot({ path: screenshotPath(`controls-${lang}-${colorScheme}`) });
-      await closeClean(opened);
-    });
-  }
+      await panel(page).getByRole('button', { name: { en: 'Close', ja: '閉じる' }[lang] }).click();
+    }
+    await closeClean(opened);
+  });
 }
 
 test('axe finds nothing on the page, wide or narrow, light or dark', async () => {

@@ -44,7 +44,7 @@ test('every slider moves something, and its number says so', async () => {
 });
 
 test('a drag is one step of undo, and the picture follows it', async () => {
-  const opened = await open('#w=512&h=512');
+  const opened = await open('#w=256&h=256');
   const { page } = opened;
   const before = await hash(page);
   await page.evaluate(() => {

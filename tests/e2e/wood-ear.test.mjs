@@ -131,7 +131,7 @@ test('a base has a range of its own, from the panel', async () => {
 });
 
 test('a shared link shows the same log on the same rocks elsewhere', async () => {
-  const opened = await open('#preset=wet-colony&d=20&r=25&seed=7&color=plain&bx=-30,20&by=-15,-15&bz=20,20&br=-,30');
+  const opened = await open('#preset=wet-colony&d=20&r=25&seed=7&color=plain&bx=-30,20&by=-15,-15&bz=20,20&br=-,30&ground=preset%3Djournal-fig12a%26w%3D64%26h%3D64%26r%3D20');
   const { page } = opened;
   await hidePictures(page);
   await page.locator('#ground').selectOption('shingle');
