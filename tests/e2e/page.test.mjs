@@ -326,7 +326,7 @@ test('the keyboard’s focus on the picture is seen', async () => {
 });
 
 test('views and colours change the picture, not the rocks; the link tells them', async () => {
-  const opened = await open('#w=512&h=512');
+  const opened = await open('#w=256&h=256');
   const { page } = opened;
   const before = await hash(page);
   let last = await page.locator('rock-field').screenshot();
@@ -388,7 +388,7 @@ test('the page works by keyboard alone', async () => {
 
 for (const language of ['en', 'ja']) {
   test(`a phone of 360 px in ${language}: nothing is cut off, the picture stays visible, targets are large`, async () => {
-    const opened = await open('#preset=journal-fig1', { viewport: { width: 360, height: 740 }, deviceScaleFactor: 1, isMobile: true, hasTouch: true, locale: language === 'ja' ? 'ja-JP' : 'en-US', colorScheme: language === 'ja' ? 'dark' : 'light' });
+    const opened = await open('#preset=journal-fig1&w=256&h=256', { viewport: { width: 360, height: 740 }, deviceScaleFactor: 1, isMobile: true, hasTouch: true, locale: language === 'ja' ? 'ja-JP' : 'en-US', colorScheme: language === 'ja' ? 'dark' : 'light' });
     const { page } = opened;
     assert.equal(await page.evaluate(() => document.documentElement.lang), language);
     await page.screenshot({ path: screenshotPath(`page-phone-${language}`) });
