@@ -61,7 +61,7 @@ async function measureInNode(rounds) {
 async function measureInBrowser(rounds) {
   const { launch } = await import('../tests/e2e/browser.mjs');
   // Isolated pages get a clock of 5 µs instead of 100.
-  const isolate = (request, response) => {
+  const isolate = (_request, response) => {
     response.setHeader('Cross-Origin-Opener-Policy', 'same-origin');
     response.setHeader('Cross-Origin-Embedder-Policy', 'require-corp');
     return false;

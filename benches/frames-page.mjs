@@ -38,7 +38,8 @@ globalThis.measureFrames = async ({ backend, preset, side, width, height, rounds
     renderer.setQuality(quality);
     renderer.setCamera(camera);
     for (let frame = 0; frame < frames; frame += 1) {
-      if (turns > 0) renderer.setLook({ ...look, sunAzimuth: (sunAzimuth = (sunAzimuth + turns) % 360) });
+      sunAzimuth = (sunAzimuth + turns) % 360;
+      if (turns > 0) renderer.setLook({ ...look, sunAzimuth });
       renderer.render();
     }
   };
@@ -55,7 +56,10 @@ globalThis.measureFrames = async ({ backend, preset, side, width, height, rounds
       timed(1, shown);
       let frames = 1;
       let ms = timed(frames, shown);
-      while (ms < SAMPLE_MS) ms = timed((frames *= 2), shown);
+      while (ms < SAMPLE_MS) {
+        frames *= 2;
+        ms = timed(frames, shown);
+      }
       samples[name].push(ms / frames);
       await new Promise((resolve) => setTimeout(resolve));
     }

@@ -30,7 +30,10 @@ export async function measureWoodEar(rounds) {
       const generator = new glue.WoodEarGenerator();
       once(generator, flat({ ...values, collisions }));
       let moisture = 40;
-      result[name][collisions] = median(count, () => once(generator, flat({ ...values, collisions, moisture: (moisture += 0.5) })));
+      result[name][collisions] = median(count, () => {
+        moisture += 0.5;
+        return once(generator, flat({ ...values, collisions, moisture }));
+      });
       generator.free();
     }
     result[name].fresh = median(count, () => once(new glue.WoodEarGenerator(), flat({ ...values, collisions: 'off' })));

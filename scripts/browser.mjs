@@ -117,7 +117,7 @@ export async function ensureBrowser(name = 'chromium') {
 /** What a program found here needs beside itself: known of Debian alone, elsewhere it is there or the tests will tell. */
 function missingLibraries(name) {
   if (!isDebian) return [];
-  const status = (library) => capture('dpkg-query', ['-W', '-f=${db:Status-Status}', library], { stdio: ['ignore', 'pipe', 'ignore'] });
+  const status = (library) => capture('dpkg-query', ['-W', `-f=\${db:Status-Status}`, library], { stdio: ['ignore', 'pipe', 'ignore'] });
   return BROWSERS[name].packages.slice(1).filter((library) => status(library) !== 'installed');
 }
 

@@ -127,7 +127,10 @@ export async function overview(all, pages) {
 
 function groupedByKind(all) {
   const groups = {};
-  for (const member of all) (groups[member.kind] ??= []).push(member);
+  for (const member of all) {
+    groups[member.kind] ??= [];
+    groups[member.kind].push(member);
+  }
   return groups;
 }
 

@@ -53,7 +53,7 @@ function unfilter(filtered, stride, height, channels) {
   return data;
 }
 
-const GUESSES = [() => 0, (left) => left, (left, above) => above, (left, above) => (left + above) >> 1, paeth];
+const GUESSES = [() => 0, (left) => left, (_left, above) => above, (left, above) => (left + above) >> 1, paeth];
 
 function paeth(left, above, corner) {
   const sum = left + above - corner;

@@ -21,7 +21,7 @@ const STRICT_BUT_BLOB = STRICT.replace("worker-src 'self'", 'worker-src blob:');
 
 /** By name: what makes the host's page from the unpacked package in `folder`, in the empty folder `site`, and shows it. The slowest first. */
 const HOSTS = {
-  'Next': async (site, folder) => {
+  Next: async (_site, folder) => {
     const project = await install('next', folder);
     await next(project);
     const asked = await during(nextServer(project, 'start'), ({ url }) => show({ url, live: true, look: (session) => withoutScripts(session, url) }));
@@ -64,7 +64,7 @@ const HOSTS = {
     await vitePage(await install('vite', folder), site, page('<script type="module" src="./main.js"></script>'));
     await show({ site, policy: STRICT });
   },
-  'no browser: jsdom and happy-dom': async (site, folder) => {
+  'no browser: jsdom and happy-dom': async (_site, folder) => {
     const project = await install('no-browser', folder);
     for (const kind of ['jsdom', 'happy-dom']) await run(process.execPath, ['main.mjs', kind], { cwd: project });
   },
@@ -76,7 +76,7 @@ const HOSTS = {
 
 /** Not run by `npm test`: they take long, or say what another host says already. */
 const MORE = {
-  'Next, built by webpack': async (site, folder) => {
+  'Next, built by webpack': async (_site, folder) => {
     const project = await install('next', folder);
     await next(project, '--webpack');
     await during(nextServer(project, 'start'), ({ url }) => show({ url, live: true }));

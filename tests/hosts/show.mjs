@@ -15,7 +15,7 @@ const TIMEOUT_MS = 120_000;
  * may ask. A `live` page shows what it hears from the element, and has a button that calls it. Resolves with the addresses asked.
  */
 export async function show({ site, url, cdn, policy, live = false, look }) {
-  const session = await launch({ ...(site && { folder: site }), intercept: policy && ((request, response) => void response.setHeader('content-security-policy', policy)) });
+  const session = await launch({ ...(site && { folder: site }), intercept: policy && ((_request, response) => void response.setHeader('content-security-policy', policy)) });
   try {
     const asked = new Set();
     const prepare = (page) => void page.context().on('request', (request) => asked.add(request.url()));
@@ -53,7 +53,7 @@ async function answers(page, { rocks, params }) {
 
 /** The package's files as a public CDN has them: on another origin, for everybody. */
 export function openCdn(folder) {
-  const intercept = (request, response) => {
+  const intercept = (_request, response) => {
     response.setHeader('access-control-allow-origin', '*');
     return false;
   };

@@ -368,7 +368,11 @@ test('in a browser each task runs one slice, whosever it is, and what came in du
   const sessions = [1, 2, 3].map((mode) => {
     const generator = new FakeGenerator();
     const step = generator.step.bind(generator);
-    generator.step = () => (slices.push(mode), (now += SLICE_MS), step());
+    generator.step = () => {
+      slices.push(mode);
+      now += SLICE_MS;
+      return step();
+    };
     return fieldSession(generator as unknown as RawGenerator).run(request(mode, 4 - mode));
   });
   while (tasks.length > 0) {

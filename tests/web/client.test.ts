@@ -93,7 +93,7 @@ test('a request is answered with its field, and no worker is made before the fir
 
 test('a field comes with the parameters it was asked with, also when a newer request is on its way', async () => {
   const given: unknown[] = [];
-  const { client, worker } = setUp({ onResult: (field, superseded, of) => given.push([field.stats.rocks, of]) });
+  const { client, worker } = setUp({ onResult: (field, _superseded, of) => given.push([field.stats.rocks, of]) });
   const [first, second] = [params(1), params(2)];
   client.generate(first).catch(() => {});
   worker().says({ type: 'ready' });
@@ -389,7 +389,10 @@ for (const [what, probe, limit, wanted] of [
 
 test('a worker whose script arrives slowly is waited for', async (t) => {
   let arrives = () => {};
-  const { client, workers, worker, timers } = probed(t, (heard) => ((arrives = heard), forever()));
+  const { client, workers, worker, timers } = probed(t, (heard) => {
+    arrives = heard;
+    return forever();
+  });
   const answer = client.generate(params(1));
   timers.tick(START_MS);
   for (let ms = 0; ms < 10 * START_MS; ms += START_MS - 1) {

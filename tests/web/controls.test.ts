@@ -9,7 +9,6 @@ import { ROCK_LATER } from '../../www/rocks/controls/deferred.ts';
 import { Store } from '../../www/rocks/controls/store.ts';
 import type { Edition } from '../../www/table/table.ts';
 import type { Rocks } from '../../www/rocks/table.ts';
-import type { Field } from '../../www/data/field.ts';
 import { History } from '../../www/base/history.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/rocks/params.ts';
 import type { Notation } from '../../www/table/row.ts';

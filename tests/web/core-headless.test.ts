@@ -118,7 +118,11 @@ test('wasm that is missing, a page instead of wasm, or no network is said in wor
 /** An answer whose body is what the test writes. */
 function flowing() {
   let pipe!: ReadableStreamDefaultController<Uint8Array>;
-  const body = new ReadableStream<Uint8Array>({ start: (controller) => void (pipe = controller) });
+  const body = new ReadableStream<Uint8Array>({
+    start: (controller) => {
+      pipe = controller;
+    },
+  });
   return { response: new Response(body, { headers: { 'Content-Type': 'application/octet-stream' } }), pipe };
 }
 

@@ -37,7 +37,7 @@ test('every filter of PNG is undone, at the borders too', () => {
   const guesses = [
     () => 0,
     (a) => a,
-    (a, b) => b,
+    (_a, b) => b,
     (a, b) => Math.floor((a + b) / 2),
     (a, b, c) => [a, b, c].map((value) => [Math.abs(a + b - c - value), value]).reduce((best, next) => (next[0] < best[0] ? next : best))[1],
   ];

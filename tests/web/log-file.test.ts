@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { Accessor, Document, Node, Primitive, WebIO } from '@gltf-transform/core';
+import { type Accessor, Document, type Node, type Primitive, WebIO } from '@gltf-transform/core';
 import { MeshoptEncoder } from 'meshoptimizer';
 import type { RockFieldError } from '../../www/base/errors.ts';
 import { FARTHEST, MOST_LISTED, MOST_TRIANGLES, MOST_VERTICES } from '../../www/wood-ear/log-file/limits.ts';
@@ -135,7 +135,7 @@ test('OBJ: spellings of one mesh give one mesh', async () => {
     'texture and normal numbers': `${QUAD}vt 0 0\nvn 0 0 1\nf 1/1/1 2/1/1 3//1 4/1`,
     'a line that is continued': `v 0 0 \\\n0\nv 100 \\\r\n 0 0\nv 100 30 10\nv 0 30 10\nf 1 2 \\\n 3 4`,
     'a path that ends in a backslash': `mtllib C:\\logs\\\n# from C:\\logs\\\n${QUAD}f 1 2 3 4`,
-    'weights and colours': QUAD.replaceAll(/(v .*)\n/g, '$1 1.0\n').replace('v 0 0 0 1.0', 'v 0 0 0 0.5 0.5 0.5') + 'f 1 2 3 4',
+    'weights and colours': `${QUAD.replaceAll(/(v .*)\n/g, '$1 1.0\n').replace('v 0 0 0 1.0', 'v 0 0 0 0.5 0.5 0.5')}f 1 2 3 4`,
     exponents: 'v 0e0 -0.0 +0\nv 1e2 0 0\nv 1.0E+02 3.e1 .1e2\nv 0 300e-1 10\nf 1 2 3 4',
     'faces before their vertices': `f 1 2 3 4\n${QUAD}`,
     'tabs, blank lines and groups': `\n\ng log\no log\ns off\n${QUAD.replaceAll(' ', '\t')}\n\tf\t1 2 3 4  \n`,
@@ -357,7 +357,10 @@ test('the scene that a file opens with is read; without scenes all nodes are', a
 
 test('random scenes are read as glTF-Transform reads them: nested and mirrored transforms, strips and fans, all types, sparse, interleaved', async () => {
   let state = 7;
-  const random = () => (state = (Math.imul(state, 1_103_515_245) + 12_345) >>> 0) / 2 ** 32;
+  const random = () => {
+    state = (Math.imul(state, 1_103_515_245) + 12_345) >>> 0;
+    return state / 2 ** 32;
+  };
   const pick = <T>(list: readonly T[]): T => list[Math.floor(random() * list.length)]!;
   for (let round = 0; round < 120; round += 1) {
     const document = new Document();

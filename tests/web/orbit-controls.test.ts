@@ -17,7 +17,9 @@ class Stage extends EventTarget {
   captured = new Set<number>();
   getRootNode = () => this.root;
   contains = (other: unknown) => other === this;
-  focus = () => void (this.root.activeElement = this);
+  focus = () => {
+    this.root.activeElement = this;
+  };
   setPointerCapture = (id: number) => void this.captured.add(id);
   hasPointerCapture = (id: number) => this.captured.has(id);
   releasePointerCapture = (id: number) => void this.captured.delete(id);
@@ -43,7 +45,8 @@ function setUp(interaction?: Interaction, isPlan = false) {
   let time = 0;
   const send = (type: string, fields: object = {}, after = 10): boolean => {
     const event = Object.assign(new Event(type, { cancelable: true }), fields);
-    Object.defineProperty(event, 'timeStamp', { value: (time += after) });
+    time += after;
+    Object.defineProperty(event, 'timeStamp', { value: time });
     stage.dispatchEvent(event);
     return event.defaultPrevented;
   };

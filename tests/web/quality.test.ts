@@ -99,7 +99,9 @@ beforeEach((context) => {
   frames = [];
   clock = 0;
   globalThis.requestAnimationFrame = (callback) => frames.push(callback);
-  globalThis.cancelAnimationFrame = (handle) => void (frames[handle - 1] = () => {});
+  globalThis.cancelAnimationFrame = (handle) => {
+    frames[handle - 1] = () => {};
+  };
   if ('mock' in context) context.mock.timers.enable({ apis: ['setTimeout'] });
 });
 
@@ -123,7 +125,10 @@ function setUp({ graded = true, moves = 0 } = {}) {
     view: () => globalThis as unknown as Window,
     canDraw: () => scene.visible,
     isGraded: () => scene.graded,
-    advance: () => (scene.moves -= 1) >= 0,
+    advance: () => {
+      scene.moves -= 1;
+      return scene.moves >= 0;
+    },
     draw: (level) => void drawn.push(level),
   });
   return { drawn, scene, pacer };

@@ -37,7 +37,10 @@ export async function lazily<Module>(load: () => Promise<Module>, isSaid = false
   try {
     let turns = TURNS;
     const late = new Promise<never>((_, reject) => {
-      const turn = () => (turns-- > 0 ? (timer = setTimeout(turn, 100)) : reject('it does not arrive'));
+      const turn = () => {
+        if (turns-- > 0) timer = setTimeout(turn, 100);
+        else reject('it does not arrive');
+      };
       timer = setTimeout(turn, SCRIPT_MS);
     });
     return await Promise.race([load(), late]);

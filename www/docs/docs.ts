@@ -21,7 +21,9 @@ for (const preset of document.querySelectorAll('.preset')) {
 // Beside the text there is room for the contents; above it they would be in the way.
 const contents = document.querySelector<HTMLDetailsElement>('.nav details');
 const beside = matchMedia('(min-width: 62rem)');
-const showContents = () => contents && (contents.open = beside.matches);
+const showContents = () => {
+  if (contents) contents.open = beside.matches;
+};
 beside.addEventListener('change', showContents);
 showContents();
 

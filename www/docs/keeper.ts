@@ -38,7 +38,7 @@ export function wake(kept: Kept): void {
 }
 
 function scheduleLook(): void {
-  looking ??= setTimeout(look, LOOK_MS);
+  if (looking === undefined) looking = setTimeout(look, LOOK_MS);
 }
 
 function look(): void {

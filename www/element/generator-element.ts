@@ -235,7 +235,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
 
   get #ownHistory(): History<Edition<K>> {
     this.#readAttributes();
-    return (this.#history ??= new History<Edition<K>>({ params: this.params, preset: this.presetInUse }));
+    this.#history ??= new History<Edition<K>>({ params: this.params, preset: this.presetInUse });
+    return this.#history;
   }
 
   /** What was made last is what may be shared, and gone back to. */

@@ -25,7 +25,7 @@ export function startWorker(spawn: () => Worker): WorkerLike {
   const Native = globalThis.Worker;
   let script = '';
   // A function that returns an object can be called with `new`.
-  globalThis.Worker = function (address: URL | string, options?: WorkerOptions): Worker {
+  function Trusted(address: URL | string, options?: WorkerOptions): Worker {
     const { href, origin } = new URL(address);
     script = href;
     if (origin === globalThis.origin) return new Native(trusted(href), options);
@@ -36,7 +36,8 @@ export function startWorker(spawn: () => Worker): WorkerLike {
       // The worker has looked it up by now.
       URL.revokeObjectURL(blob);
     }
-  } as unknown as typeof Worker;
+  }
+  globalThis.Worker = Trusted as unknown as typeof Worker;
   try {
     return Object.assign(spawn(), { probe: async (heard: () => void) => (await lazily(() => import('./probe.ts'))).probeScript(script, heard) });
   } catch (thrown) {

@@ -101,8 +101,14 @@ export abstract class WorkerClient<Request, Flat, Result, Stage extends string> 
         flat: this.encode(request, maxBytes),
         retried: false,
         onProgress,
-        resolve: (result) => (settled(), resolve(result)),
-        reject: (error) => (settled(), reject(error)),
+        resolve: (result) => {
+          settled();
+          resolve(result);
+        },
+        reject: (error) => {
+          settled();
+          reject(error);
+        },
       };
       superseded?.reject(abortError('superseded by a newer request'));
       this.#start(this.#call);

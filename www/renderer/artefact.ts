@@ -143,8 +143,14 @@ async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   scripts.catch(() => stop.abort());
   const [module, { startWasmFile }] = await scripts;
   arrived = 0;
-  const heard = (bytes: number): void => void (arrived = Math.min(1, bytes / (backend === 'webgpu' ? __WEBGPU_BYTES__ : __WEBGL_BYTES__)));
-  await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop, heard }).catch(missing).finally(() => (arrived = null));
+  const heard = (bytes: number): void => {
+    arrived = Math.min(1, bytes / (backend === 'webgpu' ? __WEBGPU_BYTES__ : __WEBGL_BYTES__));
+  };
+  try {
+    await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop, heard }).catch(missing);
+  } finally {
+    arrived = null;
+  }
   return module;
 }
 

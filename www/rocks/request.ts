@@ -42,8 +42,12 @@ export function readValue(owner: Params | Layer, spec: Row): unknown {
 /** Puts the value of a row into `owner`, unchecked; a triple is created when it is not there yet. */
 export function writeValue(owner: Params | Layer, spec: Row, value: unknown): void {
   const record = owner as unknown as Loose;
-  if (spec.component === null) record[spec.key] = value;
-  else ((record[spec.key] ??= [0, 0, 0]) as unknown[])[spec.component] = value;
+  if (spec.component === null) {
+    record[spec.key] = value;
+    return;
+  }
+  record[spec.key] ??= [0, 0, 0];
+  (record[spec.key] as unknown[])[spec.component] = value;
 }
 
 /** The table's default of a row in a notation: a number, a choice's word, or null. */

@@ -30,6 +30,10 @@ export interface LayerCard {
 export function layerCard({ store, later, layer, index, isOpen, toggle, focus }: LayerCard): TemplateResult {
   const n = index + 1;
   const bodyId = `layer-${index}`;
+  const remove = (): void => {
+    store.removeItem(index);
+    focus(index);
+  };
   return html`
     <li class="layer" data-layer=${index}>
       <div class="layer-head">
@@ -48,7 +52,7 @@ export function layerCard({ store, later, layer, index, isOpen, toggle, focus }:
           },
           disabled: store.params.layers.length >= MAX_LAYERS,
         })}
-        ${iconButton({ icon: 'remove', label: store.text('removeLayer', { n }), action: () => (store.removeItem(index), focus(index)) })}
+        ${iconButton({ icon: 'remove', label: store.text('removeLayer', { n }), action: remove })}
       </div>
       <div class="layer-body" id=${bodyId} ?hidden=${!isOpen}>${isOpen && later ? later.layerControls(store, layer, index) : nothing}</div>
     </li>

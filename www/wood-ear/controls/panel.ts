@@ -85,11 +85,15 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
     const { bases } = store.params;
     const { max } = store.table.itemCount;
     const { problem } = store;
+    const add = (): void => {
+      store.addBase();
+      void this.focusItem(bases.length);
+    };
     return html`
       <section class="section" aria-labelledby="bases-heading">
         <div class="section-head">
           <h2 id="bases-heading">${this.#t('bases')} <span class="quiet">${bases.length} / ${max}</span></h2>
-          <button class="button" type="button" ?disabled=${bases.length >= max} @click=${() => (store.addBase(), this.focusItem(bases.length))}>${icon('add')}${this.#t('addBase')}</button>
+          <button class="button" type="button" ?disabled=${bases.length >= max} @click=${add}>${icon('add')}${this.#t('addBase')}</button>
         </div>
         ${description('bases', '', problem?.key === 'bases' ? problem.text(store.language) : null)}
         <p class="quiet">${this.#t('basesHint')}</p>
@@ -103,6 +107,10 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
     const n = index + 1;
     const isOpen = this.#openBases.has(index) || BASE_ROWS.some((row) => problemOf(store, row, index) !== null);
     const { min } = store.table.itemCount;
+    const remove = (): void => {
+      store.removeItem(index);
+      void this.focusItem(index);
+    };
     return html`
       <li class="layer" data-base=${index}>
         <div class="layer-head">
@@ -111,7 +119,7 @@ export class WoodEarPanel extends ScenePanel<WoodEars> {
             <span class="layer-numbers">${base.position.map((value) => Math.round(value)).join(', ')} cm</span>
             ${icon('down')}
           </button>
-          ${iconButton({ icon: 'remove', label: this.#t('removeBase', { n }), action: () => (store.removeItem(index), void this.focusItem(index)), disabled: store.params.bases.length <= min })}
+          ${iconButton({ icon: 'remove', label: this.#t('removeBase', { n }), action: remove, disabled: store.params.bases.length <= min })}
         </div>
         <div class="layer-body" id="base-${index}" ?hidden=${!isOpen}>${isOpen ? this.#baseControls(base, index) : nothing}</div>
       </li>

@@ -15,11 +15,11 @@ interface Foreign {
 const FOREIGN: readonly Foreign[] = [
   { begins: /^Kaydara FBX|^; FBX/, kind: { en: 'an FBX file', ja: 'FBX ファイル' } },
   { begins: /^ply[\r\n]/, kind: { en: 'a PLY file', ja: 'PLY ファイル' } },
-  { begins: /^solid\b(?![^]*\nv )/, kind: { en: 'an STL file', ja: 'STL ファイル' } },
+  { begins: /^solid\b(?![\s\S]*\nv )/, kind: { en: 'an STL file', ja: 'STL ファイル' } },
   { begins: /^BLENDER|^\x28\xb5\x2f\xfd/, kind: { en: 'a Blender file', ja: 'Blender ファイル' } },
   { begins: /^PXR-USDC|^#usda/, kind: { en: 'a USD file', ja: 'USD ファイル' } },
   { begins: /^ISO-10303/, kind: { en: 'a STEP file', ja: 'STEP ファイル' } },
-  { begins: /^\s*(<\?xml[^]*?)?<COLLADA/, kind: { en: 'a COLLADA file', ja: 'COLLADA ファイル' } },
+  { begins: /^\s*(<\?xml[\s\S]*?)?<COLLADA/, kind: { en: 'a COLLADA file', ja: 'COLLADA ファイル' } },
   { begins: /^\s*<(!doctype html|html)/i, kind: { en: 'a web page', ja: 'ウェブページ' } },
   { begins: /^(\s*(#[^\n]*)?[\r\n]+)*\s*newmtl\b/, kind: { en: 'a material library that belongs to an OBJ file', ja: 'OBJ 用の材質ファイル' } },
   { begins: /^\x89PNG|^\xff\xd8\xff/, kind: { en: 'a picture', ja: '画像' } },

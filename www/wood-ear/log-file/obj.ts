@@ -164,7 +164,12 @@ class Reader {
     let start = 0;
     this.#ends.values.forEach((end, face) => {
       const line = this.#lines.values[face] ?? 0;
-      triangulated(positions, corners.subarray(start, end), (a, b, c) => (indices.push(a), indices.push(b), indices.push(c)), (corner, max) => this.#tooRagged(corner, max, line));
+      const emit = (a: number, b: number, c: number) => {
+        indices.push(a);
+        indices.push(b);
+        indices.push(c);
+      };
+      triangulated(positions, corners.subarray(start, end), emit, (corner, max) => this.#tooRagged(corner, max, line));
       start = end;
     });
     return { positions, indices: indices.values };

@@ -15,24 +15,24 @@ const STRAIGHT = 1e-9;
  * @throws What `tooRagged` gives for a face that is not convex and has more corners than are cut.
  */
 export function triangulated(positions: Float64Array, corners: Uint32Array, emit: (a: number, b: number, c: number) => void, tooRagged: (corners: number, max: number) => Error): void {
-  const fan = (): void => {
-    for (let k = 2; k < corners.length; k += 1) emit(corners[0]!, corners[k - 1]!, corners[k]!);
-  };
-  if (corners.length < 4) return fan();
+  const ears = corners.length < 4 ? [] : earsOf(positions, corners, tooRagged);
+  for (let k = 0; k < ears.length; k += 3) emit(corners[ears[k]!]!, corners[ears[k + 1]!]!, corners[ears[k + 2]!]!);
+  // A fan suits faces that are convex, or so thin that the cutter finds nothing.
+  for (let k = 2; ears.length === 0 && k < corners.length; k += 1) emit(corners[0]!, corners[k - 1]!, corners[k]!);
+}
+
+/** Three places among the corners for each triangle, in the winding of the face; empty for a convex face and where nothing can be cut. */
+function earsOf(positions: Float64Array, corners: Uint32Array, tooRagged: (corners: number, max: number) => Error): number[] {
   const normal = normalOf(positions, corners);
-  if (isConvex(positions, corners, normal)) return fan();
+  if (isConvex(positions, corners, normal)) return [];
   if (corners.length > MOST_EARS) throw tooRagged(corners.length, MOST_EARS);
   const [u, v] = plane(normal);
   const flat = Array.from(corners).flatMap((corner) => [positions[3 * corner + u]!, positions[3 * corner + v]!]);
-  const cut = earcut(flat);
-  if (cut.length === 0) return fan();
+  const ears = earcut(flat);
   // Ears come in the winding of the cutter, not of the face.
-  const isTurned = doubleArea(flat, cut, 3) < 0 !== doubleArea(flat, [...corners.keys()], corners.length) < 0;
-  for (let k = 0; k + 2 < cut.length; k += 3) {
-    const [a, b, c] = [corners[cut[k]!]!, corners[cut[k + 1]!]!, corners[cut[k + 2]!]!];
-    if (isTurned) emit(a, c, b);
-    else emit(a, b, c);
-  }
+  const isTurned = doubleArea(flat, ears, 3) < 0 !== doubleArea(flat, [...corners.keys()], corners.length) < 0;
+  if (isTurned) for (let k = 0; k + 2 < ears.length; k += 3) [ears[k + 1], ears[k + 2]] = [ears[k + 2]!, ears[k + 1]!];
+  return ears;
 }
 
 /** By Newell's method; its length is twice the area. */
