@@ -128,7 +128,8 @@ export function holdTimers(least = 1000) {
   let lastId = 0;
   globalThis.setTimeout = (act, ms, ...rest) => {
     if (!(ms >= least)) return later(act, ms, ...rest);
-    held.set((lastId -= 1), () => act(...rest));
+    lastId -= 1;
+    held.set(lastId, () => act(...rest));
     return lastId;
   };
   globalThis.clearTimeout = (id) => held.delete(id) || clear(id);
@@ -161,7 +162,9 @@ export function holdResults() {
     }
   };
   globalThis.results = {
-    hold: () => void (held ??= []),
+    hold() {
+      held ??= [];
+    },
     release() {
       const acts = held ?? [];
       held = null;
@@ -178,7 +181,10 @@ export async function copied(page, button) {
   await page.evaluate(() => navigator.clipboard.writeText(''));
   await button.click();
   let text = '';
-  await until(async () => (text = await page.evaluate(() => navigator.clipboard.readText())) !== '', 'something is copied');
+  await until(async () => {
+    text = await page.evaluate(() => navigator.clipboard.readText());
+    return text !== '';
+  }, 'something is copied');
   return text;
 }
 

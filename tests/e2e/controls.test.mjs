@@ -169,7 +169,10 @@ test('panel and element have one history, and the panel shows what either of the
   await page.evaluate(() => (a.packing = 0.25));
   await at.getByRole('button', { name: 'Undo' }).click();
   assert.equal((await state()).packing, 0.5);
-  const [link, shown] = await page.evaluate(async () => (await a.getField(), [a.shareURL('https://example.org/'), JSON.stringify(a.params)]));
+  const [link, shown] = await page.evaluate(async () => {
+    await a.getField();
+    return [a.shareURL('https://example.org/'), JSON.stringify(a.params)];
+  });
   assert.equal(await page.evaluate((src) => { const other = document.createElement('rock-field'); other.setAttribute('src', src); return JSON.stringify(other.params); }, link), shown);
   await page.evaluate(() => a.getField());
   assert.deepEqual(await page.evaluate(() => [heard.error ?? 0, heard.generate > 1]), [0, true]);
@@ -179,7 +182,7 @@ test('panel and element have one history, and the panel shows what either of the
 test('the same parameters again are no step of undo', async () => {
   const opened = await open();
   const { page } = opened;
-  assert.deepEqual(await page.evaluate(() => { a.params = a.params; a.seed = 0; return a.undo(); }), false);
+  assert.deepEqual(await page.evaluate(() => { const { params } = a; a.params = params; a.seed = 0; return a.undo(); }), false);
   await closeClean(opened);
 });
 
@@ -294,7 +297,11 @@ test('share and embed copy what shows this field, and say so in the element', as
 });
 
 test('a panel that cannot be loaded is said, and comes when it is asked for again', async () => {
-  panelFile = (response) => (response.writeHead(404).end(), (panelFile = null), true);
+  panelFile = (response) => {
+    panelFile = null;
+    response.writeHead(404).end();
+    return true;
+  };
   const opened = await open();
   const { page } = opened;
   // The words would go by themselves.
@@ -338,14 +345,23 @@ test('open begins open without taking the focus; disabled and removal close it',
   const { page } = opened;
   await panel(page).locator('.panel-body').waitFor();
   assert.equal(await page.evaluate(() => document.activeElement.localName), 'body');
-  await page.evaluate(() => (a.disabled = true, a.setAttribute('disabled', '')));
+  await page.evaluate(() => {
+    a.disabled = true;
+    a.setAttribute('disabled', '');
+  });
   assert.deepEqual([await panel(page).count(), await button(page).isDisabled()], [0, true]);
   await page.evaluate(() => a.removeAttribute('disabled'));
   await openPanel(page);
   // Moving it keeps the panel.
   await page.evaluate(() => document.body.append(a));
   assert.equal(await panel(page).locator('.panel-body').count(), 1);
-  assert.deepEqual(await page.evaluate(() => [a.controls, (a.controls = false, a.hasAttribute('controls')), (a.controls = 'open', a.getAttribute('controls'))]), [true, false, 'open']);
+  assert.deepEqual(await page.evaluate(() => {
+    const told = [a.controls];
+    a.controls = false;
+    told.push(a.hasAttribute('controls'));
+    a.controls = 'open';
+    return [...told, a.getAttribute('controls')];
+  }), [true, false, 'open']);
   await panel(page).locator('.panel-body').waitFor();
   await closeClean(opened);
 });
@@ -367,7 +383,10 @@ test('an element that is removed leaves no panel and no listener behind', async 
   assert.deepEqual(await page.evaluate(() => [...listeners.values()]), []);
   // What the mouse was pressed on last is the browser's for as long.
   await page.locator('h1').click();
-  await page.waitForFunction(() => (globalThis.gc(), gone[0].deref() === undefined), undefined, { polling: 500 });
+  await page.waitForFunction(() => {
+    globalThis.gc();
+    return gone[0].deref() === undefined;
+  }, undefined, { polling: 500 });
   // And it comes back.
   await page.evaluate(() => document.querySelector('main').append(a));
   await openPanel(page);
@@ -413,7 +432,12 @@ test('under a strict policy, and from another origin as a classic script, the pa
   assert.equal(await panel(strict.page).evaluate((at) => getComputedStyle(at).display), 'flex');
   await strict.page.evaluate(() => a.getField());
   await closeClean(strict);
-  const elsewhere = await serve(dist, { intercept: (request, response) => (response.setHeader('access-control-allow-origin', '*'), false) });
+  const elsewhere = await serve(dist, {
+    intercept: (_request, response) => {
+      response.setHeader('access-control-allow-origin', '*');
+      return false;
+    },
+  });
   try {
     const address = elsewhere.url.replace('localhost', '127.0.0.1');
     const foreign = await open(undefined, { script: `${address}cdn.js`, kind: '' });

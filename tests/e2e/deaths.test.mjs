@@ -184,7 +184,10 @@ for (const [address, lang, words] of [
         let sent = Math.round(0.42 * bytes.length);
         response.writeHead(200, { 'content-type': 'application/wasm' }).write(bytes.subarray(0, sent));
         // A connection that brings nothing for long is given up.
-        const drip = setInterval(() => response.write(bytes.subarray(sent, (sent += 100))), 1000);
+        const drip = setInterval(() => {
+          response.write(bytes.subarray(sent, sent + 100));
+          sent += 100;
+        }, 1000);
         await held;
         clearInterval(drip);
         response.end(bytes.subarray(sent));
@@ -284,7 +287,10 @@ test('colony and ground die each by itself, at random moments: every run ends wi
   const { page, close } = await session.open('wood-ears.html');
   await page.waitForFunction(() => heard.some(({ type }) => type === 'generate'));
   let state = 20_131_211;
-  const random = () => (state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0) / 2 ** 32;
+  const random = () => {
+    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+    return state / 2 ** 32;
+  };
   for (let round = 0; round < 12; round += 1) {
     const run = page.evaluate((seed) => {
       const element = document.querySelector('wood-ear-log');

@@ -95,7 +95,7 @@ for (const backend of ['webgl', 'webgpu']) {
       session = await launch({ webgpu: backend === 'webgpu', intercept: pageOf('devices.html', () => HTML) });
       opened = await session.open('devices.html');
       page = opened.page;
-      await page.evaluate(async () => Promise.all(all().map(async (element) => (await customElements.whenDefined(element.localName), element.ready))));
+      await page.evaluate(() => Promise.all(all().map((element) => customElements.whenDefined(element.localName).then(() => element.ready))));
       assert.deepEqual(await page.evaluate(() => all().map((element) => element.backend)), [backend, backend, backend]);
     });
     after(() => session?.close());
@@ -171,7 +171,7 @@ for (const backend of ['webgl', 'webgpu']) {
       for (const [address, element] of [['index.html#preset=journal-fig1&w=200&h=200', 'rock-field'], ['wood-ear.html#preset=thesis-default&d=2&r=20', 'wood-ear-log']]) {
         const scene = await session.open(address, { locale: 'en-US', prepare: (fresh) => fresh.addInitScript(SCRIPT) });
         scenes.push(scene);
-        await scene.page.evaluate(async (name) => (await customElements.whenDefined(name), all()[0].ready), element);
+        await scene.page.evaluate((name) => customElements.whenDefined(name).then(() => all()[0].ready), element);
         for (let loss = 1; loss <= 2; loss += 1) await scene.page.evaluate((wanted) => allBack(lose, wanted), backend);
         assert.deepEqual(await scene.page.evaluate(() => told.filter(({ type }) => type === 'error')), [], address);
       }

@@ -360,7 +360,7 @@ test('the page works by keyboard alone', async () => {
     await page.keyboard.press('Tab');
     const name = await page.evaluate(() => {
       const { activeElement: element } = document;
-      if (!element || !element.closest('.panel')) return null;
+      if (!element?.closest('.panel')) return null;
       return `${element.id || element.getAttribute('aria-label') || element.name || element.textContent.trim()}`;
     });
     if (name === null) break;

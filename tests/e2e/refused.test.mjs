@@ -58,7 +58,7 @@ const NOTHING = { pending: true, same: 'same', now: true, steps: [false, false] 
 /** `setters` by what they set. */
 async function refuses(page, wanted, setters) {
   for (const [what, edit] of Object.entries(setters)) {
-    const outcome = await page.evaluate((source) => refused(eval(source)), `(${edit})`);
+    const outcome = await page.evaluate((source) => refused(new Function(`return ${source}`)()), String(edit));
     assert.deepEqual(outcome, { error: wanted, ...NOTHING }, what);
   }
 }

@@ -47,7 +47,7 @@ export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, 
     if (isSaid && !isNewer) return;
     const words = isNewer ? WORDS.newer : WORDS.missing;
     store.setRemedy({
-      text: (language) => [words, hasUnsavedLog() && WORDS.log, store.canUndo && WORDS.undo].map((part) => part?.[language]).filter(Boolean).join(' '),
+      text: (language) => [words, ...(hasUnsavedLog() ? [WORDS.log] : []), ...(store.canUndo ? [WORDS.undo] : [])].map((part) => part[language]).join(' '),
       label: (language) => WORDS.reload[language],
       act: () => void reload(),
     });

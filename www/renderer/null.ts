@@ -40,7 +40,7 @@ export class NullRenderer implements SceneRenderer {
   }
 
   setWood(wood: Wood | null): void {
-    this.calls.push({ name: 'setWood', individuals: wood?.colony.stats.individuals });
+    this.calls.push({ name: 'setWood', individuals: wood?.colony.stats.individuals ?? null });
   }
 
   setStyle(style: SceneStyle): void {

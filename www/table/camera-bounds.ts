@@ -6,13 +6,11 @@ import type { CameraState } from '../base/view.ts';
 /** px: nothing of the largest field is to be seen from farther away; hands reach 250,000. */
 const REACH = 1e6;
 
-/** π, rounded as it is in links. */
-const HALF_TURN = Math.round(1e4 * Math.PI) / 1e4;
-
 /** Radians and px, in the order of links: azimuth, elevation, distance, target. The least distance is the last digit of a link. */
 export const CAMERA_BOUNDS: readonly { min: number; max: number }[] = [
   { min: -1e5, max: 1e5 },
-  { min: -HALF_TURN, max: HALF_TURN },
+  // π, rounded as it is in links.
+  { min: -3.1416, max: 3.1416 },
   { min: 0.1, max: REACH },
   ...[0, 1, 2].map(() => ({ min: -REACH, max: REACH })),
 ];
