@@ -36,6 +36,7 @@ const LONG_FILES = ['docs', 'wood-ear', 'page', 'element', 'controls', 'wood-ear
  */
 const STEPS = [
   { name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
+  { name: 'biome', expected: '3 s', work: () => node([path.join('node_modules', '@biomejs', 'biome', 'bin', 'biome'), 'lint', '--error-on-warnings', '.']) },
   { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
   { name: 'clippy-generator', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'generator') },
   { name: 'clippy-wood-ear', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'wood-ear') },
