@@ -62,8 +62,7 @@ export class RendererKeeper {
   }
 
   open(): void {
-    this.#cycle += 1;
-    const cycle = this.#cycle;
+    const cycle = ++this.#cycle;
     void this.#open(cycle, this.#backends());
     const again = async () => cycle === this.#cycle && this.#open(cycle, this.#backends('canvas2d'), true);
     this.#recovery = lazily(() => import('../renderer/recovery.ts'), true).then(({ Recovery }) => new Recovery({ again, said: () => this.#scene.said() }));
