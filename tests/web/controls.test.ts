@@ -6,7 +6,7 @@ import { inNotation } from '../../www/rocks/controls/notation.ts';
 import { randomParams } from '../../www/rocks/controls/randomise.ts';
 import { sliderScale } from '../../www/controls/slider-scale.ts';
 import { ROCK_LATER } from '../../www/rocks/controls/deferred.ts';
-import { Store } from '../../www/rocks/controls/store.ts';
+import { RockStore } from '../../www/rocks/controls/store.ts';
 import type { Edition } from '../../www/table/table.ts';
 import type { Rocks } from '../../www/rocks/table.ts';
 import { History } from '../../www/base/history.ts';
@@ -19,8 +19,8 @@ import { decodeLink } from '../../www/rocks/link.ts';
 
 const SLIDERS: readonly ParamSpec[] = PARAMS.filter(({ kind, key }) => kind !== 'choice' && key !== 'seed');
 
-function store(link = ''): Store {
-  return new Store(decodeLink(link), { language: 'en', theme: 'auto' }, ROCK_LATER);
+function store(link = ''): RockStore {
+  return new RockStore(decodeLink(link), { language: 'en', theme: 'auto' }, ROCK_LATER);
 }
 
 /** As `Params::layer_in_px` has it: the same operations in the same order. */
@@ -188,7 +188,7 @@ test('a script to embed is known beside the panel on a server, and nowhere that 
 test('a store on the history of an element makes its steps there, and sees those of others', () => {
   const link = decodeLink('seed=1');
   const history = new History<Edition<Rocks>>({ params: link.params, preset: link.preset });
-  const shared = new Store(link, { language: 'en', theme: 'auto' }, ROCK_LATER, history);
+  const shared = new RockStore(link, { language: 'en', theme: 'auto' }, ROCK_LATER, history);
   shared.setSeed(2);
   history.record({ params: { ...history.present.params, seed: 3 }, preset: link.preset });
   assert.equal(shared.params.seed, 3);

@@ -5,7 +5,7 @@ import { createGenerator, createWoodEarGenerator } from 'rock-field/core';
 import { randomParams } from '../../www/rocks/controls/randomise.ts';
 import { randomWoodEars } from '../../www/wood-ear/controls/randomise.ts';
 import { ROCK_LATER } from '../../www/rocks/controls/deferred.ts';
-import { Store } from '../../www/rocks/controls/store.ts';
+import { RockStore } from '../../www/rocks/controls/store.ts';
 import { PRESETS } from '../../www/rocks/params.ts';
 import type { Preset } from '../../www/rocks/spec.ts';
 import type { Params, PresetName } from '../../www/rocks/params.ts';
@@ -86,7 +86,7 @@ for (const preset of ['moraine', 'journal-fig1'] as const satisfies readonly Pre
   });
 
   test(`${preset}: with the lock beside the radius, Randomise keeps height and taper`, async () => {
-    const store = new Store(decodeLink(`#preset=${preset}`), { language: 'en', theme: 'auto' }, ROCK_LATER);
+    const store = new RockStore(decodeLink(`#preset=${preset}`), { language: 'en', theme: 'auto' }, ROCK_LATER);
     const shapes = () => store.params.layers.map(({ taper, height }) => [taper, height]);
     const before = shapes();
     const random = async (...given: Parameters<typeof randomParams>) => randomParams(...given);

@@ -9,7 +9,7 @@ import { later, LATER } from './strings-later.ts';
 import type { LaterKey } from './strings-later.ts';
 import type { StringKey } from './strings.en.ts';
 import type { Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 const TOAST_MS = 2500;
 /** For a sentence more. */
@@ -31,7 +31,7 @@ const PAGE_KEYS: readonly [StringKey | LaterKey, LaterKey][] = [
   ['help', 'helpBy'],
 ];
 
-export function showKeys<K extends Kind>(store: SceneStore<K>, place: Place): void {
+export function showKeys<K extends Kind>(store: Store<K>, place: Place): void {
   const words = (key: StringKey | LaterKey) => (key in LATER ? later(store.language, key as LaterKey) : store.text(key as StringKey));
   const rows = (keys: typeof PAGE_KEYS) => html`
     <dl class="keys">${keys.map(([what, how]) => html`<div><dt>${words(what)}</dt><dd>${words(how)}</dd></div>`)}</dl>
@@ -46,18 +46,18 @@ export function showKeys<K extends Kind>(store: SceneStore<K>, place: Place): vo
 }
 
 /** Copies and says so; or, the last way when the browser gives no clipboard, shows the text. */
-export async function copyOrShow<K extends Kind>(store: SceneStore<K>, place: Place, text: string, done: LaterKey, heading: StringKey): Promise<void> {
+export async function copyOrShow<K extends Kind>(store: Store<K>, place: Place, text: string, done: LaterKey, heading: StringKey): Promise<void> {
   const said = [later(store.language, done), store.leftOut].filter(Boolean).join(store.language === 'ja' ? '。' : '. ');
   if (await copyText(text, place)) toast(place, said, store.leftOut ? LONG_TOAST_MS : TOAST_MS);
   else showText(store, place, store.text(heading), text);
 }
 
-function showText<K extends Kind>(store: SceneStore<K>, place: Place, heading: string, text: string): void {
+function showText<K extends Kind>(store: Store<K>, place: Place, heading: string, text: string): void {
   showDialog(store, place, heading, html`<p>${later(store.language, 'copyByHand')} ${store.leftOut}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`);
   place.querySelector<HTMLTextAreaElement>('.dialog .copy-text')?.select();
 }
 
-export function showDialog<K extends Kind>(store: SceneStore<K>, place: Place, heading: string, content: TemplateResult): HTMLDialogElement {
+export function showDialog<K extends Kind>(store: Store<K>, place: Place, heading: string, content: TemplateResult): HTMLDialogElement {
   const dialog = place.querySelector<HTMLDialogElement>('.dialog') ?? made(place, 'dialog', 'dialog');
   dialog.setAttribute('aria-labelledby', 'dialog-heading');
   const close = () => dialog.close();

@@ -10,12 +10,12 @@ import { LAYOUT_STYLES, PANEL_STYLES } from './panel-styles.ts';
 import { isDialogOpen } from './parts.ts';
 import type { OpenPanel, PanelOwner } from '../element/panel-owner.ts';
 import type { ErrorDetail } from '../base/error-pace.ts';
-import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
+import type { GeneratorElement, ElementEventMap } from '../element/generator-element.ts';
 import type { History } from '../base/history.ts';
 import type { Edition, Kind } from '../table/table.ts';
 import type { Actions } from './actions.ts';
-import type { ScenePanel } from './panel.ts';
-import type { Change, OpenedLink, Preferences, SceneStore } from './store.ts';
+import type { Panel } from './panel.ts';
+import type { Change, OpenedLink, Preferences, Store } from './store.ts';
 
 /** From here on the panel stands beside the picture, px. */
 const BESIDE_FROM = 600;
@@ -24,9 +24,9 @@ const BELOW_FROM = 480;
 
 /** What an embedded panel is made of. */
 export interface PanelParts<K extends Kind> {
-  newStore: (link: OpenedLink<K>, preferences: Preferences, history: History<Edition<K>>) => SceneStore<K>;
-  panel: ScenePanel<K>;
-  /** Of the scene's own panel. */
+  newStore: (link: OpenedLink<K>, preferences: Preferences, history: History<Edition<K>>) => Store<K>;
+  panel: Panel<K>;
+  /** What a panel of this generator can do beyond those of others. */
   actions?: object;
   /** An address that the classic scripts lie beside, where one is known. */
   script: string | null;
@@ -35,9 +35,9 @@ export interface PanelParts<K extends Kind> {
 export class EmbeddedPanel<K extends Kind> implements OpenPanel {
   readonly #owner: PanelOwner<K, GeneratorElement<K>>;
   readonly #element: GeneratorElement<K>;
-  readonly #store: SceneStore<K>;
+  readonly #store: Store<K>;
   readonly #host = document.createElement('div');
-  readonly #panel: ScenePanel<K>;
+  readonly #panel: Panel<K>;
   readonly #close: () => void;
   /** The parameters that element and store agreed on last. */
   #seen: K['params'];
@@ -119,7 +119,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       const result = this.#owner.result();
       if (result) store.showResult(result, detail.superseded);
     });
-    on('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
+    on('progress', ({ detail }: ElementEventMap<K['stage']>['progress']) => store.setProgress(detail));
     on('error', (event: CustomEvent<ErrorDetail>) => {
       // The panel has words for it.
       event.preventDefault();

@@ -2,14 +2,14 @@
 
 import { isDialogOpen } from './parts.ts';
 import type { Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 export interface PageActions {
   frameAll: () => void;
   help: () => void;
 }
 
-export function listenToKeys<K extends Kind>(store: SceneStore<K>, actions: PageActions): void {
+export function listenToKeys<K extends Kind>(store: Store<K>, actions: PageActions): void {
   window.addEventListener('keydown', (event) => {
     if (event.defaultPrevented || event.isComposing || isDialogOpen(document.body)) return;
     const handled = travel(store, event) || (!hasModifier(event) && !isTyping(event) && press(store, event.key, actions));
@@ -18,7 +18,7 @@ export function listenToKeys<K extends Kind>(store: SceneStore<K>, actions: Page
 }
 
 /** Undo and redo are the page's, or the panel's, even inside a number field: what was typed there has long been applied. */
-export function travel<K extends Kind>(store: SceneStore<K>, event: KeyboardEvent): boolean {
+export function travel<K extends Kind>(store: Store<K>, event: KeyboardEvent): boolean {
   const key = event.key.toLowerCase();
   if (event.altKey || !(event.ctrlKey || event.metaKey) || (key !== 'z' && key !== 'y')) return false;
   if (event.target instanceof HTMLElement) delete event.target.dataset.typing;
@@ -32,7 +32,7 @@ export function hasModifier({ altKey, ctrlKey, metaKey }: KeyboardEvent): boolea
   return altKey || ctrlKey || metaKey;
 }
 
-function press<K extends Kind>(store: SceneStore<K>, key: string, { frameAll, help }: PageActions): boolean {
+function press<K extends Kind>(store: Store<K>, key: string, { frameAll, help }: PageActions): boolean {
   const view = store.table.views[Number(key) - 1];
   if (view) store.setView(view);
   else if (key === '?') help();

@@ -10,10 +10,10 @@ import { THEMES } from '../base/view.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind } from '../table/table.ts';
 import type { Actions } from './actions.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 export interface LastSection<K extends Kind> {
-  store: SceneStore<K>;
+  store: Store<K>;
   actions: Actions<K>;
   isEmbedded: boolean;
   embedHelp: string;
@@ -53,7 +53,7 @@ export function lastSection<K extends Kind>({ store, actions, isEmbedded, embedH
 }
 
 /** Back to the log whose ground is being edited on this page. */
-export function wayToLog<K extends Kind>(store: SceneStore<K>, { link }: Actions<K>): TemplateResult | typeof nothing {
+export function wayToLog<K extends Kind>(store: Store<K>, { link }: Actions<K>): TemplateResult | typeof nothing {
   if (!link || !isGroundEdited()) return nothing;
   // The address is made anew by the click: the last edit may be younger than the last render.
   const follow = ({ currentTarget }: Event) => ((currentTarget as HTMLAnchorElement).href = addressOnGround(link()));

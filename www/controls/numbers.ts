@@ -2,12 +2,12 @@
 
 import type { Row } from '../table/row.ts';
 import type { Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 /** Digits shown of a number; its value keeps all of them. */
 const SHOWN_DIGITS = 7;
 
-export function problemOf<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): string | null {
+export function problemOf<K extends Kind>(store: Store<K>, spec: Row, item: number | null): string | null {
   const { problem } = store;
   const isHere = problem?.key === spec.key && problem.item === item && (problem.component ?? 0) === (spec.component ?? 0);
   return problem && isHere ? problem.text(store.language) : null;
@@ -28,7 +28,7 @@ export function shownNumber(value: number): string {
   return String(Number.isInteger(value) ? value : Number(value.toPrecision(SHOWN_DIGITS)));
 }
 
-export function percent<K extends Kind>(store: SceneStore<K>, share: number): string {
+export function percent<K extends Kind>(store: Store<K>, share: number): string {
   // Plus zero: an empty sum may be −0.
   return (share + 0).toLocaleString(store.language, { style: 'percent', minimumFractionDigits: 1, maximumFractionDigits: 1 });
 }

@@ -5,10 +5,10 @@ import { copyOrShow, showKeys } from './dialogs.ts';
 import { embedCode } from './clipboard.ts';
 import type { GeneratorElement } from '../element/generator-element.ts';
 import type { Draw, Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 export interface PageParts<K extends Kind> {
-  store: SceneStore<K>;
+  store: Store<K>;
   element: GeneratorElement<K>;
   stage: HTMLElement;
   random: (params: K['params'], draw: Draw) => Promise<K['params']>;

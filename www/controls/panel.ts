@@ -1,7 +1,7 @@
-/** What every scene's panel has: everything that can be set, in one column, beside the page's picture or in an element with `controls`. */
+/** What the panels of all generators have: everything that can be set, in one column, beside the page's picture or in an element with `controls`. */
 
 import { LitElement, html, nothing } from 'lit';
-import { sceneAddress, SCENES } from './site.ts';
+import { pageAddress, PAGES } from './site.ts';
 import { labelOf } from './strings.ts';
 import { icon } from './icons.ts';
 import { colorChoice, viewChoice } from './view-choice.ts';
@@ -16,15 +16,15 @@ import type { Actions } from './actions.ts';
 import type { Deferred } from '../base/deferred.ts';
 import type * as module from './later.ts';
 import type { Place } from './parts.ts';
-import type { Problem, SceneStore } from './store.ts';
+import type { Problem, Store } from './store.ts';
 
 /** What of a panel comes later. */
 export type Later = typeof module;
 
-export abstract class ScenePanel<K extends Kind> extends LitElement {
+export abstract class Panel<K extends Kind> extends LitElement {
   static override properties = { store: { attribute: false }, actions: { attribute: false }, isEmbedded: { attribute: false }, isOpen: { state: true } };
 
-  declare store: SceneStore<K>;
+  declare store: Store<K>;
   declare actions: Actions<K>;
   /** In an element, not on the page: without what is the page's alone. */
   declare isEmbedded: boolean;
@@ -89,7 +89,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     void this.updateComplete.then(() => line.scrollIntoView({ block: 'nearest' }));
   }
 
-  /** The text of the scene's own that a key stands for. */
+  /** The text that a key stands for; each generator words it for itself. */
   protected abstract words(key: 'presetHelp' | 'shareHelp' | 'embedHelp'): string;
   protected abstract presetName(): string;
   /** Opens the list of presets. `place`: where dialogs appear. */
@@ -152,7 +152,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     const problem = problemOf(store, seed, null);
     return html`
       <section class="start" aria-label=${store.text('preset')}>
-        ${this.isEmbedded ? nothing : this.#scenes()}
+        ${this.isEmbedded ? nothing : this.#pages()}
         <div class="control" data-param="preset" data-help=${this.words('presetHelp')}>
           <div class="control-head">
             <span class="control-label" id="preset-label">${store.text('preset')}</span>
@@ -177,15 +177,15 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     `;
   }
 
-  /** The pages, one for each scene. */
-  #scenes(): TemplateResult {
+  /** The pages, one for each generator. */
+  #pages(): TemplateResult {
     const { store } = this;
-    const here = location.pathname.endsWith(SCENES[1].href);
+    const here = location.pathname.endsWith(PAGES[1].href);
     return html`
       <nav class="segment-row scenes" aria-label=${store.text('scenes')}>
-        ${SCENES.map(({ name, href }, index) => {
+        ${PAGES.map(({ name, href }, index) => {
           const isHere = here === (index === 1);
-          return html`<a class="segment" href=${sceneAddress(href)} aria-current=${isHere ? 'page' : nothing} @click=${({ currentTarget }: Event) => ((currentTarget as HTMLAnchorElement).href = sceneAddress(href))}><span>${store.text(name)}</span></a>`;
+          return html`<a class="segment" href=${pageAddress(href)} aria-current=${isHere ? 'page' : nothing} @click=${({ currentTarget }: Event) => ((currentTarget as HTMLAnchorElement).href = pageAddress(href))}><span>${store.text(name)}</span></a>`;
         })}
       </nav>
       ${here ? nothing : this.later?.wayToLog(store, this.actions)}
@@ -206,7 +206,7 @@ export abstract class ScenePanel<K extends Kind> extends LitElement {
     return html`<section class="section" aria-label=${this.store.text('view')}>${viewChoice(this.store, false)} ${colorChoice(this.store, false)}</section>`;
   }
 
-  /** A natural scene has all of its look to set, another the light alone. */
+  /** In natural colours all of the look can be set, in others the light alone. */
   protected look(): TemplateResult {
     const { store } = this;
     const isNatural = store.color === 'natural';

@@ -9,7 +9,7 @@ import { sliderScale } from './slider-scale.ts';
 import type { TemplateResult } from 'lit';
 import type { Row } from '../table/row.ts';
 import type { Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 /** How far from the middle of the thumb a finger may be to take it; the thumb is as wide as tokens.css has it for fingers. */
 const REACH_PX = 24;
@@ -21,7 +21,7 @@ const LINE_PX = 16;
 const MOST_SEGMENTS = 4;
 
 /** The control of a row, for the item `item` (an index) or, with `null`, for the whole. `beside`: what stands beside the number of a slider. */
-export function paramControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null, beside?: TemplateResult): TemplateResult {
+export function paramControl<K extends Kind>(store: Store<K>, spec: Row, item: number | null, beside?: TemplateResult): TemplateResult {
   return spec.kind === 'choice' ? choiceControl(store, spec, item) : numberControl(store, spec, item, beside);
 }
 
@@ -30,7 +30,7 @@ function idOf(spec: Row, item: number | null): string {
   return item === null ? spec.url : `${spec.url}-${item}`;
 }
 
-function choiceControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null): TemplateResult {
+function choiceControl<K extends Kind>(store: Store<K>, spec: Row, item: number | null): TemplateResult {
   const { language } = store;
   const choose = spec.choices.length > MOST_SEGMENTS ? menu : segments;
   return choose({
@@ -44,7 +44,7 @@ function choiceControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
   });
 }
 
-function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: number | null, beside?: TemplateResult): TemplateResult {
+function numberControl<K extends Kind>(store: Store<K>, spec: Row, item: number | null, beside?: TemplateResult): TemplateResult {
   const { language, params, table } = store;
   const value = Number(store.refusedValue(spec, item) ?? store.valueOf(spec, item));
   const scale = sliderScale(table.boundsOf(spec, params));
@@ -85,7 +85,7 @@ function numberControl<K extends Kind>(store: SceneStore<K>, spec: Row, item: nu
 }
 
 interface NumberField<K extends Kind> {
-  store: SceneStore<K>;
+  store: Store<K>;
   spec: Row;
   item: number | null;
   id: string;
@@ -164,7 +164,7 @@ function scrollPanel(event: WheelEvent): void {
 }
 
 /** A slider is held until the pointer is lifted. Fingers, which also scroll and tap, have to take it by the thumb. */
-function grab<K extends Kind>(store: SceneStore<K>, { currentTarget, pointerType, clientX }: PointerEvent): void {
+function grab<K extends Kind>(store: Store<K>, { currentTarget, pointerType, clientX }: PointerEvent): void {
   const slider = currentTarget as HTMLInputElement;
   slider.toggleAttribute('data-missed', pointerType === 'touch' && Math.abs(clientX - thumbOf(slider)) > REACH_PX);
   store.hold();

@@ -4,14 +4,14 @@ import { errorText } from './strings-later.ts';
 import type { ErrorInfo } from '../base/errors.ts';
 import type { Language } from '../base/language.ts';
 import type { Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 import type { Circumstances } from './store-types.ts';
 
 /**
- * Under the control whose value was refused; where the scene stays what was refused, since there is none before it, under the control
+ * Under the control whose value was refused; where the parameters stay what was refused, since there are none before them, under the control
  * to change; else on the line for the page.
  */
-export function placeError<K extends Kind>(store: SceneStore<K>, error: ErrorInfo, { params, isBack, wish }: Circumstances<K>): void {
+export function placeError<K extends Kind>(store: Store<K>, error: ErrorInfo, { params, isBack, wish }: Circumstances<K>): void {
   const { table } = store;
   const { key = '', layer } = error;
   const text = (language: Language) => errorText(language, error);

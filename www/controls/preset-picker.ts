@@ -8,7 +8,7 @@ import type { TemplateResult } from 'lit';
 import type { GeneratorElement } from '../element/generator-element.ts';
 import type { Kind } from '../table/table.ts';
 import type { Place } from './parts.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 /** Letters that follow each other closely are the beginning of one name. */
 const TYPING_MS = 700;
@@ -25,7 +25,7 @@ export interface PresetGroup {
 }
 
 /** Opens the list; what is chosen becomes the store's. `newElement` makes an element for the pictures; null: there are none. */
-export function choosePreset<K extends Kind>(store: SceneStore<K>, place: Place, groups: readonly PresetGroup[], newElement: (() => GeneratorElement<K>) | null): void {
+export function choosePreset<K extends Kind>(store: Store<K>, place: Place, groups: readonly PresetGroup[], newElement: (() => GeneratorElement<K>) | null): void {
   const option = (name: string, words: string, isPictured: boolean): TemplateResult => {
     const isChosen = name === store.preset;
     return html`

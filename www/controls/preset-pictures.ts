@@ -1,12 +1,12 @@
 /** Small pictures of natural presets: drawn one after the other by an element that nobody sees, and kept for as long as the page is open. */
 
-import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
+import type { GeneratorElement, ElementEventMap } from '../element/generator-element.ts';
 import type { Kind, Table } from '../table/table.ts';
 
 /** Device pixels: twice as many as on most screens. */
 export const PICTURE_SIZE = { width: 192, height: 128 };
 /** Composed events of an element in a shadow root are the host's too. */
-const EVENTS: Record<keyof SceneEventMap<string> | 'generate', true> = { load: true, progress: true, generate: true, error: true, 'camera-change': true, restored: true, notice: true };
+const EVENTS: Record<keyof ElementEventMap<string> | 'generate', true> = { load: true, progress: true, generate: true, error: true, 'camera-change': true, restored: true, notice: true };
 
 const kept = new Map<string, ImageBitmap>();
 

@@ -1,6 +1,6 @@
-/** The pages, one for each scene, and what each of them showed last in this tab of the browser. */
+/** The pages, one for each generator, and what each of them showed last in this tab of the browser. */
 
-export const SCENES = [{ name: 'scene-rocks', href: './' }, { name: 'scene-wood-ears', href: 'wood-ear.html' }] as const;
+export const PAGES = [{ name: 'scene-rocks', href: './' }, { name: 'scene-wood-ears', href: 'wood-ear.html' }] as const;
 
 /** What the log lies on is being edited on the page of rocks. */
 const GROUND = 'ground';
@@ -28,12 +28,12 @@ function write(key: string, value: string): void {
 }
 
 /** Keeps what this page shows. */
-export function rememberScene(link: string): void {
+export function rememberPage(link: string): void {
   write(keyOf(location.pathname), link);
 }
 
 /** The address of a page as it was left. */
-export function sceneAddress(href: string): string {
+export function pageAddress(href: string): string {
   const link = read(keyOf(href));
   return link === null ? href : `${href}#${link}`;
 }
@@ -49,7 +49,7 @@ export function isGroundEdited(): boolean {
 
 /** The address of the page of wood ears as it was left, with its log on the rocks of `link`. */
 export function addressOnGround(link: string): string {
-  const { href } = SCENES[1];
+  const { href } = PAGES[1];
   const left = (read(keyOf(href)) ?? '').replace(/(^|&)ground=[^&]*/, '');
   return `${href}#${left || 'preset=fallen-log'}&ground=${encodeURIComponent(link)}`;
 }

@@ -6,7 +6,7 @@ import { iconButton } from './parts.ts';
 import { messageLine, progressLine } from './status.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 export interface StageActions {
   cancel: () => void;
@@ -17,7 +17,7 @@ export interface StageActions {
 export class StageOverlay extends LitElement {
   static override properties = { store: { attribute: false }, actions: { attribute: false } };
 
-  declare store: SceneStore<Kind>;
+  declare store: Store<Kind>;
   declare actions: StageActions;
 
   #stopListening: (() => void) | undefined;

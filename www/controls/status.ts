@@ -6,10 +6,10 @@ import { iconButton } from './parts.ts';
 import { percent } from './numbers.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
 /** Only text goes in here: much of it comes from links. */
-export function messageLine<K extends Kind>(store: SceneStore<K>): TemplateResult | typeof nothing {
+export function messageLine<K extends Kind>(store: Store<K>): TemplateResult | typeof nothing {
   const { messages, language, remedy } = store;
   if (remedy) {
     return html`
@@ -31,7 +31,7 @@ export function messageLine<K extends Kind>(store: SceneStore<K>): TemplateResul
   `;
 }
 
-export function progressLine<K extends Kind>(store: SceneStore<K>, cancel: () => void): TemplateResult | typeof nothing {
+export function progressLine<K extends Kind>(store: Store<K>, cancel: () => void): TemplateResult | typeof nothing {
   const { progress, offer } = store;
   if (!progress) return nothing;
   const share = percent(store, progress.fraction).replace(/[.,]\d/, '');

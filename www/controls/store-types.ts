@@ -1,7 +1,7 @@
-/** What the store of a scene holds and tells. */
+/** What a store holds and tells. */
 
 import type { Notice } from '../table/notices.ts';
-import type { SceneLink } from '../table/link.ts';
+import type { Link } from '../table/link.ts';
 import type { Theme } from '../base/view.ts';
 import type { Language } from '../base/language.ts';
 import type { Row } from '../table/row.ts';
@@ -34,8 +34,8 @@ export interface Circumstances<K extends Kind> {
   wish: Wish | null;
 }
 
-/** How a scene is looked at. */
-export type Seen<K extends Kind> = Pick<SceneLink<K>, 'view' | 'color' | 'camera'>;
+/** How the result is looked at. */
+export type Seen<K extends Kind> = Pick<Link<K>, 'view' | 'color' | 'camera'>;
 
 /** A quicker way to what a long run is after. */
 export interface Offer {
@@ -64,7 +64,7 @@ export interface Line {
 export type Change = 'params' | 'look' | 'camera' | 'preferences' | 'result' | 'progress' | 'messages';
 
 /** What a link says, and what was wrong with it. */
-export type OpenedLink<K extends Kind> = SceneLink<K> & { notices: readonly Notice[] };
+export type OpenedLink<K extends Kind> = Link<K> & { notices: readonly Notice[] };
 
 export interface Preferences {
   language: Language;

@@ -8,7 +8,7 @@ import type { Deferred } from '../base/deferred.ts';
 import type { ErrorInfo } from '../base/errors.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { Notice } from '../table/notices.ts';
-import type { SceneLink } from '../table/link.ts';
+import type { Link } from '../table/link.ts';
 import type { Language, Words } from '../base/language.ts';
 import type { Backend, CameraState, ColorMode, Theme, View } from '../base/view.ts';
 import type { StringKey } from './strings.en.ts';
@@ -23,10 +23,10 @@ const MAX_SEED = 0xffff_ffff;
 /** What comes later of which the store itself has need. */
 export interface StoreLater {
   japaneseNotice(notice: Notice): string;
-  placeError<K extends Kind>(store: SceneStore<K>, error: ErrorInfo, circumstances: Circumstances<K>): void;
+  placeError<K extends Kind>(store: Store<K>, error: ErrorInfo, circumstances: Circumstances<K>): void;
 }
 
-export abstract class SceneStore<K extends Kind> {
+export abstract class Store<K extends Kind> {
   readonly table: Table<K>;
   #language: Language = 'en';
   theme: Theme;
@@ -97,7 +97,7 @@ export abstract class SceneStore<K extends Kind> {
   }
 
   /** What is on screen, as a link says it. It differs from `params` while a run is under way. */
-  get shown(): SceneLink<K> {
+  get shown(): Link<K> {
     return { ...this.#history.settled, ...(this.#beforeLink ?? this.#seen) };
   }
 

@@ -4,9 +4,9 @@ import { isPlan } from '../scene/camera/camera.ts';
 import { segments } from './parts.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind } from '../table/table.ts';
-import type { SceneStore } from './store.ts';
+import type { Store } from './store.ts';
 
-export function viewChoice<K extends Kind>(store: SceneStore<K>, hideLabel: boolean): TemplateResult {
+export function viewChoice<K extends Kind>(store: Store<K>, hideLabel: boolean): TemplateResult {
   return segments({
     name: 'view',
     label: store.text('view'),
@@ -17,7 +17,7 @@ export function viewChoice<K extends Kind>(store: SceneStore<K>, hideLabel: bool
   });
 }
 
-export function colorChoice<K extends Kind>(store: SceneStore<K>, hideLabel: boolean): TemplateResult {
+export function colorChoice<K extends Kind>(store: Store<K>, hideLabel: boolean): TemplateResult {
   return segments({
     name: 'color',
     label: store.text('color'),

@@ -1,5 +1,5 @@
 /**
- * What the attributes of a scene say. One contract: absent → default; malformed → default and exactly one notice that names the
+ * What the attributes of an element say. One contract: absent → default; malformed → default and exactly one notice that names the
  * attribute; nothing throws.
  *
  * There is an attribute for every row of the parameter table, under the row's name in kebab case: `image-width="800"`; what has three
@@ -14,7 +14,7 @@ import { INTERACTIONS, LOADINGS, QUALITY_CHOICES, THEMES } from '../base/view.ts
 import type { ColorMode, Interaction, Loading, Theme, WantedQuality } from '../base/view.ts';
 import { errorInfo, RockFieldError } from '../base/errors.ts';
 import type { Slots } from '../base/filled.ts';
-import type { SceneLink } from '../table/link.ts';
+import type { Link } from '../table/link.ts';
 import { shown } from '../table/param-checks.ts';
 import type { Bounds, Row } from '../table/row.ts';
 import { presetColor } from '../table/table.ts';
@@ -33,10 +33,10 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 /** A missing count in a list: `cell-count="- 40 -"`. */
 const NONE = '-';
 
-/** Attributes of every scene that are no parameters. */
-export const SCENE_ATTRIBUTES = ['src', 'preset', 'view', 'color', 'quality', 'camera-orbit', 'interaction', 'theme', 'loading', 'metres-per-pixel'] as const;
+/** Attributes of every element that are no parameters. */
+export const COMMON_ATTRIBUTES = ['src', 'preset', 'view', 'color', 'quality', 'camera-orbit', 'interaction', 'theme', 'loading', 'metres-per-pixel'] as const;
 
-export interface SceneAttributes<K extends Kind> extends SceneLink<K> {
+export interface ElementAttributes<K extends Kind> extends Link<K> {
   /** Where the camera is while everything is framed; null: as it is framed by itself. */
   orbit: Orbit | null;
   quality: WantedQuality;
@@ -70,8 +70,8 @@ export function attributesOf(rows: readonly Row[]): ReadonlyMap<string, Row> {
 /** How a `src` of parameters or of a link is read. */
 export interface SourceReader<K extends Kind> {
   /** @throws a RockFieldError for a request that is wrong. */
-  ofRequest(request: unknown): Pick<SceneLink<K>, 'params' | 'preset'>;
-  ofLink(text: string): SceneLink<K> & { notices: readonly { text: string }[] };
+  ofRequest(request: unknown): Pick<Link<K>, 'params' | 'preset'>;
+  ofLink(text: string): Link<K> & { notices: readonly { text: string }[] };
 }
 
 export class AttributeReader<K extends Kind> {
@@ -99,11 +99,11 @@ export class AttributeReader<K extends Kind> {
   }
 
   /** `src` fills everything, and `preset` is then not looked at. */
-  source(reader: SourceReader<K>): SceneLink<K> {
+  source(reader: SourceReader<K>): Link<K> {
     const src = this.get('src');
     const { presets, views } = this.#table;
     const first = presets[0]?.name ?? '';
-    const blank: SceneLink<K> = { params: this.#table.presetParams(first), preset: first, view: views[0] ?? '3d', color: null, camera: null };
+    const blank: Link<K> = { params: this.#table.presetParams(first), preset: first, view: views[0] ?? '3d', color: null, camera: null };
     if (src === null) return { ...blank, ...this.#preset(first) };
     if (src.trim().startsWith('{')) {
       return { ...blank, ...this.#request(src, first, reader) };
@@ -114,7 +114,7 @@ export class AttributeReader<K extends Kind> {
   }
 
   /** Parameters as JSON; the preset that they name is there for what cannot be read. */
-  #request(src: string, first: K['preset'], reader: SourceReader<K>): Pick<SceneLink<K>, 'params' | 'preset'> {
+  #request(src: string, first: K['preset'], reader: SourceReader<K>): Pick<Link<K>, 'params' | 'preset'> {
     let request: { preset?: unknown } = {};
     try {
       request = JSON.parse(src) as object;
@@ -127,7 +127,7 @@ export class AttributeReader<K extends Kind> {
     }
   }
 
-  #preset(first: K['preset']): Pick<SceneLink<K>, 'params' | 'preset'> {
+  #preset(first: K['preset']): Pick<Link<K>, 'params' | 'preset'> {
     const given = this.get('preset');
     const found = given === null ? undefined : this.#table.presets.find(({ name }) => name === given.trim());
     if (given !== null && !found) this.note('preset', 'no-preset', { given: quote(given), used: first });
@@ -150,7 +150,7 @@ export class AttributeReader<K extends Kind> {
   }
 
   /** What is said beside parameters. */
-  scene(source: SceneLink<K>, params: K['params']): SceneAttributes<K> {
+  common(source: Link<K>, params: K['params']): ElementAttributes<K> {
     const { views } = this.#table;
     return {
       params,
@@ -195,7 +195,7 @@ export class AttributeReader<K extends Kind> {
     return found ?? fallback;
   }
 
-  #color({ color, preset }: SceneLink<K>): ColorMode | null {
+  #color({ color, preset }: Link<K>): ColorMode | null {
     const given = this.get('color');
     const wanted = this.choice('color', this.#table.colors, color ?? presetColor(this.#table, preset));
     // What is malformed is as good as absent: of another preset it would be another colour.

@@ -3,10 +3,10 @@
 import type { Language } from '../base/language.ts';
 import type { Look } from '../data/look.ts';
 import type { Runs, RunsHost } from '../generator/runs.ts';
-import type { SceneLink } from '../table/link.ts';
+import type { Link } from '../table/link.ts';
 import type { Row } from '../table/row.ts';
 import type { Draw, Kind, Table } from '../table/table.ts';
-import type { SceneAttributes } from './attribute-reader.ts';
+import type { ElementAttributes } from './attribute-reader.ts';
 import type { ControlledElement, PanelModule } from './panel-owner.ts';
 import type { RowProperties } from './parameter-properties.ts';
 
@@ -21,12 +21,12 @@ export interface Definition<K extends Kind, Owner extends ControlledElement> {
   ownAttributes: Readonly<Record<string, keyof K['params']>>;
   /** What the items are called, as a property. */
   list: string;
-  readAttributes(get: (name: string) => string | null): SceneAttributes<K>;
+  readAttributes(get: (name: string) => string | null): ElementAttributes<K>;
   newRuns(host: RunsHost<K['params'], K['result'], K['stage']>): Runs<K['params'], K['result'], K['stage']>;
   lookOf(params: K['params']): Look;
   /** Width and height of the ground, px. */
   groundSize(params: K['params']): [number, number];
-  encode(state: SceneLink<K>): string;
+  encode(state: Link<K>): string;
   /** What is shown, in a sentence. */
   describe(result: K['result'], metresPerPixel: number, language: Language): Promise<string>;
   random(params: K['params'], draw: Draw): Promise<K['params']>;

@@ -1,7 +1,7 @@
 /** What every element of a generator shares: parameters by attribute, property and link, runs, undo, the panel. */
 
 import { INTERACTIONS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
-import { checkChoice, SCENE_ATTRIBUTES } from './attribute-reader.ts';
+import { checkChoice, COMMON_ATTRIBUTES } from './attribute-reader.ts';
 import type { Backend, CameraState, ColorMode, Interaction, Theme, View, WantedQuality } from '../base/view.ts';
 import { checkCamera } from '../table/camera-bounds.ts';
 import { METRES_PER_PIXEL } from '../scene/camera/orbit.ts';
@@ -13,7 +13,7 @@ import { errorInfo, isAbort, RockFieldError, UNAVAILABLE } from '../base/errors.
 import type { ErrorDetail } from '../base/error-pace.ts';
 import type { Progress } from '../generator/protocol.ts';
 import { CODE, History } from '../base/history.ts';
-import type { SceneLink } from '../table/link.ts';
+import type { Link } from '../table/link.ts';
 import { lazily } from '../base/lazy.ts';
 import { REFLECTED_PROPERTIES, writeAttribute } from './reflected-properties.ts';
 import type { Runs } from '../generator/runs.ts';
@@ -22,7 +22,7 @@ import { isLook, isMade } from '../table/row.ts';
 import { presetColor, same } from '../table/table.ts';
 
 /** The events, by name, with their details. None bubbles; all are composed. */
-export interface SceneEventMap<Stage extends string> {
+export interface ElementEventMap<Stage extends string> {
   /** The first picture of a cycle has been painted. */
   load: CustomEvent<null>;
   /** A run of more than 200 ms is under way. */
@@ -52,7 +52,7 @@ export function observedAttributes(definition: AttributeNames): readonly string[
 }
 
 function parameterAttributes({ rowAttributes, itemAttributes, ownAttributes }: AttributeNames): string[] {
-  return [...SCENE_ATTRIBUTES, ...rowAttributes.keys(), ...itemAttributes, ...Object.keys(ownAttributes)];
+  return [...COMMON_ATTRIBUTES, ...rowAttributes.keys(), ...itemAttributes, ...Object.keys(ownAttributes)];
 }
 
 /** Assigned before the element was defined, these would hide the accessors. */
@@ -100,7 +100,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   /** Parameters whose run has come to its end: `#shown`, unless that is a preview. */
   #made: K['params'] | null = null;
   /** How things were seen before a link was opened whose run is still to come. */
-  #beforeLink: Pick<SceneLink<K>, 'view' | 'color' | 'camera'> | null = null;
+  #beforeLink: Pick<Link<K>, 'view' | 'color' | 'camera'> | null = null;
   /** Tells a store that shares the history of what it has not done itself. */
   #onEdit: (() => void) | undefined;
   /** What runs under way were written against. */
@@ -406,7 +406,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     return url.href;
   }
 
-  get #seen(): Pick<SceneLink<K>, 'view' | 'color' | 'camera'> {
+  get #seen(): Pick<Link<K>, 'view' | 'color' | 'camera'> {
     return { view: this.sceneView, color: this.#color, camera: this.hasDefaultCamera ? null : super.camera };
   }
 
@@ -454,7 +454,7 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     return this.#runs.start(params);
   }
 
-  /** For what a scene has to say of its runs; null: the run has ended. */
+  /** For what an element has to say of its runs; null: the run has ended. */
   protected heard(_progress: Progress<K['stage']> | null): void {}
 
   /**

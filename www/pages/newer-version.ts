@@ -2,7 +2,7 @@
 
 import { RockFieldError } from '../base/errors.ts';
 import { later } from '../controls/strings-later.ts';
-import type { SceneStore } from '../controls/store.ts';
+import type { Store } from '../controls/store.ts';
 import type { onMissingFile } from '../base/lazy.ts';
 import type { Words } from '../base/language.ts';
 import type { Kind } from '../table/table.ts';
@@ -34,7 +34,7 @@ async function newestBuild(): Promise<string | undefined> {
 }
 
 /** `listen` is how to hear of files that are missing. `save` is called before the page is reloaded; `hasUnsavedLog` says whether a log from a file will be lost all the same. */
-export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, store: SceneStore<K>, save: () => void, hasUnsavedLog: () => boolean): void {
+export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, store: Store<K>, save: () => void, hasUnsavedLog: () => boolean): void {
   let isAsking = false;
 
   async function offer(isSaid: boolean): Promise<void> {
@@ -64,7 +64,7 @@ export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, 
 }
 
 /** What nobody caught is said, not swallowed. */
-export function sayUncaught<K extends Kind>(store: SceneStore<K>): void {
+export function sayUncaught<K extends Kind>(store: Store<K>): void {
   window.addEventListener('unhandledrejection', ({ reason }) => {
     const message = reason instanceof RockFieldError ? reason.message : String(reason);
     if (reason?.name !== 'AbortError' && !store.remedy) store.say((language) => later(language, 'pageFailed', { message }), true);

@@ -1,4 +1,4 @@
-/** A page of one scene: wires an element, the controls and the address bar to one store, which has one history with the element. */
+/** A page of one generator: wires an element, the controls and the address bar to one store, which has one history with the element. */
 
 import '../controls/stage-overlay.ts';
 import { savePreferences } from '../controls/preferences.ts';
@@ -6,15 +6,15 @@ import { UNAVAILABLE, errorInfo } from '../base/errors.ts';
 import { historyOf } from '../element/generator-element.ts';
 import { lazily, onMissingFile, tellMissingFile } from '../base/lazy.ts';
 import { isLink } from '../table/link.ts';
-import { rememberScene } from '../controls/site.ts';
+import { rememberPage } from '../controls/site.ts';
 import { pageTitle, translate } from '../controls/strings.ts';
 import type { Actions } from '../controls/actions.ts';
-import type { Later, ScenePanel } from '../controls/panel.ts';
+import type { Later, Panel } from '../controls/panel.ts';
 import type { Draw, Edition, Kind } from '../table/table.ts';
-import type { Change, OpenedLink, Preferences, SceneStore } from '../controls/store.ts';
-import type { GeneratorElement, SceneEventMap } from '../element/generator-element.ts';
+import type { Change, OpenedLink, Preferences, Store } from '../controls/store.ts';
+import type { GeneratorElement, ElementEventMap } from '../element/generator-element.ts';
 import type { History } from '../base/history.ts';
-import type { SceneLink } from '../table/link.ts';
+import type { Link } from '../table/link.ts';
 import type { StringKey } from '../controls/strings.en.ts';
 
 /** A drag makes some 60 edits a second; Safari allows 100 changes of the address in 30 s. */
@@ -22,15 +22,15 @@ const ADDRESS_DELAY_MS = 300;
 
 /** What the page is made of. */
 export interface Page<K extends Kind> {
-  newStore: (link: OpenedLink<K>, preferences: Preferences, history: History<Edition<K>>) => SceneStore<K>;
+  newStore: (link: OpenedLink<K>, preferences: Preferences, history: History<Edition<K>>) => Store<K>;
   preferences: Preferences;
   element: GeneratorElement<K>;
-  panel: ScenePanel<K>;
+  panel: Panel<K>;
   readLink: (text: string) => OpenedLink<K>;
-  encode: (state: SceneLink<K>) => string;
+  encode: (state: Link<K>) => string;
   /** What the element shows. */
   shown: () => K['result'] | null;
-  /** Of the scene's own panel. */
+  /** What a panel of this generator can do beyond those of others. */
   actions?: object;
   /** Whether a reload would lose a log from a file, which is not in the address. */
   hasUnsavedLog?: () => boolean;
@@ -39,7 +39,7 @@ export interface Page<K extends Kind> {
 }
 
 /** Returns the store, whose steps of undo are the element's. */
-export function openPage<K extends Kind>({ newStore, preferences, element, panel, readLink, encode, shown, random, hasUnsavedLog = () => false, actions: own = {} }: Page<K>): SceneStore<K> {
+export function openPage<K extends Kind>({ newStore, preferences, element, panel, readLink, encode, shown, random, hasUnsavedLog = () => false, actions: own = {} }: Page<K>): Store<K> {
   const opening = readLink(location.search + location.hash);
   element.params = { ...opening.params, preset: opening.preset };
   const store = newStore(opening, preferences, historyOf(element, hear));
@@ -107,8 +107,8 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
     if (result) store.showResult(result, detail.superseded);
     scheduleAddress();
   });
-  listen('progress', ({ detail }: SceneEventMap<K['stage']>['progress']) => store.setProgress(detail));
-  listen('error', (event: SceneEventMap<string>['error']) => {
+  listen('progress', ({ detail }: ElementEventMap<K['stage']>['progress']) => store.setProgress(detail));
+  listen('error', (event: ElementEventMap<string>['error']) => {
     // The page has words for it.
     event.preventDefault();
     const { error, shown: isSaid } = event.detail;
@@ -122,13 +122,13 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
     store.setBackend(element.backend);
     if (!isSaid) store.say((language) => translate(language, 'lostPicture'));
   });
-  listen('notice', (event: SceneEventMap<string>['notice']) => {
+  listen('notice', (event: ElementEventMap<string>['notice']) => {
     // The page says it, or offers the remedy beside the progress.
     event.preventDefault();
     const { message } = event.detail;
     if (message !== store.offer?.text) store.say(() => message);
   });
-  listen('camera-change', ({ detail }: SceneEventMap<string>['camera-change']) => {
+  listen('camera-change', ({ detail }: ElementEventMap<string>['camera-change']) => {
     // The default camera is no part of a link.
     store.camera = JSON.stringify(detail.camera) === JSON.stringify(element.defaultCamera) ? null : detail.camera;
     store.notify('camera');
@@ -162,7 +162,7 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
     } catch {
       // A frame without an address of its own, or a browser that has counted too many changes. Links are made without it.
     }
-    rememberScene(text);
+    rememberPage(text);
   }
 
   /** What a page that is opened in place of this one begins with: also what this one has not made. */
@@ -176,14 +176,14 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
   document.addEventListener('click', writeAtOnce, true);
   window.addEventListener('pagehide', () => {
     writeAtOnce();
-    if (!store.isSettled) rememberScene(wantedLink());
+    if (!store.isSettled) rememberPage(wantedLink());
   });
-  if (isLink(store.table, location.hash)) rememberScene(link());
+  if (isLink(store.table, location.hash)) rememberPage(link());
 
   window.addEventListener('hashchange', ({ newURL }) => {
     // Not the present address: an edit may have been written to it since, which is older than what was put there.
     const { hash } = new URL(newURL);
-    // A place on the page, not a scene: what is shown stays.
+    // A place on the page, not a link: what is shown stays.
     if (hash !== '' && !isLink(store.table, hash)) return;
     clearTimeout(addressTimer);
     const opened = readLink(hash);
@@ -231,7 +231,7 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
   void lazily(() => import('../controls/keys.ts')).then(({ listenToKeys }) => listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() }));
 
   found('.skip-link').addEventListener('click', (event) => {
-    // Not by the address: that is the scene's.
+    // Not by the address: that is the link's.
     event.preventDefault();
     panel.focus();
   });

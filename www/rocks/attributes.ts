@@ -2,8 +2,8 @@
  * What the attributes of `<rock-field>` say; see `element/attribute-reader.ts`. Those of a layer list all layers, `radius="90 30 10"`.
  */
 
-import { attributesOf, AttributeReader, SCENE_ATTRIBUTES } from '../element/attribute-reader.ts';
-import type { SceneAttributes } from '../element/attribute-reader.ts';
+import { attributesOf, AttributeReader, COMMON_ATTRIBUTES } from '../element/attribute-reader.ts';
+import type { ElementAttributes } from '../element/attribute-reader.ts';
 import { isReadable } from '../table/link.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import type { Params } from './params.ts';
@@ -17,9 +17,9 @@ export const FIELD_ATTRIBUTES = attributesOf(ROCKS.rows);
 export const LAYER_ATTRIBUTES = attributesOf(ROCKS.itemRows);
 
 /** All that say what is shown. */
-export const ATTRIBUTES: readonly string[] = [...SCENE_ATTRIBUTES, ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys()];
+export const ATTRIBUTES: readonly string[] = [...COMMON_ATTRIBUTES, ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys()];
 
-export type AttributeState = SceneAttributes<Rocks>;
+export type AttributeState = ElementAttributes<Rocks>;
 
 /** `src` fills everything and `preset` is then not looked at; the other attributes replace what `src` says. */
 export function readAttributes(get: (name: string) => string | null): AttributeState {
@@ -29,7 +29,7 @@ export function readAttributes(get: (name: string) => string | null): AttributeS
     ofLink: decodeLink,
   });
   const params = reader.rows(FIELD_ATTRIBUTES, source.params);
-  return reader.scene(source, ROCKS.withItems(params, readLayers(reader, params)));
+  return reader.common(source, ROCKS.withItems(params, readLayers(reader, params)));
 }
 
 /** The first list in the order of the table tells the number of layers; one of another length is malformed. */

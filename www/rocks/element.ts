@@ -6,7 +6,7 @@ import { GeneratorClient } from './client.ts';
 import type { StageName } from '../generator/protocol.ts';
 import { GeneratorElement, observedAttributes } from '../element/generator-element.ts';
 import type { Definition } from '../element/definition.ts';
-import type { SceneEventMap } from '../element/generator-element.ts';
+import type { ElementEventMap } from '../element/generator-element.ts';
 import { lazily } from '../base/lazy.ts';
 import { loadPanel } from './load-panel.ts';
 import { lookOf } from './look.ts';
@@ -20,7 +20,7 @@ import type { Rocks } from './table.ts';
 import { Runs } from '../generator/runs.ts';
 import { encodeLink } from './link.ts';
 
-export interface RockFieldEventMap extends SceneEventMap<StageName> {
+export interface RockFieldEventMap extends ElementEventMap<StageName> {
   /** A field is finished and on screen. `superseded`: a newer one is on its way. */
   generate: CustomEvent<{ stats: FieldStats; field: Field; superseded: boolean }>;
 }

@@ -1,7 +1,7 @@
 /** Links to fields of rocks; see `table/link.ts`. */
 
-import { decodeScene, encodeScene } from '../table/link.ts';
-import type { DecodedScene, LinkReader, SceneLink } from '../table/link.ts';
+import { decode, encode } from '../table/link.ts';
+import type { DecodedLink, LinkReader, Link } from '../table/link.ts';
 import type { Params } from './params.ts';
 import { ROCKS } from './table.ts';
 import type { Rocks } from './table.ts';
@@ -13,20 +13,20 @@ export type { Notice, NoticeCode } from '../table/notices.ts';
 export const VIEWS = ROCKS.views;
 export const COLORS = ROCKS.colors;
 
-export type LinkState = SceneLink<Rocks>;
-export type DecodedLink = DecodedScene<Rocks>;
+export type LinkState = Link<Rocks>;
+export type RockLink = DecodedLink<Rocks>;
 
 export function encodeLink(state: Pick<LinkState, 'params'> & Partial<LinkState> & { defaultCamera?: CameraState | null }): string {
   // One by one: of a store these are accessors, which no spread sees.
   const { params, preset = ROCKS.presets[0]!.name, view = VIEWS[0]!, color = null, camera = null, defaultCamera = null } = state;
   const { layers } = params;
   const ids = layers.some(({ id }, index) => id !== index) ? [`id=${layers.map(({ id }) => id).join(',')}`] : [];
-  return encodeScene(ROCKS, { params, preset, view, color, camera, defaultCamera }, ids);
+  return encode(ROCKS, { params, preset, view, color, camera, defaultCamera }, ids);
 }
 
 /** Reads `#…`, `?…`, a whole address or what `encodeLink` returns. */
-export function decodeLink(text: string): DecodedLink {
-  return decodeScene(ROCKS, text, ['id'], withIds);
+export function decodeLink(text: string): RockLink {
+  return decode(ROCKS, text, ['id'], withIds);
 }
 
 function withIds(params: Params, lists: ReadonlyMap<string, string[]>, reader: LinkReader): Params {

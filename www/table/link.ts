@@ -27,7 +27,7 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 /** Angles to 1e-4 rad and lengths to 0.1 px: below what a screen shows, and the link stays short. */
 const CAMERA_DIGITS = [4, 4, 1, 1, 1, 1] as const;
 /** Keys whose presence makes a text a link. `v` and `id` are none of them: pages use these for their own ends, and alone they show nothing. */
-const SCENE_KEYS = ['preset', 'view', 'color', 'camera', 'ground'];
+const COMMON_KEYS = ['preset', 'view', 'color', 'camera', 'ground'];
 /** What analytics and mail programs add to addresses. */
 const FOREIGN = /^(utm_|mc_|_)|clid$/;
 /** What sentences, brackets and chat programs leave at the ends of an address, and characters that cannot be seen. No value begins or ends so. */
@@ -35,7 +35,7 @@ const HEAD = /^[\s\p{Cf}"'“‘<(*`]+/u;
 const TAIL = /[\s\p{Cf}"'”’>)\]}*_~`|.,:;!?…、。」』]/u;
 
 /** What a link holds. */
-export interface SceneLink<K extends Kind> {
+export interface Link<K extends Kind> {
   params: K['params'];
   /** What the link is written against. */
   preset: K['preset'];
@@ -46,12 +46,12 @@ export interface SceneLink<K extends Kind> {
   camera: CameraState | null;
 }
 
-export interface DecodedScene<K extends Kind> extends SceneLink<K> {
+export interface DecodedLink<K extends Kind> extends Link<K> {
   notices: Notice[];
 }
 
 /** `own` are pairs that no row of the table tells. */
-export function encodeScene<K extends Kind>(table: Table<K>, state: SceneLink<K> & { defaultCamera?: CameraState | null }, own: readonly string[]): string {
+export function encode<K extends Kind>(table: Table<K>, state: Link<K> & { defaultCamera?: CameraState | null }, own: readonly string[]): string {
   const { params, preset, view, color, camera, defaultCamera = null } = state;
   const pairs = [`v=${LINK_VERSION}`, `preset=${preset}`, ...parameterPairs(table, params, table.presetParams(preset)), ...own];
   if (view !== table.views[0]) pairs.push(`view=${view}`);
@@ -84,16 +84,16 @@ export function isLink<K extends Kind>(table: Table<K>, text: string): boolean {
 }
 
 function keysOf<K extends Kind>({ rows, itemRows }: Table<K>): string[] {
-  return [...SCENE_KEYS, ...[...rows, ...itemRows].map(({ url }) => url)];
+  return [...COMMON_KEYS, ...[...rows, ...itemRows].map(({ url }) => url)];
 }
 
 /** `readOwn` reads what no row of the table tells, from the lists of the keys `ownLists` and from the reader. */
-export function decodeScene<K extends Kind>(
+export function decode<K extends Kind>(
   table: Table<K>,
   text: string,
   ownLists: readonly string[],
   readOwn: (params: K['params'], lists: ReadonlyMap<string, string[]>, reader: LinkReader) => K['params'],
-): DecodedScene<K> {
+): DecodedLink<K> {
   const reader = new LinkReader(text, keysOf(table));
   const fallback = table.presets[0]?.name ?? '';
   const preset = reader.choice('preset', table.presets.map(({ name }) => name), fallback, 'unknown-preset');

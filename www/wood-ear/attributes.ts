@@ -4,7 +4,7 @@
  */
 
 import { attributesOf, AttributeReader, quote } from '../element/attribute-reader.ts';
-import type { SceneAttributes } from '../element/attribute-reader.ts';
+import type { ElementAttributes } from '../element/attribute-reader.ts';
 import { PRESETS } from '../rocks/params.ts';
 import { decodeWoodEarLink, readGround } from './link.ts';
 import type { WoodEarBase } from './request.ts';
@@ -13,14 +13,14 @@ import type { WoodEars, WoodEarSceneParams, WoodEarSceneRequest } from './table.
 
 export const WOOD_EAR_ATTRIBUTES = attributesOf(WOOD_EARS.rows);
 
-export function readWoodEarAttributes(get: (name: string) => string | null): SceneAttributes<WoodEars> {
+export function readWoodEarAttributes(get: (name: string) => string | null): ElementAttributes<WoodEars> {
   const reader = new AttributeReader(WOOD_EARS, get);
   const source = reader.source({
     ofRequest: (request) => ({ params: WOOD_EARS.resolve(request as object), preset: (request as WoodEarSceneRequest).preset ?? WOOD_EARS.presets[0]!.name }),
     ofLink: decodeWoodEarLink,
   });
   const params = reader.rows(WOOD_EAR_ATTRIBUTES, source.params);
-  return reader.scene(source, { ...params, bases: readBases(reader, params), ground: readGroundAttribute(reader, params) });
+  return reader.common(source, { ...params, bases: readBases(reader, params), ground: readGroundAttribute(reader, params) });
 }
 
 function readBases(reader: AttributeReader<WoodEars>, params: WoodEarSceneParams): WoodEarBase[] {

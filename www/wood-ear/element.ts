@@ -10,7 +10,7 @@ import type { Progress } from '../generator/protocol.ts';
 import type { WoodEarStage } from './session.ts';
 import { GeneratorElement, observedAttributes } from '../element/generator-element.ts';
 import type { Definition } from '../element/definition.ts';
-import type { SceneEventMap } from '../element/generator-element.ts';
+import type { ElementEventMap } from '../element/generator-element.ts';
 import { lazily } from '../base/lazy.ts';
 import { loadWoodEarPanel } from './load-panel.ts';
 import { besideNotice, listenToDrops, logAmong, nothingDropped } from './log-drop.ts';
@@ -33,7 +33,7 @@ import type { WoodEars, WoodEarScene, WoodEarSceneParams } from './table.ts';
 
 type Vector = [number, number, number];
 
-export interface WoodEarLogEventMap extends SceneEventMap<WoodEarStage> {
+export interface WoodEarLogEventMap extends ElementEventMap<WoodEarStage> {
   /** A colony is on screen. `superseded`: a newer one is on its way; `isPreview`: the same follows when its wood ears have made room for each other. */
   generate: CustomEvent<{ stats: WoodEarStats; colony: WoodEarColony; field: Field; superseded: boolean; isPreview: boolean }>;
   /** The user placed, moved or removed a base, or brought another log; `held`: the hand has not let go. */

@@ -1,22 +1,22 @@
 /** Links to colonies of wood ears, with what their log lies on; see `table/link.ts`. A log of one's own is in no link. */
 
-import { decodeScene, encodeScene } from '../table/link.ts';
-import type { DecodedScene, LinkReader, SceneLink } from '../table/link.ts';
+import { decode, encode } from '../table/link.ts';
+import type { DecodedLink, LinkReader, Link } from '../table/link.ts';
 import { decodeLink, encodeLink } from '../rocks/link.ts';
 import { WOOD_EARS } from './table.ts';
 import type { WoodEars, WoodEarSceneParams } from './table.ts';
 
 const GROUND = 'ground';
 
-export function encodeWoodEarLink(state: SceneLink<WoodEars>): string {
+export function encodeWoodEarLink(state: Link<WoodEars>): string {
   const { ground } = state.params;
   const isOther = ground !== WOOD_EARS.presetParams(state.preset).ground;
-  return encodeScene(WOOD_EARS, state, isOther ? [`${GROUND}=${nested(readGround(ground).link)}`] : []);
+  return encode(WOOD_EARS, state, isOther ? [`${GROUND}=${nested(readGround(ground).link)}`] : []);
 }
 
 /** Reads `#…`, `?…`, a whole address or what `encodeWoodEarLink` returns. */
-export function decodeWoodEarLink(text: string): DecodedScene<WoodEars> {
-  return decodeScene(WOOD_EARS, text, [], withGround);
+export function decodeWoodEarLink(text: string): DecodedLink<WoodEars> {
+  return decode(WOOD_EARS, text, [], withGround);
 }
 
 /**
@@ -40,7 +40,7 @@ function withGround(params: WoodEarSceneParams, _lists: ReadonlyMap<string, stri
 }
 
 /** A link to a field of rocks as it is written here, and what was wrong with it; `none` and nothing are bare soil. */
-export function readGround(text: string): { link: string; notices: DecodedScene<WoodEars>['notices'] } {
+export function readGround(text: string): { link: string; notices: DecodedLink<WoodEars>['notices'] } {
   if (text === '' || text === 'none') return { link: '', notices: [] };
   const { params, preset, notices } = decodeLink(unnested(text));
   return { link: encodeLink({ params, preset }), notices };

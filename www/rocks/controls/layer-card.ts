@@ -11,14 +11,14 @@ import type { TemplateResult } from 'lit';
 import type { ParamSpec } from '../spec.ts';
 import type { Layer } from '../params.ts';
 import type { RockLater } from './deferred.ts';
-import type { Store } from './store.ts';
+import type { RockStore } from './store.ts';
 
 /** Colours of the renderer's palette, repeated by layer id; page.css has them. */
 const COLORS = 8;
 export interface LayerCard {
   /** The card at this place, if there is one, takes the focus. */
   focus: (index: number) => void;
-  store: Store;
+  store: RockStore;
   /** Its parameters come later. */
   later: RockLater | undefined;
   layer: Layer;
@@ -60,7 +60,7 @@ export function layerCard({ store, later, layer, index, isOpen, toggle, focus }:
 }
 
 /** `r 90 px · 19 rocks`. */
-function numbers(store: Store, layer: Layer): string {
+function numbers(store: RockStore, layer: Layer): string {
   const { notation } = store.params;
   const unit = LAYER_ROWS[0]?.unit[notation] ?? '';
   const made = store.field?.layers.find(({ id }) => id === layer.id);
@@ -69,6 +69,6 @@ function numbers(store: Store, layer: Layer): string {
 }
 
 /** Whether the layer has a control that something is wrong with: its card has to be open then. */
-export function hasProblem(store: Store, index: number): boolean {
+export function hasProblem(store: RockStore, index: number): boolean {
   return LAYER_ROWS.some((spec: ParamSpec) => problemOf(store, spec, index) !== null);
 }

@@ -9,7 +9,7 @@ import { segments } from '../../controls/parts.ts';
 import type { TemplateResult } from 'lit';
 import type { ParamSpec } from '../spec.ts';
 import type { Layer } from '../params.ts';
-import type { Store } from './store.ts';
+import type { RockStore } from './store.ts';
 
 /** What a switch to counting starts from when nothing has been generated yet. */
 const FALLBACK_COUNT = 20;
@@ -20,7 +20,7 @@ const SHAPE_ROWS = LAYER_ROWS.filter(({ component }) => component !== null);
 const WEAR_ROWS = LAYER_ROWS.filter(({ stage, component }) => stage === 'mesh' && component === null);
 const LOOK_ROWS = LAYER_ROWS.filter(({ stage }) => stage === 'look');
 
-export function layerControls(store: Store, layer: Layer, index: number): TemplateResult {
+export function layerControls(store: RockStore, layer: Layer, index: number): TemplateResult {
   const isNatural = store.color === 'natural';
   const isWorn = WEAR_ROWS.some((spec) => readValue(layer, spec) !== spec.default);
   const rows = (specs: readonly ParamSpec[]) => specs.map((spec) => paramControl(store, spec, index));
@@ -40,7 +40,7 @@ function part(name: string, isOpen: boolean, content: TemplateResult[]): Templat
   `;
 }
 
-function sizeControl(store: Store, spec: ParamSpec, layer: Layer, index: number): TemplateResult | typeof nothing {
+function sizeControl(store: RockStore, spec: ParamSpec, layer: Layer, index: number): TemplateResult | typeof nothing {
   const isCount = spec === COUNT;
   const isArea = spec.key === 'areaFraction';
   if (isCount && layer.cellCount === null) return nothing;
@@ -49,7 +49,7 @@ function sizeControl(store: Store, spec: ParamSpec, layer: Layer, index: number)
 }
 
 /** Whether height and taper follow the radius. */
-function shapeLock(store: Store): TemplateResult {
+function shapeLock(store: RockStore): TemplateResult {
   const { keepsShape } = store;
   const label = later(store.language, 'keepShape');
   return html`
@@ -60,7 +60,7 @@ function shapeLock(store: Store): TemplateResult {
 }
 
 /** By area or by count: a count replaces the area. */
-function fillBy(store: Store, layer: Layer, index: number): TemplateResult {
+function fillBy(store: RockStore, layer: Layer, index: number): TemplateResult {
   const setCount = (count: number | null) => COUNT && store.setParam(COUNT, index, count);
   return segments({
     name: `fill-${index}`,

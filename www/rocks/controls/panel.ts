@@ -6,16 +6,16 @@ import { presetName } from '../words.ts';
 import { icon } from '../../controls/icons.ts';
 import { hasProblem, layerCard } from './layer-card.ts';
 import { description } from '../../controls/parts.ts';
-import { register, ScenePanel } from '../../controls/panel.ts';
+import { register, Panel } from '../../controls/panel.ts';
 import type { TemplateResult } from 'lit';
 import type { Rocks } from '../table.ts';
 import { ROCK_LATER } from './deferred.ts';
 import type { RockLater } from './deferred.ts';
 import type { Place } from '../../controls/parts.ts';
-import type { Store } from './store.ts';
+import type { RockStore } from './store.ts';
 
-export class ControlPanel extends ScenePanel<Rocks> {
-  declare store: Store;
+export class RockPanel extends Panel<Rocks> {
+  declare store: RockStore;
   protected override readonly deferred = ROCK_LATER;
   protected declare later: RockLater | undefined;
   /** Ids of the layers whose cards are open. */
@@ -96,4 +96,4 @@ export class ControlPanel extends ScenePanel<Rocks> {
   }
 }
 
-register('rock-field-panel', ControlPanel);
+register('rock-field-panel', RockPanel);

@@ -8,9 +8,9 @@ import { mathText } from '../../controls/parts.ts';
 import { percent } from '../../controls/numbers.ts';
 import type { TemplateResult } from 'lit';
 import type { FieldLayer } from '../../data/field.ts';
-import type { Store } from './store.ts';
+import type { RockStore } from './store.ts';
 
-export function statistics(store: Store): TemplateResult {
+export function statistics(store: RockStore): TemplateResult {
   const { field, language } = store;
   if (!field) return html`<p class="quiet">${store.text('notYet')}</p>`;
   const { rocks, triangles, coveredFraction, ms } = field.stats;
@@ -30,7 +30,7 @@ export function statistics(store: Store): TemplateResult {
   `;
 }
 
-function layerTable(store: Store, layers: readonly FieldLayer[]): TemplateResult {
+function layerTable(store: RockStore, layers: readonly FieldLayer[]): TemplateResult {
   const anySaturated = layers.some((layer) => layer.sitesSaturated || layer.saturated);
   return html`
     <table class="layer-table">
@@ -52,7 +52,7 @@ function layerTable(store: Store, layers: readonly FieldLayer[]): TemplateResult
   `;
 }
 
-function layerRow(store: Store, layer: FieldLayer, index: number): TemplateResult {
+function layerRow(store: RockStore, layer: FieldLayer, index: number): TemplateResult {
   const { language } = store;
   const mark = (isSaturated: boolean, why: string) =>
     isSaturated ? html`<span class="saturated" title=${why}><span aria-hidden="true">●</span><span class="visually-hidden">${later(store.language, 'saturated')}</span></span>` : nothing;

@@ -1,7 +1,7 @@
 /** The store of a field of rocks: with layers, and two notations. */
 
 import { ROCKS } from '../table.ts';
-import { SceneStore } from '../../controls/store.ts';
+import { Store } from '../../controls/store.ts';
 import { summary } from './summary.ts';
 import type { Layer } from '../params.ts';
 import type { Deferred } from '../../base/deferred.ts';
@@ -23,7 +23,7 @@ const COLORS = 8;
 /** What the store needs of what comes later. */
 type RockStoreLater = StoreLater & typeof layers & typeof notation & typeof scale & Pick<typeof strings, 'later'>;
 
-export class Store extends SceneStore<Rocks> {
+export class RockStore extends Store<Rocks> {
   /** Whether height and taper stay when the radius changes; else they keep their proportions. */
   keepsShape = false;
   protected declare readonly later: Deferred<RockStoreLater>;

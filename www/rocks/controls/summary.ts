@@ -1,15 +1,15 @@
 /** What is known of the field that is shown, in a line. */
 
 import { percent } from '../../controls/numbers.ts';
-import type { SceneStore } from '../../controls/store.ts';
+import type { Store } from '../../controls/store.ts';
 import type { Rocks } from '../table.ts';
 
-export function rockCount(store: SceneStore<Rocks>, n: number): string {
+export function rockCount(store: Store<Rocks>, n: number): string {
   return n === 1 ? store.text('oneRock') : store.text('someRocks', { n: n.toLocaleString(store.language) });
 }
 
 /** One line: `3,105 rocks · 48,930 triangles · 84.0 % covered`. */
-export function summary(store: SceneStore<Rocks>): string {
+export function summary(store: Store<Rocks>): string {
   const { result: field } = store;
   if (!field) return store.text('notYet');
   const { rocks, triangles, coveredFraction } = field.stats;

@@ -12,7 +12,7 @@ import { icon } from '../../controls/icons.ts';
 import { problemOf } from '../../controls/numbers.ts';
 import { description, iconButton, menu, segments } from '../../controls/parts.ts';
 import { WOOD_EAR_LATER } from './deferred.ts';
-import { register, ScenePanel } from '../../controls/panel.ts';
+import { register, Panel } from '../../controls/panel.ts';
 import type { Later } from '../../controls/panel.ts';
 import { woodEarStatistics } from './statistics.ts';
 import type { TemplateResult } from 'lit';
@@ -37,7 +37,7 @@ export interface WoodEarActions extends Actions<WoodEars> {
   rocksPage?: string;
 }
 
-export class WoodEarPanel extends ScenePanel<WoodEars> {
+export class WoodEarPanel extends Panel<WoodEars> {
   declare store: WoodEarStore;
   declare actions: WoodEarActions;
   protected override readonly deferred = WOOD_EAR_LATER;

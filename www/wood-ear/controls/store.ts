@@ -3,7 +3,7 @@
 import { WOOD_EAR_LATER } from './deferred.ts';
 import { woodEarText } from './strings.ts';
 import { groundOf, WOOD_EARS } from '../table.ts';
-import { SceneStore } from '../../controls/store.ts';
+import { Store } from '../../controls/store.ts';
 import type { WoodEarStage } from '../session.ts';
 import type { History } from '../../base/history.ts';
 import type { PresetName } from '../../rocks/params.ts';
@@ -14,7 +14,7 @@ import { saySlow } from '../words.ts';
 import type { Edition } from '../../table/table.ts';
 import type { Offer, OpenedLink, Preferences } from '../../controls/store.ts';
 
-export class WoodEarStore extends SceneStore<WoodEars> {
+export class WoodEarStore extends Store<WoodEars> {
   constructor(link: OpenedLink<WoodEars>, preferences: Preferences, history?: History<Edition<WoodEars>>) {
     super(WOOD_EARS, link, preferences, WOOD_EAR_LATER, history);
   }
