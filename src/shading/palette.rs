@@ -194,3 +194,69 @@ pub(crate) const OUTLINE: [u8; 3] = [30, 26, 24];
 pub(crate) fn packed(rgb: [u8; 3]) -> u32 {
     pack(rgb.map(f32::from))
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The source of a file with a copy of numbers from here.
+    fn source(path: &str) -> String {
+        let path = format!("{}/{path}", env!("CARGO_MANIFEST_DIR"));
+        std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{path}: {error}"))
+    }
+
+    fn hex([r, g, b]: [u8; 3]) -> String {
+        format!("'#{r:02x}{g:02x}{b:02x}'")
+    }
+
+    #[test]
+    fn the_plans_of_the_canvas_have_the_renderers_colours() {
+        let canvas = source("www/renderer/canvas2d.ts");
+        let inks = INK.map(hex).join(", ");
+        let theme = |theme: &Theme| {
+            let Theme { table, paper, rule, .. } = theme;
+            format!("{{ table: {}, paper: {}, line: {} }}", hex(*table), hex(*paper), hex(*rule))
+        };
+        for (name, copy) in [
+            ("INK", format!("[{inks}]")),
+            ("GREY", hex(GREY)),
+            ("the light theme", theme(&LIGHT)),
+            ("the dark theme", theme(&DARK)),
+            ("GROUND", hex(GROUND)),
+            ("OUTLINE", hex(OUTLINE)),
+        ] {
+            assert!(canvas.contains(&copy), "{name} of canvas2d.ts is not {copy}");
+        }
+    }
+
+    #[test]
+    fn the_panels_swatches_have_the_colours_of_the_layers() {
+        let tokens = source("www/styles/tokens.css");
+        // The first three are lighter in the panel, where they are small and without light.
+        for (layer, [r, g, b]) in STONE.iter().enumerate().skip(3) {
+            let token = format!("--layer-{layer}: rgb({r} {g} {b});");
+            assert!(tokens.contains(&token), "tokens.css lacks {token}");
+        }
+    }
+
+    #[test]
+    fn stones_too_small_for_a_mesh_are_mixed_like_the_others() {
+        let shader = source("src/shading/shaders/stone.wgsl");
+        let (_, code) = shader.split_once("fn mixed_kind").expect("the function");
+        let (code, _) = code.split_once("return kind;").expect("its end");
+        // Each line has the next kind, and the share at which it begins.
+        let mut steps = vec![(1, 0.0)];
+        for line in code.lines().filter_map(|line| line.trim().strip_prefix("kind = select(kind, ")) {
+            let (kind, from) = line.split_once(", share > ").expect("a kind and a share");
+            let kind: f64 = kind.parse().expect("a kind");
+            steps.push((kind as usize, from.trim_end_matches(");").parse().expect("a share")));
+        }
+        assert_eq!(steps.len(), MIXED.len());
+        let ends = steps.iter().skip(1).map(|(_, from)| *from).chain([1.0]);
+        for (&(kind, from), to) in steps.iter().zip(ends) {
+            let here: f64 = 100.0 * (to - from);
+            // Limestone and red sandstone differ by one hundredth.
+            assert!((here - f64::from(MIXED[kind - 1])).abs() < 1.01, "kind {kind}: {here} of 100");
+        }
+    }
+}

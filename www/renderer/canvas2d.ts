@@ -14,7 +14,7 @@ const INK = ['#cd5e3c', '#e8b24a', '#4a8fbc', '#7ca450', '#986c9e', '#d6c8ac', '
 const GREY = '#9e9c98';
 const THEMES = {
   light: { table: '#e0e4e6', paper: '#faf8f3', line: '#6e6860' },
-  dark: { table: '#111214', paper: '#1b1d20', line: '#78766f' },
+  dark: { table: '#111214', paper: '#1b1d20', line: '#787670' },
 } as const;
 /** Under and round the selected cells, as in Fig. 8 (d). */
 const GROUND = '#2e2925';
