@@ -7,8 +7,9 @@ use crate::params::wood_ear::{Base, Collisions, Log as LogParams, Params};
 pub(super) struct LogKey {
     /// The number of the log given by the user, if there is one.
     given: Option<u32>,
-    /// Of a log given by the user, the log uses the spacing of its feet alone, and the obstacle nothing.
-    log: LogParams,
+    /// The values of parameters, which are only compared. Of a log given by the user, the log depends on the spacing of
+    /// its feet alone, and the obstacle on nothing.
+    values: [f64; 6],
 }
 
 /// The inputs of the individuals' places.
@@ -59,10 +60,11 @@ impl Keys {
             look: _,
             ref bases,
         } = *params;
-        let unused = Params::EMPTY.log;
+        let LogParams { length, radius, bend, bark, spacing, seed: log_seed } = log;
+        let grown = [length, radius, bend, bark, spacing, log_seed.into()];
         let [of_log, of_ground] = match given {
-            Some(_) => [LogParams { spacing: log.spacing, ..unused }, unused],
-            None => [log; 2],
+            Some(_) => [[spacing, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0; 6]],
+            None => [grown; 2],
         };
         let values = [
             seed.into(),
@@ -79,8 +81,8 @@ impl Keys {
             u8::from(clear_log).into(),
         ];
         Keys {
-            log: LogKey { given, log: of_log },
-            ground: clear_log.then_some(LogKey { given, log: of_ground }),
+            log: LogKey { given, values: of_log },
+            ground: clear_log.then_some(LogKey { given, values: of_ground }),
             spawn: SpawnKey { seed, density, range, bases: bases.clone() },
             bodies: BodiesKey(values),
             collisions,

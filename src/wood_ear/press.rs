@@ -204,6 +204,7 @@ impl Press {
     }
 
     /// Every other vertex of three rings of a body's inner sheet: what a plane between two bodies is judged by.
+    #[inline(never)]
     fn samples(&self, layout: &Layout, k: usize) -> Vec<DVec3> {
         let (c, d) = (usize::from(layout.meridians), usize::from(layout.rings));
         let body = self.body(k);
@@ -220,6 +221,7 @@ impl Press {
 
 /// What a plane costs a body: how far its points are beyond the plane, on average and relative to its size. A large cost
 /// for one body is worse than a small cost for both, so the square counts too, with a weight found by trial.
+#[inline(never)]
 fn loss(points: &[DVec3], side: f64, normal: DVec3, offset: f64, size: f64) -> f64 {
     let over = points.iter().map(|p| (side * (normal.dot(*p) - offset)).max(0.0)).sum::<f64>();
     let share = over / (points.len() as f64 * size);

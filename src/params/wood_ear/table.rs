@@ -252,7 +252,7 @@ impl Collisions {
 
 impl Params {
     /// Zeroed parameters, which the table's rows then fill in.
-    pub(crate) const EMPTY: Params = Params {
+    pub(super) const EMPTY: Params = Params {
         seed: 0,
         density: 0.0,
         range: 0.0,
