@@ -1,12 +1,24 @@
 // The tests of the crate, whose programs run side by side: most of them keep one core busy, and headless Node never more.
 import { spawn, spawnSync } from 'node:child_process';
+import { readFileSync, readdirSync } from 'node:fs';
+import path from 'node:path';
 import { cargoEnv, root } from './env.mjs';
 import { Failure, beginningWith, inLanes, seconds } from './run.mjs';
 
 /** These take longest, so they begin first. */
 const LONG = ['properties', 'wood_ear', 'wood_ear_logs', 'wood_ear_properties'];
 
-/** Compiles every test program, with these arguments of `cargo test`, and runs them; `runner` is the program that can run them, if they need one. */
+/** What marks a test for wasm: by itself, or by the macro of tests/common that makes one for each target. */
+const FOR_WASM = /\b(wasm_bindgen_test|field_test)\b/;
+
+/** The arguments of `cargo test` that choose the programs with tests for wasm: the others would be compiled for nothing. */
+export function withWasmTests() {
+  const folder = path.join(root, 'tests');
+  const names = readdirSync(folder).filter((name) => name.endsWith('.rs') && FOR_WASM.test(readFileSync(path.join(folder, name), 'utf8')));
+  return names.flatMap((name) => ['--test', path.basename(name, '.rs')]);
+}
+
+/** Compiles the test programs that these arguments of `cargo test` choose, and runs them; `runner` is the program that can run them, if they need one. */
 export async function runRustTests(args, runner) {
   const failed = [];
   await inLanes(programs(args).sort(beginningWith(LONG, ({ name }) => name)), async (program) => {
@@ -16,7 +28,7 @@ export async function runRustTests(args, runner) {
 }
 
 function programs(args) {
-  const { status, stdout } = spawnSync('cargo', ['test', '--tests', '--no-run', '--message-format=json-render-diagnostics', ...args], {
+  const { status, stdout } = spawnSync('cargo', ['test', '--no-run', '--message-format=json-render-diagnostics', ...args], {
     cwd: root, env: { ...process.env, ...cargoEnv }, stdio: ['ignore', 'pipe', 2], encoding: 'utf8', maxBuffer: 1 << 28,
   });
   if (status !== 0) throw new Failure('the tests of the crate could not be compiled');

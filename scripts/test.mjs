@@ -13,7 +13,7 @@ import { spec } from 'node:test/reporters';
 import { parseArgs } from 'node:util';
 import { cargoEnv, root } from './env.mjs';
 import { Failure, beginningWith, main, run, say, seconds } from './run.mjs';
-import { runRustTests } from './rust-tests.mjs';
+import { runRustTests, withWasmTests } from './rust-tests.mjs';
 import { bindgenTestRunner, setup } from './setup.mjs';
 
 const WASM = ['--target', 'wasm32-unknown-unknown'];
@@ -124,13 +124,13 @@ async function setUp() {
 }
 
 async function rustTests() {
-  await runRustTests([]);
+  await runRustTests(['--tests']);
   await cargo(['test', '--doc']);
 }
 
 /** The same core tests as `rust`, as wasm in Node. Doc tests run natively alone. */
 async function rustInNode() {
-  await runRustTests(['--features', 'generator', ...WASM], await bindgenTestRunner());
+  await runRustTests([...withWasmTests(), '--features', 'generator', ...WASM], await bindgenTestRunner());
 }
 
 async function rustDocs() {
