@@ -15,7 +15,8 @@ export const folder = path.join(root, '.cache', 'bench');
 export async function buildBench() {
   mkdirSync(folder, { recursive: true });
   await step('Building the literal loops as wasm', '10–60 s', buildLiteral);
-  for (const name of ['generator.js', 'generator_bg.wasm', 'renderer-webgpu_bg.wasm', 'renderer-webgl_bg.wasm']) copyFileSync(path.join(pkg, name), path.join(folder, name));
+  for (const name of ['generator.js', 'generator_bg.wasm', 'renderer-webgpu_bg.wasm', 'renderer-webgl_bg.wasm'])
+    copyFileSync(path.join(pkg, name), path.join(folder, name));
   await esbuild.build({
     absWorkingDir: root,
     entryPoints: ['benches/workload.mjs', 'benches/worker.mjs', 'benches/frames-page.mjs'],

@@ -43,7 +43,12 @@ await main(async () => {
 function readArguments() {
   let values;
   try {
-    const options = { json: { type: 'boolean' }, browser: { type: 'boolean' }, embed: { type: 'boolean' }, rounds: { type: 'string', default: '15' } };
+    const options = {
+      json: { type: 'boolean' },
+      browser: { type: 'boolean' },
+      embed: { type: 'boolean' },
+      rounds: { type: 'string', default: '15' },
+    };
     ({ values } = parseArgs({ options }));
   } catch (error) {
     throw new Failure(error.message);

@@ -25,7 +25,11 @@ export async function measureFrames(rounds, say) {
       say(`Frames of ${SCENE.preset}, ${backend}`);
       const { page, close } = await session.open('index.html', { deviceScaleFactor: 1 });
       await page.addScriptTag({ url: 'frames-page.mjs', type: 'module' });
-      measured[backend] = await page.evaluate((scene) => globalThis.measureFrames(scene), { ...SCENE, backend, rounds: Math.min(rounds, MOST_ROUNDS) });
+      measured[backend] = await page.evaluate((scene) => globalThis.measureFrames(scene), {
+        ...SCENE,
+        backend,
+        rounds: Math.min(rounds, MOST_ROUNDS),
+      });
       await close();
     }
     return measured;
@@ -36,6 +40,10 @@ export async function measureFrames(rounds, say) {
 
 export function reportFrames({ webgpu, webgl }) {
   const title = `Frames of ${SCENE.preset}, ${SCENE.width} × ${SCENE.height}`;
-  const rows = Object.entries(ROWS).map(([name, text]) => `${text.padEnd(44)}${webgpu[name].toFixed(0).padStart(9)}${webgl[name].toFixed(0).padStart(9)}`);
-  return [`${title.padEnd(44)}   WebGPU   WebGL2   ms, software GPU, ${webgpu.triangles.toLocaleString('en')} triangles`, ...rows].join('\n');
+  const rows = Object.entries(ROWS).map(
+    ([name, text]) => `${text.padEnd(44)}${webgpu[name].toFixed(0).padStart(9)}${webgl[name].toFixed(0).padStart(9)}`,
+  );
+  return [`${title.padEnd(44)}   WebGPU   WebGL2   ms, software GPU, ${webgpu.triangles.toLocaleString('en')} triangles`, ...rows].join(
+    '\n',
+  );
 }

@@ -13,7 +13,8 @@ function speed(fig1, engine, rounds) {
   const npm = perThousand(fig1.npm, fig1.npmRocks);
   // Per rock; an edit stands for the whole field it shows.
   const ratio = (ms) => npm / perThousand(ms, fig1.rocks);
-  const row = (name, ms, rocks, note = '') => `${name.padEnd(24)}${fixed(ms, 2, 9)}${fixed(rocks, 0, 8)}${fixed(perThousand(ms, rocks), 2, 11)}   ${note}`.trimEnd();
+  const row = (name, ms, rocks, note = '') =>
+    `${name.padEnd(24)}${fixed(ms, 2, 9)}${fixed(rocks, 0, 8)}${fixed(perThousand(ms, rocks), 2, 11)}   ${note}`.trimEnd();
   const stages = (prefix) => {
     const shares = Object.entries(fig1).filter(([name]) => name.startsWith(`${prefix}.`) && name !== `${prefix}.total`);
     return `  ${shares.map(([name, ms]) => `${name.slice(prefix.length + 1)} ${ms.toFixed(1)}`).join(' · ')}`;
@@ -25,7 +26,12 @@ function speed(fig1, engine, rounds) {
     stages('full'),
     row('npm packages', fig1.npm, fig1.npmRocks),
     stages('npm'),
-    row("papers' literal loops", fig1.literal, fig1.literalRocks, `a full run is ${(perThousand(fig1.literal, fig1.literalRocks) / perThousand(fig1.full, fig1.rocks)).toFixed(1)}× faster`),
+    row(
+      "papers' literal loops",
+      fig1.literal,
+      fig1.literalRocks,
+      `a full run is ${(perThousand(fig1.literal, fig1.literalRocks) / perThousand(fig1.full, fig1.rocks)).toFixed(1)}× faster`,
+    ),
     row('edit of c_w or c_h', fig1.shapeEdit, fig1.rocks, versus(ratio(fig1.shapeEdit), 25)),
     row('edit of the finest A_s', fig1.selectEdit, fig1.rocks, versus(ratio(fig1.selectEdit), 10)),
   ];

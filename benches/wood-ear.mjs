@@ -23,7 +23,10 @@ export async function measureWoodEar(rounds) {
   const table = await tableOf();
   const flat = (values) => flatOf(table, values);
   const result = { default: {}, maximum: {}, growth: [] };
-  for (const [name, values] of [['default', {}], ['maximum', { density: 100, range: 200, size: 3, sizeSpread: 2, logLength: 400 }]]) {
+  for (const [name, values] of [
+    ['default', {}],
+    ['maximum', { density: 100, range: 200, size: 3, sizeSpread: 2, logLength: 400 }],
+  ]) {
     const count = name === 'default' ? rounds : Math.min(rounds, 3);
     for (const collisions of ['off', 'thesis', 'pressed']) {
       // An edit: the log and who stands where are in the cache.
@@ -39,7 +42,12 @@ export async function measureWoodEar(rounds) {
     result[name].fresh = median(count, () => once(new glue.WoodEarGenerator(), flat({ ...values, collisions: 'off' })));
   }
   for (const { individuals, values } of GROWTH) {
-    const each = Object.fromEntries(['off', 'thesis', 'pressed'].map((collisions) => [collisions, median(Math.min(rounds, 3), () => once(new glue.WoodEarGenerator(), flat({ ...values, collisions })))]));
+    const each = Object.fromEntries(
+      ['off', 'thesis', 'pressed'].map((collisions) => [
+        collisions,
+        median(Math.min(rounds, 3), () => once(new glue.WoodEarGenerator(), flat({ ...values, collisions }))),
+      ]),
+    );
     result.growth.push({ individuals, ...each });
   }
   result.ownLogs = measureOwnLogs(glue, flat, rounds);
@@ -131,7 +139,9 @@ function once(generator, params) {
 function median(rounds, run) {
   run();
   const runs = Array.from({ length: rounds }, run);
-  return Object.fromEntries(Object.keys(runs[0]).map((key) => [key, runs.map((result) => result[key]).sort((a, b) => a - b)[runs.length >> 1]]));
+  return Object.fromEntries(
+    Object.keys(runs[0]).map((key) => [key, runs.map((result) => result[key]).sort((a, b) => a - b)[runs.length >> 1]]),
+  );
 }
 
 /** The parameters' table, whose TypeScript this Node may not read. */
@@ -155,14 +165,18 @@ function flatOf({ WOOD_EAR_PARAMS: rows }, values) {
 /** For people. */
 export function reportWoodEar({ default: usual, maximum, growth, ownLogs }) {
   const ms = (value) => value.toFixed(1).padStart(9);
-  const row = (name, run) => `${name.padEnd(24)}${ms(run.total)}${ms(run.preview)}${ms(run.deform)}${ms(run.collide)}${ms(run.mesh)}${ms(run.longest)}${String(run.individuals).padStart(8)}${String(run.crossing).padStart(9)}${run.kept.toFixed(2).padStart(7)}`;
+  const row = (name, run) =>
+    `${name.padEnd(24)}${ms(run.total)}${ms(run.preview)}${ms(run.deform)}${ms(run.collide)}${ms(run.mesh)}${ms(run.longest)}${String(run.individuals).padStart(8)}${String(run.crossing).padStart(9)}${run.kept.toFixed(2).padStart(7)}`;
   return [
     'Wood ears (edits of a cached log)  total  preview   deform  collide     mesh  longest  ears  crossing   kept',
     ...Object.entries(usual).map(([name, run]) => row(`default, ${name}`, run)),
     ...Object.entries(maximum).map(([name, run]) => row(`maximum, ${name}`, run)),
     ...growth.flatMap(({ individuals, ...each }) => Object.entries(each).map(([name, run]) => row(`${individuals}, ${name}, fresh`, run))),
-    'Logs of one\'s own         total     read  times the made log    ears of the made log',
-    ...ownLogs.map((of) => `${`${of.vertices} vertices`.padEnd(24)}${ms(of.total)}${ms(of.read)}${of.times.toFixed(2).padStart(20)}${String(of.individuals).padStart(8)}${String(of.ofMade).padStart(17)}`),
+    "Logs of one's own         total     read  times the made log    ears of the made log",
+    ...ownLogs.map(
+      (of) =>
+        `${`${of.vertices} vertices`.padEnd(24)}${ms(of.total)}${ms(of.read)}${of.times.toFixed(2).padStart(20)}${String(of.individuals).padStart(8)}${String(of.ofMade).padStart(17)}`,
+    ),
   ].join('\n');
 }
 

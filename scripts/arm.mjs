@@ -34,7 +34,8 @@ function test(flags, env) {
 
 /** Installs what compiling for ARM and running it takes; the environment that makes cargo use it. */
 async function emulation() {
-  if (process.platform !== 'linux') throw new Failure('ARM programs for Linux are emulated on Linux alone; run this there, or in a container');
+  if (process.platform !== 'linux')
+    throw new Failure('ARM programs for Linux are emulated on Linux alone; run this there, or in a container');
   if (!emulator() || !which(COMPILER)) await install();
   await target();
   return {
@@ -50,7 +51,9 @@ function emulator() {
 async function install() {
   const names = PACKAGES.join(' ');
   if (!isDebian || process.getuid?.() !== 0) {
-    const command = isDebian ? `sudo apt-get install ${names}` : 'sudo dnf install qemu-user gcc-aarch64-linux-gnu (Arch: sudo pacman -S qemu-user aarch64-linux-gnu-gcc)';
+    const command = isDebian
+      ? `sudo apt-get install ${names}`
+      : 'sudo dnf install qemu-user gcc-aarch64-linux-gnu (Arch: sudo pacman -S qemu-user aarch64-linux-gnu-gcc)';
     throw new Failure(`${EMULATORS[0]} or ${COMPILER} is missing. Install them with: ${command}`);
   }
   await step(`apt-get install ${names}`, '1 min', async () => {
@@ -62,7 +65,8 @@ async function install() {
 async function target() {
   const sysroot = capture('rustc', ['--print', 'sysroot'], { cwd: root });
   if (existsSync(path.join(sysroot, 'lib', 'rustlib', TARGET, 'lib'))) return;
-  if (!which('rustup')) throw new Failure(`This Rust has no ${TARGET} target and there is no rustup to add it. Install rustup: https://rustup.rs`);
+  if (!which('rustup'))
+    throw new Failure(`This Rust has no ${TARGET} target and there is no rustup to add it. Install rustup: https://rustup.rs`);
   await step(`Adding the Rust target ${TARGET}`, 'a few seconds', () => run('rustup', ['target', 'add', TARGET], { cwd: root }));
 }
 

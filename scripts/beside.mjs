@@ -29,7 +29,9 @@ export async function besides({ photos, presets = [PRESET], backend, attributes,
       const beside = path.join(out, `${preset}-beside.png`);
       await writeFile(above, png);
       await writeFile(beside, await layOut(studio.browser, png, photo));
-      say(`✓ ${path.relative(root, beside)}, ${path.relative(root, above)}: ${((metres * photo.side) / photo.width).toFixed(2)} m across, ${ms.toFixed(0)} ms`);
+      say(
+        `✓ ${path.relative(root, beside)}, ${path.relative(root, above)}: ${((metres * photo.side) / photo.width).toFixed(2)} m across, ${ms.toFixed(0)} ms`,
+      );
     }
   } finally {
     await studio.close();
@@ -38,7 +40,8 @@ export async function besides({ photos, presets = [PRESET], backend, attributes,
 
 async function pairUp(photos, presets) {
   const known = (await tables()).PRESETS.map(({ name }) => name);
-  if (presets.length !== 1 && presets.length !== photos.length) throw new Failure(`${photos.length} photographs and ${presets.length} presets: one for each, or one for all`);
+  if (presets.length !== 1 && presets.length !== photos.length)
+    throw new Failure(`${photos.length} photographs and ${presets.length} presets: one for each, or one for all`);
   const pairs = photos.map((photo, index) => {
     const [file, metres = METRES] = split(photo);
     const [preset, own = metres] = split(presets[index] ?? presets[0]);

@@ -25,7 +25,8 @@ const BROWSERS = {
     download: {
       what: "Playwright's own Chromium",
       command: 'npx playwright-core install chromium',
-      install: () => run(process.execPath, [path.join(root, 'node_modules', 'playwright-core', 'cli.js'), 'install', 'chromium'], { cwd: root }),
+      install: () =>
+        run(process.execPath, [path.join(root, 'node_modules', 'playwright-core', 'cli.js'), 'install', 'chromium'], { cwd: root }),
     },
   },
   firefox: {
@@ -102,7 +103,8 @@ export async function ensureBrowser(name = 'chromium') {
     return found;
   }
   const { what, command, install } = recipe(name, found ? lacking : BROWSERS[name].packages);
-  if (!install) throw new Failure(`${found ? `${called} lacks ${lacking.join(', ')}` : `no ${called} was found`}. ${remedy(name, command)}`);
+  if (!install)
+    throw new Failure(`${found ? `${called} lacks ${lacking.join(', ')}` : `no ${called} was found`}. ${remedy(name, command)}`);
   say(`• ${found ? `${called} lacks ${lacking.join(', ')}` : `No ${called} was found`}. Installing ${what}`);
   try {
     await step(command, '1–3 min', install);

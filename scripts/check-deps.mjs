@@ -22,11 +22,16 @@ export async function check() {
 function crates() {
   return FORBIDDEN_CRATES.flatMap(({ features, crates: forbidden }) => {
     const flags = ['--no-default-features', '--features', features.join(','), '--target', 'wasm32-unknown-unknown', '--edges', 'normal'];
-    const tree = capture('cargo', ['tree', '--prefix', 'none', '--format', '{p}', ...flags], { cwd: root, env: { ...process.env, ...cargoEnv } });
+    const tree = capture('cargo', ['tree', '--prefix', 'none', '--format', '{p}', ...flags], {
+      cwd: root,
+      env: { ...process.env, ...cargoEnv },
+    });
     if (tree === null) return ['cargo tree fails; run it to see why'];
     const present = new Set(tree.split('\n').map((line) => line.split(' ')[0]));
     const name = features.join(',') || 'default';
-    return forbidden.filter((crate) => present.has(crate)).map((crate) => `the ${name} feature set has ${crate} in its tree (cargo tree --features "${features}" -i ${crate})`);
+    return forbidden
+      .filter((crate) => present.has(crate))
+      .map((crate) => `the ${name} feature set has ${crate} in its tree (cargo tree --features "${features}" -i ${crate})`);
   });
 }
 
@@ -35,7 +40,9 @@ function browserGraph() {
   if (!existsSync(file)) return ['there is no build to look into. Make one with: npm run build'];
   const { outputs } = JSON.parse(readFileSync(file, 'utf8'));
   return Object.entries(outputs).flatMap(([name, { imports }]) =>
-    imports.filter((entry) => entry.path.startsWith('node:')).map((entry) => `${name} imports ${entry.path}, and is one of the browser's files`),
+    imports
+      .filter((entry) => entry.path.startsWith('node:'))
+      .map((entry) => `${name} imports ${entry.path}, and is one of the browser's files`),
   );
 }
 

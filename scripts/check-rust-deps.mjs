@@ -62,7 +62,9 @@ function roomOf(module, rooms) {
 
 /** Module (`rocks/grid`, and `rocks` for rocks/mod.rs) → its file and its code without comments, texts and tests. */
 function readCrate(folder) {
-  const names = readdirSync(folder, { recursive: true }).map((name) => name.replaceAll(path.sep, '/')).filter((name) => name.endsWith('.rs'));
+  const names = readdirSync(folder, { recursive: true })
+    .map((name) => name.replaceAll(path.sep, '/'))
+    .filter((name) => name.endsWith('.rs'));
   const crate = new Map();
   for (const name of names.sort()) {
     const module = name.replace(/(\/mod)?\.rs$/, '');

@@ -8,7 +8,21 @@ import { ts } from '@custom-elements-manifest/analyzer';
  * The rooms of www/, from the lowest floor up. Files may import from their own room and from all floors below; rooms that share a floor
  * know nothing of each other. What is imported as a type, or later, counts like any other import.
  */
-export const FLOORS = [['styles'], ['base'], ['data'], ['table'], ['generator', 'renderer'], ['scene'], ['element'], ['controls'], ['rocks'], ['wood-ear'], ['entries'], ['pages', 'typings'], ['docs']];
+export const FLOORS = [
+  ['styles'],
+  ['base'],
+  ['data'],
+  ['table'],
+  ['generator', 'renderer'],
+  ['scene'],
+  ['element'],
+  ['controls'],
+  ['rocks'],
+  ['wood-ear'],
+  ['entries'],
+  ['pages', 'typings'],
+  ['docs'],
+];
 
 /** Rooms that a room may not use although they lie below it. */
 const UNKNOWN_TO = {
@@ -34,14 +48,23 @@ const WASM = /_bg\.wasm|\bWebAssembly\.(instantiate|compile|Module|Instance)/;
 
 /** Elements, and what they are made of, leave the page's address alone: they stand in pages of others. */
 const ELEMENTS = /^(base|data|table|generator|renderer|scene|element)\/|^(rocks|wood-ear)\/(?!controls\/)/;
-const ADDRESS = /(?<![\w#.-])(location\s*[.[=]|history\.(push|replace)State)|\b(window|document|globalThis)\.(location|history)\b|\bURLSearchParams\b|['"](hashchange|popstate)['"]/;
+const ADDRESS =
+  /(?<![\w#.-])(location\s*[.[=]|history\.(push|replace)State)|\b(window|document|globalThis)\.(location|history)\b|\bURLSearchParams\b|['"](hashchange|popstate)['"]/;
 
 /** Returns what is wrong with the modules below `folder`, which is www/. */
 export function webProblems(folder) {
   const sources = new Map(modulesOf(folder).map((file) => [file, readModule(folder, file)]));
-  const graph = new Map([...sources].map(([file, { imports }]) => [file, imports.filter(isRelative).map((name) => path.posix.join(path.posix.dirname(file), name))]));
+  const graph = new Map(
+    [...sources].map(([file, { imports }]) => [
+      file,
+      imports.filter(isRelative).map((name) => path.posix.join(path.posix.dirname(file), name)),
+    ]),
+  );
   return [
-    ...[...sources].flatMap(([file, source]) => [...problemsOf(file, source), ...graph.get(file).flatMap((imported) => arrowProblems(file, imported, sources))]),
+    ...[...sources].flatMap(([file, source]) => [
+      ...problemsOf(file, source),
+      ...graph.get(file).flatMap((imported) => arrowProblems(file, imported, sources)),
+    ]),
     ...circles(graph).map((files) => `a circle of imports: ${[...files, files[0]].join(' → ')}`),
   ];
 }
@@ -58,7 +81,9 @@ function modulesOf(folder) {
 function readModule(folder, file) {
   const text = readFileSync(path.join(folder, file), 'utf8');
   const imports = [...new Set(ts.preProcessFile(text, true, true).importedFiles.map(({ fileName }) => fileName))];
-  const code = ts.transpileModule(text, { compilerOptions: { target: ts.ScriptTarget.ES2022, removeComments: true, verbatimModuleSyntax: true } }).outputText;
+  const code = ts.transpileModule(text, {
+    compilerOptions: { target: ts.ScriptTarget.ES2022, removeComments: true, verbatimModuleSyntax: true },
+  }).outputText;
   return { imports, code, uses: ts.preProcessFile(code, true, true).importedFiles.map(({ fileName }) => fileName) };
 }
 
@@ -97,7 +122,9 @@ function arrowProblems(file, imported, sources) {
   const [from, to] = [roomOf(file), roomOf(imported)];
   if (from === to || floorOf(file) === -1) return [];
   if (UNKNOWN_TO[from]?.includes(to)) return [`${file} imports ${imported}; ${from} knows nothing of ${to}`];
-  return floorOf(imported) < floorOf(file) ? [] : [`${file} imports ${imported}, which is not below it: ${FLOORS.map((rooms) => rooms.join(' and ')).join(' ← ')}`];
+  return floorOf(imported) < floorOf(file)
+    ? []
+    : [`${file} imports ${imported}, which is not below it: ${FLOORS.map((rooms) => rooms.join(' and ')).join(' ← ')}`];
 }
 
 /** The groups of files that import each other, each as one way round. */

@@ -6,7 +6,17 @@ import { tables } from './tables.mjs';
 const { word } = await tables();
 
 /** What the fences of the Markdown files say, as the highlighter calls it. */
-const LANGUAGES = { html: 'xml', vue: 'xml', svelte: 'xml', jsx: 'javascript', tsx: 'typescript', js: 'javascript', ts: 'typescript', sh: 'bash', text: 'plaintext' };
+const LANGUAGES = {
+  html: 'xml',
+  vue: 'xml',
+  svelte: 'xml',
+  jsx: 'javascript',
+  tsx: 'typescript',
+  js: 'javascript',
+  ts: 'typescript',
+  sh: 'bash',
+  text: 'plaintext',
+};
 
 /** Lines of an editor before it scrolls. */
 const MAX_ROWS = 40;
@@ -36,7 +46,11 @@ ${escaped(code)}</textarea></div>
 }
 
 export function slug(text) {
-  return text.toLowerCase().replace(/<[^>]*>|&\w+;/g, '').replace(/[^\p{L}\p{N}]+/gu, '-').replace(/^-|-$/g, '');
+  return text
+    .toLowerCase()
+    .replace(/<[^>]*>|&\w+;/g, '')
+    .replace(/[^\p{L}\p{N}]+/gu, '-')
+    .replace(/^-|-$/g, '');
 }
 
 /** A heading that can be linked to. */
@@ -62,7 +76,10 @@ export function markdown(text) {
       return heading(depth, id, html, name);
     },
     table(token) {
-      const cell = (tag) => ({ tokens }) => `<${tag}>${this.parser.parseInline(tokens)}</${tag}>`;
+      const cell =
+        (tag) =>
+        ({ tokens }) =>
+          `<${tag}>${this.parser.parseInline(tokens)}</${tag}>`;
       const rows = token.rows.map((row) => `<tr>${row.map(cell('td')).join('')}</tr>`).join('');
       return `<div class="table" tabindex="0" role="group"><table><thead><tr>${token.header.map(cell('th')).join('')}</tr></thead><tbody>${rows}</tbody></table></div>`;
     },

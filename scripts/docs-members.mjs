@@ -13,7 +13,14 @@ const TAG = 'rock-field';
 const EXAMPLE = /^<!-- (attribute|property|method|event|slot|part|css-property) (\S+)\s([\s\S]*?)-->\n([\s\S]*?)(?=^<!-- |(?![\s\S]))/gm;
 
 /** Lists of the manifest → kinds of members. */
-const LISTS = { attributes: 'attribute', members: 'member', events: 'event', slots: 'slot', cssParts: 'part', cssProperties: 'css-property' };
+const LISTS = {
+  attributes: 'attribute',
+  members: 'member',
+  events: 'event',
+  slots: 'slot',
+  cssParts: 'part',
+  cssProperties: 'css-property',
+};
 
 /**
  * Every public member, in the manifest's order: `{ kind, name, id, description, type, note, example, property, spec }`. A property that has an
@@ -34,8 +41,12 @@ export function problems(found, ids = [...readExamples().keys()]) {
   const known = new Set(found.map(({ id }) => id));
   return [
     ...found.filter(({ example }) => !example).map(({ kind, name }) => `the ${kind} ${name} has no example`),
-    ...found.filter((member) => member.example && !isShown(member)).map(({ kind, name }) => `the example of the ${kind} ${name} does not show it`),
-    ...found.filter(({ example, property }) => property && example && !new RegExp(`\\.${property.name}\\b|{ ${property.name}:`).test(example)).map(({ name, property }) => `the example of ${name} does not show its property ${property.name}`),
+    ...found
+      .filter((member) => member.example && !isShown(member))
+      .map(({ kind, name }) => `the example of the ${kind} ${name} does not show it`),
+    ...found
+      .filter(({ example, property }) => property && example && !new RegExp(`\\.${property.name}\\b|{ ${property.name}:`).test(example))
+      .map(({ name, property }) => `the example of ${name} does not show its property ${property.name}`),
     ...found.filter(({ description, note }) => !description && !note).map(({ kind, name }) => `nothing says what the ${kind} ${name} is`),
     ...ids.filter((id) => !known.has(id)).map((id) => `the example ${id} is about nothing that there is`),
   ];
@@ -53,7 +64,16 @@ export async function publicMembers() {
       const kind = listed === 'member' ? { field: 'property', method: 'method' }[entry.kind] : listed;
       if (kind === 'property' && paired.has(entry.name)) return [];
       const isAttribute = kind === 'attribute';
-      return [{ ...entry, kind, id: idOf(kind, entry.name), property: isAttribute ? properties.get(entry.fieldName) : undefined, spec: isAttribute ? specs.get(entry.name) : undefined, doc: isAttribute ? PARAM_DOCS[specs.get(entry.name)?.url]?.en : undefined }];
+      return [
+        {
+          ...entry,
+          kind,
+          id: idOf(kind, entry.name),
+          property: isAttribute ? properties.get(entry.fieldName) : undefined,
+          spec: isAttribute ? specs.get(entry.name) : undefined,
+          doc: isAttribute ? PARAM_DOCS[specs.get(entry.name)?.url]?.en : undefined,
+        },
+      ];
     }),
   );
 }
@@ -66,7 +86,9 @@ function idOf(kind, name) {
 /** By the id of what they are about: `{ note, html }`. */
 function readExamples() {
   const found = new Map();
-  for (const file of readdirSync(EXAMPLES).filter((name) => name.endsWith('.html')).sort()) {
+  for (const file of readdirSync(EXAMPLES)
+    .filter((name) => name.endsWith('.html'))
+    .sort()) {
     const text = readFileSync(path.join(EXAMPLES, file), 'utf8').replaceAll('\r\n', '\n');
     let read = 0;
     for (const [whole, kind, name, note, html] of text.matchAll(EXAMPLE)) {
@@ -108,7 +130,11 @@ async function choiceExample(spec) {
   // What is not the default is what there is to see.
   const [first, ...rest] = [...spec.choices].reverse();
   const options = [first, ...rest].map(({ value }) => `  <option>${value}</option>`).join('\n');
-  const words = isList ? presetParams(preset).layers.map(() => first.value).join(' ') : first.value;
+  const words = isList
+    ? presetParams(preset)
+        .layers.map(() => first.value)
+        .join(' ')
+    : first.value;
   return `<rock-field ${attributesFor(preset)}${attributeOf(spec)}="${words}"></rock-field>
 <select aria-label="${spec.label}">
 ${options}

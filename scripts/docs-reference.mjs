@@ -20,7 +20,17 @@ const GROUPS = [
 const KIND_GROUPS = { slot: 'Slots', part: 'CSS parts', 'css-property': 'CSS custom properties' };
 
 /** Where the types are written; those that are exported and shown, in this order. */
-const TYPE_SOURCES = ['www/rocks/params.gen.ts', 'www/rocks/request.ts', 'www/data/field.ts', 'www/base/view.ts', 'www/scene/picture.ts', 'www/generator/protocol.ts', 'www/base/errors.ts', 'www/generator/headless.ts', 'www/rocks/headless.ts'];
+const TYPE_SOURCES = [
+  'www/rocks/params.gen.ts',
+  'www/rocks/request.ts',
+  'www/data/field.ts',
+  'www/base/view.ts',
+  'www/scene/picture.ts',
+  'www/generator/protocol.ts',
+  'www/base/errors.ts',
+  'www/generator/headless.ts',
+  'www/rocks/headless.ts',
+];
 const TYPES = [
   { name: 'Of the element', types: ['Params', 'Layer', 'CameraState', 'PictureOptions', 'Progress', 'ErrorInfo', 'ErrorName'] },
   { name: 'Of a field', types: ['Field', 'FieldLayer', 'FieldStats', 'StageTimes'] },
@@ -31,8 +41,16 @@ const LINKED = new Set(TYPES.flatMap(({ types: names }) => names));
 /** A section for each of these members. */
 export async function sections(found, kinds) {
   const groups = groupsOf(found, kinds);
-  const contents = groups.flatMap(({ name, list }) => [...(name ? [{ name }] : []), ...list.map(({ id, name: of }) => ({ id, name: of, isCode: true }))]);
-  const html = groups.map(({ name, list }) => `${name ? `<h2 class="group">${name}</h2>` : ''}${list.map((member) => section(member, name ? 3 : 2)).join('\n')}`).join('\n');
+  const contents = groups.flatMap(({ name, list }) => [
+    ...(name ? [{ name }] : []),
+    ...list.map(({ id, name: of }) => ({ id, name: of, isCode: true })),
+  ]);
+  const html = groups
+    .map(
+      ({ name, list }) =>
+        `${name ? `<h2 class="group">${name}</h2>` : ''}${list.map((member) => section(member, name ? 3 : 2)).join('\n')}`,
+    )
+    .join('\n');
   return { html, contents };
 }
 
@@ -85,7 +103,10 @@ function facts(member) {
 }
 
 function methodType({ parameters = [], return: result }) {
-  const given = parameters.map(({ name, type, default: fallback }) => `${name.startsWith('{') ? 'options' : name}${fallback ? '?' : ''}: ${type?.text ?? typeof JSON.parse(fallback)}`);
+  const given = parameters.map(
+    ({ name, type, default: fallback }) =>
+      `${name.startsWith('{') ? 'options' : name}${fallback ? '?' : ''}: ${type?.text ?? typeof JSON.parse(fallback)}`,
+  );
   return `(${given.join(', ')}) => ${result.type.text}`;
 }
 
@@ -116,11 +137,17 @@ export async function overview(all, pages) {
   const fileOf = (kind) => pages.find(({ kinds }) => kinds?.includes(kind)).file;
   const html = Object.entries(groupedByKind(all)).map(([kind, list]) => {
     const rows = list.map((member) => {
-      const also = member.property ? ` <span class="quiet">${word('property').toLowerCase()} <code>${member.property.name}</code></span>` : '';
+      const also = member.property
+        ? ` <span class="quiet">${word('property').toLowerCase()} <code>${member.property.name}</code></span>`
+        : '';
       return `<tr><th scope="row"><a href="${fileOf(kind)}#${member.id}"><code>${escaped(signature(member))}</code></a>${also}</th><td>${inline(closed(member.description ? ownWords(member) : member.note.split('\n')[0]))}</td></tr>`;
     });
-      const title = `${word(kind)}s`.replace(/ys$/, 'ies');
-    return { id: kind, title, html: `${heading(2, kind, title, title)}<div class="table" tabindex="0" role="group" aria-label="${title}"><table>${rows.join('')}</table></div>` };
+    const title = `${word(kind)}s`.replace(/ys$/, 'ies');
+    return {
+      id: kind,
+      title,
+      html: `${heading(2, kind, title, title)}<div class="table" tabindex="0" role="group" aria-label="${title}"><table>${rows.join('')}</table></div>`,
+    };
   });
   return { html: html.map((part) => part.html).join('\n'), contents: html.map(({ id, title }) => ({ id, name: title })) };
 }
@@ -139,7 +166,11 @@ export async function elementTables(tag) {
   const declaration = (await manifest()).modules.flatMap(({ declarations }) => declarations).find(({ tagName }) => tagName === tag);
   const paired = new Set(declaration.attributes.map(({ fieldName }) => fieldName));
   const ofKind = (kind) => declaration.members.filter((member) => member.kind === kind);
-  const methods = ofKind('method').map(({ return: returned, ...member }) => ({ ...member, name: signature({ ...member, kind: 'method' }), type: returned?.type }));
+  const methods = ofKind('method').map(({ return: returned, ...member }) => ({
+    ...member,
+    name: signature({ ...member, kind: 'method' }),
+    type: returned?.type,
+  }));
   const parts = [
     ['attribute', 'Attributes', declaration.attributes],
     ['property', 'Properties without an attribute', ofKind('field').filter(({ name }) => !paired.has(name))],
@@ -149,7 +180,12 @@ export async function elementTables(tag) {
   ];
   const html = parts.map(([kind, title, list]) => {
     const rows = list.map(({ name, type, default: fallback, description = '' }) => {
-      const taken = [type && `<code>${escaped(type.text)}</code>`, fallback && `${word('default').toLowerCase()} <code>${escaped(fallback)}</code>`].filter(Boolean).join(', ');
+      const taken = [
+        type && `<code>${escaped(type.text)}</code>`,
+        fallback && `${word('default').toLowerCase()} <code>${escaped(fallback)}</code>`,
+      ]
+        .filter(Boolean)
+        .join(', ');
       return `<tr><th scope="row"><code>${escaped(name)}</code>${taken && ` <span class="quiet">${taken}</span>`}</th><td>${description && inline(closed(description))}</td></tr>`;
     });
     return `${heading(2, `${tag}-${kind}`, title, title)}<div class="table" tabindex="0" role="group" aria-label="${title}"><table>${rows.join('')}</table></div>`;
@@ -162,7 +198,12 @@ export async function gallery() {
   const columns = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.split(' ').at(-1));
   const groups = [
     { id: 'natural', name: 'Natural grounds', has: ({ natural }) => natural, label: (preset) => presetName('en', preset) },
-    ...PAPERS.map((paper) => ({ id: paper, name: translate('en', paper), has: ({ name }) => name.startsWith(paper), label: (preset) => presetLabel('en', preset, columns).replace(/_(\w+)/g, '<sub>$1</sub>') })),
+    ...PAPERS.map((paper) => ({
+      id: paper,
+      name: translate('en', paper),
+      has: ({ name }) => name.startsWith(paper),
+      label: (preset) => presetLabel('en', preset, columns).replace(/_(\w+)/g, '<sub>$1</sub>'),
+    })),
   ];
   const html = groups.map(({ id, name, has, label: labelOf }) => {
     const figures = PRESETS.filter(has).map((preset) => {
@@ -191,10 +232,18 @@ export async function types() {
     }
   }
   // Written out: in the source it is the keys of a list.
-  found.set('ErrorName', `/** Every name of an error; see Troubleshooting. */\ntype ErrorName =\n${Object.keys(ERRORS).map((name) => `  | '${name}'`).join('\n')};`);
+  found.set(
+    'ErrorName',
+    `/** Every name of an error; see Troubleshooting. */\ntype ErrorName =\n${Object.keys(ERRORS)
+      .map((name) => `  | '${name}'`)
+      .join('\n')};`,
+  );
   const missing = [...LINKED].filter((name) => !found.has(name));
   if (missing.length > 0) throw new Error(`scripts/docs-reference.mjs shows types that are not in its sources: ${missing.join(', ')}`);
-  const html = TYPES.map(({ name, types: names }) => `<h2 class="group">${name}</h2>${names.map((type) => `${heading(3, type, `<code>${type}</code>`, type)}${codeBlock(found.get(type), 'ts')}`).join('')}`);
+  const html = TYPES.map(
+    ({ name, types: names }) =>
+      `<h2 class="group">${name}</h2>${names.map((type) => `${heading(3, type, `<code>${type}</code>`, type)}${codeBlock(found.get(type), 'ts')}`).join('')}`,
+  );
   const contents = TYPES.flatMap(({ name, types: names }) => [{ name }, ...names.map((type) => ({ id: type, name: type, isCode: true }))]);
   return { html: html.join('\n'), contents };
 }

@@ -11,19 +11,80 @@ const SOURCES = path.join(root, 'www', 'docs');
 
 /** In the order of the navigation. `kinds`: of members, a section for each; `prose`: a Markdown file; `make`: all the rest. */
 const PAGES = [
-  { file: 'index.html', title: 'Start', prose: 'start', className: 'prose start', description: 'A custom element that grows a field of rocks from one seed: how to put it on a page.' },
-  { file: 'recipes.html', title: 'Recipes', prose: 'recipes', description: 'rock-field in plain HTML, from a CDN, under a strict policy, in React, Vue, Svelte, Next, with bundlers, in Node and with three.js.' },
-  { file: 'concepts.html', title: 'Concepts', prose: 'concepts', description: 'Links and seeds, gestures and accessibility, performance and many elements, errors.' },
-  { file: 'troubleshooting.html', title: 'Troubleshooting', make: troubleshooting, description: 'Every message of rock-field: errors by name, and notices of links and attributes, with cause and remedy.' },
-  { file: 'gallery.html', title: 'Gallery', make: gallery, className: 'wide', description: 'All presets, live: natural grounds, and the figures of the two papers.' },
-  { file: 'reference.html', title: 'Everything at a glance', group: 'Reference', make: overview, description: 'Every attribute, property, method, event, slot, CSS part and custom property of <rock-field>.' },
-  { file: 'attributes.html', title: 'Attributes', kinds: ['attribute'], description: 'Every attribute of <rock-field>, and the property that goes with it, beside a live example.' },
-  { file: 'properties.html', title: 'Properties', kinds: ['property'], description: 'The properties of <rock-field> that have no attribute, beside live examples.' },
+  {
+    file: 'index.html',
+    title: 'Start',
+    prose: 'start',
+    className: 'prose start',
+    description: 'A custom element that grows a field of rocks from one seed: how to put it on a page.',
+  },
+  {
+    file: 'recipes.html',
+    title: 'Recipes',
+    prose: 'recipes',
+    description:
+      'rock-field in plain HTML, from a CDN, under a strict policy, in React, Vue, Svelte, Next, with bundlers, in Node and with three.js.',
+  },
+  {
+    file: 'concepts.html',
+    title: 'Concepts',
+    prose: 'concepts',
+    description: 'Links and seeds, gestures and accessibility, performance and many elements, errors.',
+  },
+  {
+    file: 'troubleshooting.html',
+    title: 'Troubleshooting',
+    make: troubleshooting,
+    description: 'Every message of rock-field: errors by name, and notices of links and attributes, with cause and remedy.',
+  },
+  {
+    file: 'gallery.html',
+    title: 'Gallery',
+    make: gallery,
+    className: 'wide',
+    description: 'All presets, live: natural grounds, and the figures of the two papers.',
+  },
+  {
+    file: 'reference.html',
+    title: 'Everything at a glance',
+    group: 'Reference',
+    make: overview,
+    description: 'Every attribute, property, method, event, slot, CSS part and custom property of <rock-field>.',
+  },
+  {
+    file: 'attributes.html',
+    title: 'Attributes',
+    kinds: ['attribute'],
+    description: 'Every attribute of <rock-field>, and the property that goes with it, beside a live example.',
+  },
+  {
+    file: 'properties.html',
+    title: 'Properties',
+    kinds: ['property'],
+    description: 'The properties of <rock-field> that have no attribute, beside live examples.',
+  },
   { file: 'methods.html', title: 'Methods', kinds: ['method'], description: 'Every method of <rock-field>, beside a live example.' },
   { file: 'events.html', title: 'Events', kinds: ['event'], description: 'Every event of <rock-field>, beside a live example.' },
-  { file: 'styling.html', title: 'Slots and CSS', kinds: ['slot', 'part', 'css-property'], description: 'Slots, CSS parts and custom properties of <rock-field>, beside live examples.' },
-  { file: 'wood-ear-log.html', title: 'Wood ears', make: () => elementTables('wood-ear-log'), className: 'wide', description: 'A second element, <wood-ear-log>: a colony of wood-ear fungus on a fallen log. Its attributes, properties, methods and events.' },
-  { file: 'types.html', title: 'Types', make: types, description: 'The types of fields, parameters, cameras and errors, and the functions of rock-field/core.' },
+  {
+    file: 'styling.html',
+    title: 'Slots and CSS',
+    kinds: ['slot', 'part', 'css-property'],
+    description: 'Slots, CSS parts and custom properties of <rock-field>, beside live examples.',
+  },
+  {
+    file: 'wood-ear-log.html',
+    title: 'Wood ears',
+    make: () => elementTables('wood-ear-log'),
+    className: 'wide',
+    description:
+      'A second element, <wood-ear-log>: a colony of wood-ear fungus on a fallen log. Its attributes, properties, methods and events.',
+  },
+  {
+    file: 'types.html',
+    title: 'Types',
+    make: types,
+    description: 'The types of fields, parameters, cameras and errors, and the functions of rock-field/core.',
+  },
 ];
 
 /** Writes the pages; the script and the style sheet are bundled beside them. Resolves to the files' names. */
@@ -41,7 +102,12 @@ async function render(page, all) {
   const intro = readProse(page.prose ?? path.basename(page.file, '.html'));
   const heading = /<h1>(.*?)<\/h1>/.exec(intro.html)[1].replace(/<[^>]*>/g, '');
   if (page.prose) return { heading, body: intro.html, contents: intro.headings.map(({ id, name }) => ({ id, name: decoded(name) })) };
-  const { html, contents } = page.kinds ? await sections(all.filter(({ kind }) => page.kinds.includes(kind)), page.kinds) : await page.make(all, PAGES);
+  const { html, contents } = page.kinds
+    ? await sections(
+        all.filter(({ kind }) => page.kinds.includes(kind)),
+        page.kinds,
+      )
+    : await page.make(all, PAGES);
   return { heading, body: `${intro.html}\n${html}`, contents };
 }
 

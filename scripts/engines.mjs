@@ -38,7 +38,10 @@ export async function check(names = []) {
     // What is missing is installed first, one after the other. Then engines run side by side, since each of them waits for much of its time.
     const prepared = [];
     for (const engine of chosen) prepared.push({ engine, programs: await prepare(engine, found) });
-    await inLanes(prepared.filter(({ programs }) => programs), ({ engine, programs }) => attempt(engine, programs, server.url, found));
+    await inLanes(
+      prepared.filter(({ programs }) => programs),
+      ({ engine, programs }) => attempt(engine, programs, server.url, found),
+    );
   } finally {
     await server.close();
   }

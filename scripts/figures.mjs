@@ -12,7 +12,15 @@ const RATIO = 2;
 const PRESETS_PER_ROW = 4;
 const VIEWS = [
   { width: HEIGHT, camera: ({ middle, imageHeight }) => fromAbove(middle, 1.04 * imageHeight) },
-  { width: 300, camera: ({ middle, imageHeight }) => ({ azimuth: (30 * Math.PI) / 180, elevation: (35 * Math.PI) / 180, distance: 1.46 * imageHeight, target: [...middle, 0] }) },
+  {
+    width: 300,
+    camera: ({ middle, imageHeight }) => ({
+      azimuth: (30 * Math.PI) / 180,
+      elevation: (35 * Math.PI) / 180,
+      distance: 1.46 * imageHeight,
+      target: [...middle, 0],
+    }),
+  },
 ];
 
 async function shoot({ backend, names, type }) {

@@ -46,7 +46,9 @@ async function gallery({ backends, subjects, size, out }) {
           const { png, ms } = await studio.take(backend, { ...size, camera: CAMERAS[camera](scene) });
           const name = `${subject.name}-${camera}-${backend}`;
           await writeFile(path.join(out, `${name}.png`), png);
-          say(`  ${name.padEnd(40)}${ms.toFixed(0).padStart(7)} ms   ${scene.rocks.toLocaleString('en')} rocks · ${scene.triangles.toLocaleString('en')} triangles`);
+          say(
+            `  ${name.padEnd(40)}${ms.toFixed(0).padStart(7)} ms   ${scene.rocks.toLocaleString('en')} rocks · ${scene.triangles.toLocaleString('en')} triangles`,
+          );
           pictures.push({ subject: subject.name, camera, backend, file: `${name}.png`, png });
         }
       }
@@ -69,19 +71,35 @@ function compare(pictures) {
 }
 
 async function sheets(browser, pictures, differences, out) {
-  const rows = [...new Set(pictures.map(({ subject }) => subject))].map((subject) => ({ subject, shown: pictures.filter((picture) => picture.subject === subject) }));
-  const note = ({ subject, camera }) => differences.filter((found) => found.subject === subject && found.camera === camera).map(({ percent }) => ` · ${percent.toFixed(2)} % apart`);
-  const all = rows.map(({ subject, shown }) => row(subject, shown.map((picture) => ({ file: picture.file, text: `${picture.camera}, ${picture.backend}${note(picture)}` }))));
+  const rows = [...new Set(pictures.map(({ subject }) => subject))].map((subject) => ({
+    subject,
+    shown: pictures.filter((picture) => picture.subject === subject),
+  }));
+  const note = ({ subject, camera }) =>
+    differences
+      .filter((found) => found.subject === subject && found.camera === camera)
+      .map(({ percent }) => ` · ${percent.toFixed(2)} % apart`);
+  const all = rows.map(({ subject, shown }) =>
+    row(
+      subject,
+      shown.map((picture) => ({ file: picture.file, text: `${picture.camera}, ${picture.backend}${note(picture)}` })),
+    ),
+  );
   await sheet(browser, path.join(out, 'index.html'), 'Natural grounds', all, 400);
   const [backend] = new Set(pictures.map((picture) => picture.backend));
   const both = BOTH_STYLES.filter((name) => rows.some(({ subject }) => subject === `${name}-paper`)).map((name) =>
-    row(name, ['paper', 'natural'].map((style) => ({ file: `${name}-${style}-framed-${backend}.png`, text: style }))),
+    row(
+      name,
+      ['paper', 'natural'].map((style) => ({ file: `${name}-${style}-framed-${backend}.png`, text: style })),
+    ),
   );
   if (both.length > 0) await sheet(browser, path.join(out, 'styles.html'), 'As in the papers, and as natural ground', both, 900);
 }
 
 function row(title, figures) {
-  const cells = figures.map(({ file, text }) => `<figure><a href="${file}"><img src="${file}" alt=""></a><figcaption>${text}</figcaption></figure>`);
+  const cells = figures.map(
+    ({ file, text }) => `<figure><a href="${file}"><img src="${file}" alt=""></a><figcaption>${text}</figcaption></figure>`,
+  );
   return `<h2>${title}</h2><section>${cells.join('')}</section>`;
 }
 
@@ -117,7 +135,14 @@ async function chooseSubjects(only) {
 }
 
 function readArguments() {
-  const options = { only: { type: 'string' }, webgpu: { type: 'boolean' }, webgl: { type: 'boolean' }, size: { type: 'string', default: '1600x1000' }, out: { type: 'string', default: '.cache/gallery' }, beside: { type: 'string', multiple: true } };
+  const options = {
+    only: { type: 'string' },
+    webgpu: { type: 'boolean' },
+    webgl: { type: 'boolean' },
+    size: { type: 'string', default: '1600x1000' },
+    out: { type: 'string', default: '.cache/gallery' },
+    beside: { type: 'string', multiple: true },
+  };
   let values, positionals;
   try {
     ({ values, positionals } = parseArgs({ options, allowPositionals: true }));
@@ -146,9 +171,11 @@ if (isMain(import.meta)) {
       return;
     }
     const differences = await gallery({ backends, subjects: await chooseSubjects(only), size, out });
-    for (const { subject, camera, percent } of differences) say(`${`${subject}, ${camera}`.padEnd(42)}${percent.toFixed(3).padStart(7)} %${percent > MOST_DIFFERENT ? '   ✗' : ''}`);
+    for (const { subject, camera, percent } of differences)
+      say(`${`${subject}, ${camera}`.padEnd(42)}${percent.toFixed(3).padStart(7)} %${percent > MOST_DIFFERENT ? '   ✗' : ''}`);
     const apart = differences.filter(({ percent }) => percent > MOST_DIFFERENT);
-    if (apart.length > 0) throw new Failure(`WebGPU and WebGL2 differ by more than ${MOST_DIFFERENT} % in ${apart.length} of ${differences.length} pictures`);
+    if (apart.length > 0)
+      throw new Failure(`WebGPU and WebGL2 differ by more than ${MOST_DIFFERENT} % in ${apart.length} of ${differences.length} pictures`);
     say(`✓ ${path.join(path.relative(root, out), 'index.html')}`);
   });
 }

@@ -21,7 +21,16 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
   rmSync(outdir, { recursive: true, force: true });
   const entryPoints = Object.keys(WORKERS).map((name) => `www/entries/${name}.ts`);
   // Classic scripts, since a page without an origin (`<iframe sandbox>`) starts no module from a blob in Chromium.
-  const { outputFiles } = await bundle({ ...common, format: 'iife', entryPoints, outdir, entryNames: '[name]', write: false, inject: ['www/entries/variants/inline.ts'], plugins: [inline()] });
+  const { outputFiles } = await bundle({
+    ...common,
+    format: 'iife',
+    entryPoints,
+    outdir,
+    entryNames: '[name]',
+    write: false,
+    inject: ['www/entries/variants/inline.ts'],
+    plugins: [inline()],
+  });
   const workers = new Map(outputFiles.map(({ path: file, text }) => [path.basename(file, '.js'), text]));
   await bundle({
     ...common,
@@ -34,7 +43,8 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
     plugins: [inline(workers)],
   });
   const left = readdirSync(outdir).filter((name) => /import\.meta|new URL\("\.\//.test(readFileSync(path.join(outdir, name), 'utf8')));
-  if (left.length > 0) throw new Failure(`addresses of other files are left in dist/inline/: ${left.join(', ')}; scripts/inline.mjs knows one form of them`);
+  if (left.length > 0)
+    throw new Failure(`addresses of other files are left in dist/inline/: ${left.join(', ')}; scripts/inline.mjs knows one form of them`);
 }
 
 function inline(workers = new Map()) {
@@ -43,10 +53,16 @@ function inline(workers = new Map()) {
     setup(build) {
       build.onLoad({ filter: /[\\/]www[\\/].*\.ts$/ }, ({ path: file }) => {
         const text = readFileSync(file, 'utf8');
-        const contents = text.replaceAll(WASM, "inlined('$1_bg.wasm', () => import('inlined:$1'))").replaceAll(WORKER_ADDRESS, (_, name) => `${WORKERS[name]}()`);
+        const contents = text
+          .replaceAll(WASM, "inlined('$1_bg.wasm', () => import('inlined:$1'))")
+          .replaceAll(WORKER_ADDRESS, (_, name) => `${WORKERS[name]}()`);
         return { contents, loader: 'ts' };
       });
-      build.onResolve({ filter: /^inlined:/ }, ({ path: name }) => ({ path: name.slice('inlined:'.length), namespace: 'inlined', sideEffects: false }));
+      build.onResolve({ filter: /^inlined:/ }, ({ path: name }) => ({
+        path: name.slice('inlined:'.length),
+        namespace: 'inlined',
+        sideEffects: false,
+      }));
       build.onLoad({ filter: /.*/, namespace: 'inlined' }, ({ path: name }) => {
         const text = workers.get(name) ?? deflateSync(readFileSync(path.join(pkg, `${name}_bg.wasm`)), { level: 9 }).toString('base64');
         return { contents: `export default ${JSON.stringify(text)};`, loader: 'js', resolveDir: root };

@@ -6,7 +6,16 @@ import { root } from './env.mjs';
 
 /** A plugin by which a file that is imported later also imports what is there already, whichever of `entryPoints` it is imported from: source files by the names of what is made of them. */
 export async function loadedBefore(entryPoints, options) {
-  const { metafile } = await esbuild.build({ ...options, absWorkingDir: root, entryPoints, bundle: true, format: 'esm', outdir: 'nowhere', write: false, metafile: true });
+  const { metafile } = await esbuild.build({
+    ...options,
+    absWorkingDir: root,
+    entryPoints,
+    bundle: true,
+    format: 'esm',
+    outdir: 'nowhere',
+    write: false,
+    metafile: true,
+  });
   const before = filesBefore(metafile.inputs, Object.values(entryPoints));
   return {
     name: 'loaded-before',
@@ -35,14 +44,20 @@ export function filesBefore(inputs, entryPoints) {
     const all = reached(inputs, entryPoint, ['import-statement', 'dynamic-import']);
     const later = new Set([...all].flatMap((file) => imports(inputs, file, ['dynamic-import'])));
     for (const file of atOnce) entriesOf.set(file, (entriesOf.get(file) ?? 0) + 1);
-    for (const file of later) before.set(file, (before.get(file) ?? [...atOnce]).filter((other) => atOnce.has(other)));
+    for (const file of later)
+      before.set(
+        file,
+        (before.get(file) ?? [...atOnce]).filter((other) => atOnce.has(other)),
+      );
   }
   const withoutAlone = (file, files) => {
     const needed = reached(inputs, file, ['import-statement']);
     const isAlone = (other) => entriesOf.get(other) === 1;
     return files.some((other) => isAlone(other) && needed.has(other)) ? files : files.filter((other) => !isAlone(other));
   };
-  return new Map([...before].map(([file, files]) => [file, withoutAlone(file, files).filter((other) => other.startsWith('www/') && other !== file)]));
+  return new Map(
+    [...before].map(([file, files]) => [file, withoutAlone(file, files).filter((other) => other.startsWith('www/') && other !== file)]),
+  );
 }
 
 function reached(inputs, entryPoint, kinds) {
@@ -52,5 +67,7 @@ function reached(inputs, entryPoint, kinds) {
 }
 
 function imports(inputs, file, kinds) {
-  return (inputs[file]?.imports ?? []).filter(({ kind, external }) => !external && kinds.includes(kind)).map(({ path: imported }) => imported);
+  return (inputs[file]?.imports ?? [])
+    .filter(({ kind, external }) => !external && kinds.includes(kind))
+    .map(({ path: imported }) => imported);
 }

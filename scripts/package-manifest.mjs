@@ -9,8 +9,22 @@ import { tables } from './tables.mjs';
 const SHARED = ['www/element/generator-element.ts', 'www/scene/scene-element.ts'];
 /** Each with the files that register it and that it is written in, where the package has its class, and where the types of its kind stand. */
 const ELEMENTS = [
-  { registers: 'www/entries/rock-field.ts', written: 'www/rocks/element.ts', inModule: 'dist/element.js', kind: 'www/rocks/table.ts', table: 'ROCKS', docs: 'PARAM_DOCS' },
-  { registers: 'www/entries/wood-ear-log.ts', written: 'www/wood-ear/element.ts', inModule: 'dist/wood-ear-log.js', kind: 'www/wood-ear/table.ts', table: 'WOOD_EARS', docs: 'WOOD_EAR_DOCS' },
+  {
+    registers: 'www/entries/rock-field.ts',
+    written: 'www/rocks/element.ts',
+    inModule: 'dist/element.js',
+    kind: 'www/rocks/table.ts',
+    table: 'ROCKS',
+    docs: 'PARAM_DOCS',
+  },
+  {
+    registers: 'www/entries/wood-ear-log.ts',
+    written: 'www/wood-ear/element.ts',
+    inModule: 'dist/wood-ear-log.js',
+    kind: 'www/wood-ear/table.ts',
+    table: 'WOOD_EARS',
+    docs: 'WOOD_EAR_DOCS',
+  },
 ];
 /** Where the types of members are written out. */
 const TYPES = [...ELEMENTS.map(({ written }) => written), ...SHARED, 'www/base/view.ts'];
@@ -32,12 +46,23 @@ async function modulesOf(element) {
   const definitions = modules.flatMap(({ exports }) => exports).filter(({ kind }) => kind === 'custom-element-definition');
   if (definitions.length === 0) throw new Failure(`${registers} registers no element that the analyzer can see`);
   const known = await knowledge(element);
-  const declarations = definitions.map(({ name, declaration }) => publicPart(name, modules.flatMap((module) => module.declarations).find((found) => found.name === declaration.name), known));
+  const declarations = definitions.map(({ name, declaration }) =>
+    publicPart(
+      name,
+      modules.flatMap((module) => module.declarations).find((found) => found.name === declaration.name),
+      known,
+    ),
+  );
   const inPackage = (name) => ({ name, module: inModule });
   const classes = { declarations, exports: declarations.map(({ name }) => ({ kind: 'js', name, declaration: inPackage(name) })) };
-  const registered = definitions.map(({ name, declaration }) => ({ kind: 'custom-element-definition', name, declaration: inPackage(declaration.name) }));
+  const registered = definitions.map(({ name, declaration }) => ({
+    kind: 'custom-element-definition',
+    name,
+    declaration: inPackage(declaration.name),
+  }));
   const registering = `dist/${path.basename(registers, '.ts')}.js`;
-  if (registering === inModule) return [{ kind: 'javascript-module', path: inModule, ...classes, exports: [...classes.exports, ...registered] }];
+  if (registering === inModule)
+    return [{ kind: 'javascript-module', path: inModule, ...classes, exports: [...classes.exports, ...registered] }];
   return [
     { kind: 'javascript-module', path: inModule, ...classes },
     { kind: 'javascript-module', path: registering, declarations: [], exports: registered },
@@ -72,7 +97,9 @@ function publicPart(tagName, declaration, { attributeTypes, aliases, events, par
     attributes: [...attributes, ...parameters.map(({ attribute }) => attribute)],
     members: [...members, ...parameters.map(({ property }) => property)],
     // The analyzer also finds the one place that dispatches them all, and takes the name of its argument for an event.
-    events: declaration.events?.filter(({ name, type }) => name !== 'type' || !type).map((event) => ({ ...withoutOrigin(event), type: { text: ofKind(events.get(event.name) ?? 'CustomEvent') } })),
+    events: declaration.events
+      ?.filter(({ name, type }) => name !== 'type' || !type)
+      .map((event) => ({ ...withoutOrigin(event), type: { text: ofKind(events.get(event.name) ?? 'CustomEvent') } })),
     slots: declaration.slots?.map(withoutOrigin),
     cssParts: declaration.cssParts?.map(withoutOrigin),
     cssProperties: declaration.cssProperties?.map(withoutOrigin),
@@ -86,7 +113,8 @@ function withoutOrigin({ inheritedFrom, ...rest }) {
 /** A member whose type is a list of words says the words; the types of a kind are those of this one. */
 function spelledOut(member, aliases, ofKind) {
   const spelled = (type) => ({ text: ofKind(type.text).replace(/\b[A-Z]\w+\b/g, (name) => aliases.get(name) ?? name) });
-  if (member.kind === 'method') return { ...member, ...(member.return?.type && { return: { ...member.return, type: { text: ofKind(member.return.type.text) } } }) };
+  if (member.kind === 'method')
+    return { ...member, ...(member.return?.type && { return: { ...member.return, type: { text: ofKind(member.return.type.text) } } }) };
   return member.type ? { ...member, type: spelled(member.type) } : member;
 }
 
@@ -119,7 +147,13 @@ async function knowledge({ kind, table, docs }) {
       poster: { type: { text: 'string' } },
       src: { type: { text: 'string' } },
     },
-    aliases: new Map([...aliases, ['View', union(views)], ['ColorMode', union(colors)], ['WantedQuality', union(QUALITY_CHOICES)], ['Interaction', union(INTERACTIONS)]]),
+    aliases: new Map([
+      ...aliases,
+      ['View', union(views)],
+      ['ColorMode', union(colors)],
+      ['WantedQuality', union(QUALITY_CHOICES)],
+      ['Interaction', union(INTERACTIONS)],
+    ]),
     events: eventTypes([parse(ELEMENTS.find((element) => element.table === table).written), ...SHARED.map(parse)]),
     parameters: own.map((row) => parameter(row, known, known[docs][row.url].en)),
     ofKind: typesOf(parse(kind)),
@@ -128,7 +162,11 @@ async function knowledge({ kind, table, docs }) {
 
 /** `K['params']` → `Params`, as the interface of the kind says; the stage of an event map is its own name. */
 function typesOf(source) {
-  const kind = source.statements.find((statement) => statement.kind === ts.SyntaxKind.InterfaceDeclaration && statement.heritageClauses?.some((clause) => /\bKind\b/.test(clause.getText(source))));
+  const kind = source.statements.find(
+    (statement) =>
+      statement.kind === ts.SyntaxKind.InterfaceDeclaration &&
+      statement.heritageClauses?.some((clause) => /\bKind\b/.test(clause.getText(source))),
+  );
   const types = new Map(kind.members.map((member) => [member.name.text, member.type.getText(source)]));
   return (text) => text.replace(/K\['(\w+)'\]/g, (_, name) => types.get(name)).replace(/\bStage\b/g, types.get('stage'));
 }
@@ -136,7 +174,8 @@ function typesOf(source) {
 /** A row of a parameter table, as an attribute and as a property. */
 function parameter(spec, { attributeOf, defaultOf, propertyOf }, doc) {
   const isList = spec.scope === 'layer';
-  const type = spec.kind === 'choice' ? union(spec.choices.map(({ value }) => value)) : spec.kind.startsWith('optional') ? 'number | null' : 'number';
+  const type =
+    spec.kind === 'choice' ? union(spec.choices.map(({ value }) => value)) : spec.kind.startsWith('optional') ? 'number | null' : 'number';
   const fallback = defaultOf(spec, 'px');
   const unit = spec.unit.px ? ` ${spec.unit.px}` : '';
   const range = spec.kind === 'choice' ? '' : ` From ${spec.min} to ${spec.max}${unit}.`;
@@ -164,7 +203,8 @@ function literalUnions(sources) {
   const found = new Map();
   for (const source of sources) {
     for (const { kind, name, type } of source.statements) {
-      if (kind === ts.SyntaxKind.TypeAliasDeclaration && type.types?.every((part) => part.kind === ts.SyntaxKind.LiteralType)) found.set(name.text, type.getText(source));
+      if (kind === ts.SyntaxKind.TypeAliasDeclaration && type.types?.every((part) => part.kind === ts.SyntaxKind.LiteralType))
+        found.set(name.text, type.getText(source));
     }
   }
   return found;

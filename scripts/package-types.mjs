@@ -4,13 +4,23 @@ import path from 'node:path';
 import { dist, pkg, root } from './env.mjs';
 import { Failure, run } from './run.mjs';
 
-const ENTRIES = ['www/entries/rock-field.d.ts', 'www/entries/element.d.ts', 'www/entries/wood-ear-log.d.ts', 'www/entries/core.d.ts', 'www/typings/jsx.d.ts', 'www/typings/svelte.d.ts', 'www/typings/vue.d.ts'];
+const ENTRIES = [
+  'www/entries/rock-field.d.ts',
+  'www/entries/element.d.ts',
+  'www/entries/wood-ear-log.d.ts',
+  'www/entries/core.d.ts',
+  'www/typings/jsx.d.ts',
+  'www/typings/svelte.d.ts',
+  'www/typings/vue.d.ts',
+];
 
 export async function writeTypes() {
   const emitted = path.join(pkg, '.types');
   rmSync(emitted, { recursive: true, force: true });
   const tsc = path.join('node_modules', 'typescript', 'bin', 'tsc');
-  await run(process.execPath, [tsc, '--noEmit', 'false', '--declaration', '--emitDeclarationOnly', '--rootDir', '.', '--outDir', emitted], { cwd: root });
+  await run(process.execPath, [tsc, '--noEmit', 'false', '--declaration', '--emitDeclarationOnly', '--rootDir', '.', '--outDir', emitted], {
+    cwd: root,
+  });
   const types = path.join(dist, 'types');
   rmSync(types, { recursive: true, force: true });
   for (const name of reachable(emitted)) {
@@ -19,7 +29,11 @@ export async function writeTypes() {
     // Of the glue one type alone is named; the rest of it is nobody's, and needs a newer library.
     if (name.startsWith('pkg/')) writeFileSync(target, `${/^export type InitInput = .*$/m.exec(read(emitted, name))[0]}\n`);
     // The files stand beside no sources any more.
-    else writeFileSync(target, read(emitted, name).replaceAll(RELATIVE, (all, address) => all.replace(address, address.replace(/\.ts$/, '.js'))));
+    else
+      writeFileSync(
+        target,
+        read(emitted, name).replaceAll(RELATIVE, (all, address) => all.replace(address, address.replace(/\.ts$/, '.js'))),
+      );
   }
   rmSync(emitted, { recursive: true, force: true });
   // So that the typings, which declare and do nothing, may also be imported.

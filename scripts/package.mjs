@@ -14,7 +14,10 @@ const ADDRESSES = /new URL\("(\.\/[^"]+)",/g;
 export async function pack() {
   const outside = mkdtempSync(path.join(os.tmpdir(), 'rock-field-'));
   await step('Packing the package', '5 s', () => npm(['pack', '--silent', '--pack-destination', outside], { cwd: root }));
-  const tarball = path.join(outside, readdirSync(outside).find((name) => name.endsWith('.tgz')));
+  const tarball = path.join(
+    outside,
+    readdirSync(outside).find((name) => name.endsWith('.tgz')),
+  );
   const modules = path.join(outside, 'node_modules');
   mkdirSync(modules);
   // Every system has a tar by now. By a relative name, since GNU's takes C:\ for another machine.
@@ -41,8 +44,13 @@ function publint(folder) {
 
 /** That every entry's types are found and mean what the file is. ES modules alone: that is what the package has. */
 function types(tarball, exports) {
-  const untyped = Object.entries(exports).filter(([, targets]) => typeof targets === 'string').map(([entry]) => entry);
-  return node(['@arethetypeswrong', 'cli', 'dist', 'index.js'], [tarball, '--profile', 'esm-only', '--no-definitely-typed', '--no-emoji', '--format', 'ascii', '--exclude-entrypoints', ...untyped]);
+  const untyped = Object.entries(exports)
+    .filter(([, targets]) => typeof targets === 'string')
+    .map(([entry]) => entry);
+  return node(
+    ['@arethetypeswrong', 'cli', 'dist', 'index.js'],
+    [tarball, '--profile', 'esm-only', '--no-definitely-typed', '--no-emoji', '--format', 'ascii', '--exclude-entrypoints', ...untyped],
+  );
 }
 
 function node(program, args) {
@@ -54,7 +62,11 @@ function importEach(outside, exports) {
   const entries = scripts(exports).map((entry) => path.posix.join('rock-field', entry));
   const forBrowsers = filesFor(exports, 'browser').map((file) => `./node_modules/rock-field/${file}`);
   for (const name of [...entries, ...forBrowsers]) {
-    const { status, stdout, stderr } = spawnSync(process.execPath, ['--input-type=module', '--eval', `await import(${JSON.stringify(name)})`], { cwd: outside, encoding: 'utf8' });
+    const { status, stdout, stderr } = spawnSync(
+      process.execPath,
+      ['--input-type=module', '--eval', `await import(${JSON.stringify(name)})`],
+      { cwd: outside, encoding: 'utf8' },
+    );
     if (status !== 0 || stdout || stderr) throw new Failure(`importing ${name} in Node is not silent:\n${stdout}${stderr}`);
   }
   say(`• Imported in Node, silently: ${entries.join(' ')}`);
@@ -62,11 +74,22 @@ function importEach(outside, exports) {
 
 /** What browsers get holds no module of Node, and asks for nothing that is not there; the package holds nothing that nobody asks for. */
 async function graph(folder, exports) {
-  const workers = readdirSync(path.join(folder, 'dist')).filter((name) => /worker-\w+\.js$/.test(name)).map((name) => `./dist/${name}`);
+  const workers = readdirSync(path.join(folder, 'dist'))
+    .filter((name) => /worker-\w+\.js$/.test(name))
+    .map((name) => `./dist/${name}`);
   const entryPoints = [...filesFor(exports, 'browser'), ...workers];
   const bundled = async (options) => {
     try {
-      const { metafile } = await esbuild.build({ absWorkingDir: folder, bundle: true, write: false, metafile: true, format: 'esm', outdir: 'out', logLevel: 'error', ...options });
+      const { metafile } = await esbuild.build({
+        absWorkingDir: folder,
+        bundle: true,
+        write: false,
+        metafile: true,
+        format: 'esm',
+        outdir: 'out',
+        logLevel: 'error',
+        ...options,
+      });
       return Object.keys(metafile.inputs);
     } catch {
       throw new Failure('the package cannot be bundled; the reasons stand above');
@@ -80,7 +103,9 @@ async function graph(folder, exports) {
       if (!existsSync(path.join(folder, target))) throw new Failure(`${file} asks for ${target}, which is not in the package`);
     }
   }
-  const idle = readdirSync(path.join(folder, 'dist'), { recursive: true }).map((name) => name.replaceAll(path.sep, '/')).filter((name) => name.endsWith('.js') && !browser.includes(`dist/${name}`) && !server.includes(`dist/${name}`));
+  const idle = readdirSync(path.join(folder, 'dist'), { recursive: true })
+    .map((name) => name.replaceAll(path.sep, '/'))
+    .filter((name) => name.endsWith('.js') && !browser.includes(`dist/${name}`) && !server.includes(`dist/${name}`));
   if (idle.length > 0) throw new Failure(`in the package for nothing: ${idle.join(', ')}; see files in package.json`);
   say(`• Nothing of Node in the ${browser.length} scripts of the browser`);
 }
@@ -93,7 +118,13 @@ function scripts(exports) {
 /** The scripts that Node (`node`) or anything else (`browser`) may be given, each once. */
 function filesFor(exports, platform) {
   const files = scripts(exports).flatMap((entry) => filesOf(exports[entry]));
-  return [...new Set(files.filter(([conditions]) => !conditions.includes('types') && conditions.includes('node') === (platform === 'node')).map(([, file]) => file))];
+  return [
+    ...new Set(
+      files
+        .filter(([conditions]) => !conditions.includes('types') && conditions.includes('node') === (platform === 'node'))
+        .map(([, file]) => file),
+    ),
+  ];
 }
 
 /** Every file of an entry, with the conditions that lead to it. */

@@ -2,10 +2,12 @@
 
 /** Mean absolute difference over all colour channels, per cent of full scale. */
 export function meanDifference(a, b) {
-  if (a.width !== b.width || a.height !== b.height) throw new Error(`${a.width} × ${a.height} pixels cannot be compared with ${b.width} × ${b.height}`);
+  if (a.width !== b.width || a.height !== b.height)
+    throw new Error(`${a.width} × ${a.height} pixels cannot be compared with ${b.width} × ${b.height}`);
   let sum = 0;
   for (let pixel = 0; pixel < a.width * a.height; pixel += 1) {
-    for (let channel = 0; channel < 3; channel += 1) sum += Math.abs(a.data[pixel * a.channels + channel] - b.data[pixel * b.channels + channel]);
+    for (let channel = 0; channel < 3; channel += 1)
+      sum += Math.abs(a.data[pixel * a.channels + channel] - b.data[pixel * b.channels + channel]);
   }
   return (100 * sum) / (255 * 3 * a.width * a.height);
 }
@@ -21,7 +23,12 @@ export function tiles({ width, height, channels, data }, columns, rows) {
       for (let channel = 0; channel < 3; channel += 1) sums[3 * tile + channel] += data[(y * width + x) * channels + channel];
     }
   }
-  return { width: columns, height: rows, channels: 3, data: Uint8Array.from(sums, (sum, at) => Math.round(sum / counts[Math.floor(at / 3)])) };
+  return {
+    width: columns,
+    height: rows,
+    channels: 3,
+    data: Uint8Array.from(sums, (sum, at) => Math.round(sum / counts[Math.floor(at / 3)])),
+  };
 }
 
 /** A small picture to be stored: a line for each row, in hexadecimal digits. */
@@ -31,6 +38,7 @@ export function asText({ width, height, data }) {
 
 /** And back; throws where nothing of that size was stored. */
 export function asPicture(rows, width, height) {
-  if (rows?.length !== height || rows.some(({ length }) => length !== 6 * width)) throw new Error('nothing of its kind is stored; UPDATE=1 stores it');
+  if (rows?.length !== height || rows.some(({ length }) => length !== 6 * width))
+    throw new Error('nothing of its kind is stored; UPDATE=1 stores it');
   return { width, height, channels: 3, data: Buffer.from(rows.join(''), 'hex') };
 }

@@ -29,11 +29,20 @@ export async function runRustTests(args, runner) {
 
 function programs(args) {
   const { status, stdout } = spawnSync('cargo', ['test', '--no-run', '--message-format=json-render-diagnostics', ...args], {
-    cwd: root, env: { ...process.env, ...cargoEnv }, stdio: ['ignore', 'pipe', 2], encoding: 'utf8', maxBuffer: 1 << 28,
+    cwd: root,
+    env: { ...process.env, ...cargoEnv },
+    stdio: ['ignore', 'pipe', 2],
+    encoding: 'utf8',
+    maxBuffer: 1 << 28,
   });
   if (status !== 0) throw new Failure('the tests of the crate could not be compiled');
-  const told = stdout.split('\n').filter(Boolean).map((line) => JSON.parse(line));
-  return told.filter(({ profile, executable }) => profile?.test && executable).map(({ target, executable }) => ({ name: target.name, executable }));
+  const told = stdout
+    .split('\n')
+    .filter(Boolean)
+    .map((line) => JSON.parse(line));
+  return told
+    .filter(({ profile, executable }) => profile?.test && executable)
+    .map(({ target, executable }) => ({ name: target.name, executable }));
 }
 
 /** Runs one program and shows what it said, in one piece. */

@@ -29,11 +29,13 @@ function install({ darwin, win32, linux }) {
 function checkNode() {
   const major = Number(process.versions.node.split('.')[0]);
   if (major >= 20) return;
-  throw new Failure(`Node 20 or newer is needed, this is ${process.version}. Install it with: ${install({
-    darwin: 'brew install node',
-    win32: 'winget install OpenJS.NodeJS.LTS',
-    linux: 'https://nodejs.org/en/download (Debian 12: its nodejs is too old; use NodeSource or nvm: nvm install 22)',
-  })}`);
+  throw new Failure(
+    `Node 20 or newer is needed, this is ${process.version}. Install it with: ${install({
+      darwin: 'brew install node',
+      win32: 'winget install OpenJS.NodeJS.LTS',
+      linux: 'https://nodejs.org/en/download (Debian 12: its nodejs is too old; use NodeSource or nvm: nvm install 22)',
+    })}`,
+  );
 }
 
 function checkRust() {
@@ -61,23 +63,27 @@ function older(a, b) {
 function checkLinker() {
   if (process.platform === 'win32') return; // rustup's own installer asks for the Visual Studio build tools
   if (which('cc')) return;
-  throw new Failure(`A C compiler (cc) is missing. Install it with: ${install({
-    darwin: 'xcode-select --install',
-    linux: 'sudo apt-get install build-essential (Fedora: sudo dnf install gcc; Arch: sudo pacman -S base-devel)',
-  })}`);
+  throw new Failure(
+    `A C compiler (cc) is missing. Install it with: ${install({
+      darwin: 'xcode-select --install',
+      linux: 'sudo apt-get install build-essential (Fedora: sudo dnf install gcc; Arch: sudo pacman -S base-devel)',
+    })}`,
+  );
 }
 
 async function wasmTarget() {
   const sysroot = capture('rustc', ['--print', 'sysroot'], { cwd: root });
   if (existsSync(path.join(sysroot, 'lib', 'rustlib', WASM, 'lib'))) return;
-  if (!which('rustup')) throw new Failure(`This Rust has no ${WASM} target and there is no rustup to add it. Install rustup: https://rustup.rs`);
+  if (!which('rustup'))
+    throw new Failure(`This Rust has no ${WASM} target and there is no rustup to add it. Install rustup: https://rustup.rs`);
   await step(`Adding the Rust target ${WASM}`, 'a few seconds', () => run('rustup', ['target', 'add', WASM], { cwd: root }));
 }
 
 async function rustComponent(name) {
   const program = { clippy: 'cargo-clippy', rustfmt: 'cargo-fmt' }[name];
   if (capture(program, ['--version'], { cwd: root }) !== null) return;
-  if (!which('rustup')) throw new Failure(`${name} is missing. Install it with your Rust's package manager, or use rustup: https://rustup.rs`);
+  if (!which('rustup'))
+    throw new Failure(`${name} is missing. Install it with your Rust's package manager, or use rustup: https://rustup.rs`);
   await step(`Adding the Rust component ${name}`, 'a few seconds', () => run('rustup', ['component', 'add', name], { cwd: root }));
 }
 
@@ -102,7 +108,8 @@ async function bindgen() {
   const folder = path.join(root, 'scripts', 'bindgen');
   for (const crate of ['rock-field-bindgen', 'wasm-bindgen-cli-support']) {
     const own = lockedVersion(crate, folder);
-    if (own !== version) throw new Failure(`${crate} in scripts/bindgen/Cargo.toml must be ${version}, as wasm-bindgen in Cargo.lock; it is ${own}`);
+    if (own !== version)
+      throw new Failure(`${crate} in scripts/bindgen/Cargo.toml must be ${version}, as wasm-bindgen in Cargo.lock; it is ${own}`);
   }
   await step(`Compiling wasm-bindgen ${version}`, 'once, 1–2 min', () => cargoInstall(['--path', folder]));
 }
@@ -112,7 +119,9 @@ export async function bindgenTestRunner() {
   const name = 'wasm-bindgen-test-runner';
   const version = lockedVersion('wasm-bindgen');
   if (!bindgenProgram(name)) {
-    await step(`Compiling ${name} ${version}`, 'once, 2–6 min', () => cargoInstall(['wasm-bindgen-cli', '--version', version, '--bin', name]));
+    await step(`Compiling ${name} ${version}`, 'once, 2–6 min', () =>
+      cargoInstall(['wasm-bindgen-cli', '--version', version, '--bin', name]),
+    );
   }
   const program = bindgenProgram(name);
   if (!program) throw new Failure(`there is no ${name} ${version} after it was compiled`);

@@ -3,7 +3,8 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import { Failure } from './run.mjs';
 
 /** What the standard library calls to panic, and never returns from. */
-const PANICS = /^(core|alloc|std|__rustc)\[\w+\]::(\w+::)*(panic\w*|\w+_fail(ed)?|handle_(alloc_)?error|capacity_overflow|rust_(panic|begin_unwind))$/;
+const PANICS =
+  /^(core|alloc|std|__rustc)\[\w+\]::(\w+::)*(panic\w*|\w+_fail(ed)?|handle_(alloc_)?error|capacity_overflow|rust_(panic|begin_unwind))$/;
 
 /** The name of a source file, which a `core::panic::Location` points at. */
 const SOURCE_FILE = /^[\w/.@-]+\.rs$/;
@@ -28,7 +29,10 @@ export async function silencePanics(file) {
   const wasm = module.emitBinary();
   module.dispose();
   const locations = blankLocations(wasm);
-  if (functions < 5 || locations < 20) throw new Failure(`only ${functions} panicking functions and ${locations} places in sources look as scripts/silent-panics.mjs knows them`);
+  if (functions < 5 || locations < 20)
+    throw new Failure(
+      `only ${functions} panicking functions and ${locations} places in sources look as scripts/silent-panics.mjs knows them`,
+    );
   writeFileSync(file, wasm);
 }
 

@@ -9,9 +9,11 @@ import { Failure, isMain, main } from './run.mjs';
 export const BUDGETS = { generator: 110_000, woodEar: 40_500, rendererWebgpu: 110_000, rendererWebgl: 750_000, page: 45_900 };
 
 const ADVICE = {
-  generator: 'look for formatting code and generic copies (twiggy top pkg/generator_bg.wasm), or for a new dependency (cargo tree --features generator)',
+  generator:
+    'look for formatting code and generic copies (twiggy top pkg/generator_bg.wasm), or for a new dependency (cargo tree --features generator)',
   woodEar: 'look for formatting code and generic copies (twiggy top pkg/wood-ear_bg.wasm)',
-  rendererWebgpu: 'look for a wgpu feature that crept in (cargo tree -e features --features renderer-webgpu): exports are linker roots, so what is compiled in counts',
+  rendererWebgpu:
+    'look for a wgpu feature that crept in (cargo tree -e features --features renderer-webgpu): exports are linker roots, so what is compiled in counts',
   rendererWebgl: 'look for a wgpu feature that crept in (cargo tree -e features --features renderer-webgl)',
   page: 'see what is in it with: npx esbuild --analyze --bundle --minify --format=esm --splitting --outdir=.cache/analyse www/pages/rocks.ts; import lazily what the first picture does not need',
 };
@@ -54,7 +56,9 @@ export async function check() {
   }
   if (over.length === 0) return;
   const advice = over.map((name) => `  ${name}: ${ADVICE[name]}.`).join('\n');
-  throw new Failure(`over the size budget: ${over.join(', ')}\n${advice}\n  If the growth is worth it, say so in CHANGELOG.md and raise the budget in scripts/size.mjs.`);
+  throw new Failure(
+    `over the size budget: ${over.join(', ')}\n${advice}\n  If the growth is worth it, say so in CHANGELOG.md and raise the budget in scripts/size.mjs.`,
+  );
 }
 
 function kB(bytes) {

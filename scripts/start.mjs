@@ -24,7 +24,11 @@ await main(async () => {
 function options() {
   try {
     const { values } = parseArgs({
-      options: { port: { type: 'string', default: '5173' }, host: { type: 'string', default: '127.0.0.1' }, watch: { type: 'boolean', default: false } },
+      options: {
+        port: { type: 'string', default: '5173' },
+        host: { type: 'string', default: '127.0.0.1' },
+        watch: { type: 'boolean', default: false },
+      },
     });
     if (/^\d{1,5}$/.test(values.port) && Number(values.port) < 65536) return values;
     throw new Error(`--port ${values.port} is not a port number`);
@@ -45,7 +49,10 @@ function rebuildOnChange() {
       wanted = false;
       await new Promise((resolve) => setTimeout(resolve, 100)); // editors write a file in several steps
       // Pages that are open still ask for files of the build they came from.
-      await build({ keep: true }).then(() => say('✓ rebuilt; reload the page'), (error) => say(`✗ ${error.message}`));
+      await build({ keep: true }).then(
+        () => say('✓ rebuilt; reload the page'),
+        (error) => say(`✗ ${error.message}`),
+      );
     }
     building = false;
   };

@@ -88,7 +88,8 @@ async function setUp({ tag, attributes }) {
 
 async function show(attributes) {
   const element = document.body.firstElementChild;
-  for (const name of element.getAttributeNames()) if (!(name in attributes) && !['backend', 'hidden'].includes(name)) element.removeAttribute(name);
+  for (const name of element.getAttributeNames())
+    if (!(name in attributes) && !['backend', 'hidden'].includes(name)) element.removeAttribute(name);
   for (const [name, value] of Object.entries(attributes)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   if (element.getColony) {
     const { stats } = await element.getColony();
@@ -102,7 +103,16 @@ async function show(attributes) {
   const away = ([x, y]) => Math.hypot(x - middle[0], y - middle[1]);
   const [rock = middle] = sites.sort((a, b) => away(a) - away(b));
   const radius = coarse?.radius ?? imageWidth / 10;
-  return { imageWidth, imageHeight, middle, rock, radius, metresPerPixel: element.metresPerPixel, rocks: stats.rocks, triangles: stats.triangles };
+  return {
+    imageWidth,
+    imageHeight,
+    middle,
+    rock,
+    radius,
+    metresPerPixel: element.metresPerPixel,
+    rocks: stats.rocks,
+    triangles: stats.triangles,
+  };
 }
 
 async function take({ width, height, camera }) {

@@ -4,9 +4,28 @@ import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 
 const SOURCES = [
-  ...['base/error-list', 'base/view', 'table/notices', 'table/table', 'scene/camera/orbit', 'element/attribute-notices', 'element/attribute-reader'],
+  ...[
+    'base/error-list',
+    'base/view',
+    'table/notices',
+    'table/table',
+    'scene/camera/orbit',
+    'element/attribute-notices',
+    'element/attribute-reader',
+  ],
   ...['controls/strings', 'controls/strings-later', 'docs/notice-help', 'docs/words'],
-  ...['rocks/attributes', 'rocks/link', 'rocks/param-docs.gen', 'rocks/params', 'rocks/request', 'rocks/table', 'rocks/words', 'rocks/controls/preset-groups', 'wood-ear/param-docs.gen', 'wood-ear/table'],
+  ...[
+    'rocks/attributes',
+    'rocks/link',
+    'rocks/param-docs.gen',
+    'rocks/params',
+    'rocks/request',
+    'rocks/table',
+    'rocks/words',
+    'rocks/controls/preset-groups',
+    'wood-ear/param-docs.gen',
+    'wood-ear/table',
+  ],
 ];
 
 let loading;
@@ -18,7 +37,19 @@ export function tables() {
 }
 
 async function load() {
-  const stdin = { contents: SOURCES.map((name) => `export * from './${name}.ts';`).join('\n'), resolveDir: path.join(root, 'www'), loader: 'ts' };
-  const { outputFiles } = await esbuild.build({ stdin, bundle: true, write: false, format: 'esm', platform: 'node', target: 'node20', logLevel: 'warning' });
+  const stdin = {
+    contents: SOURCES.map((name) => `export * from './${name}.ts';`).join('\n'),
+    resolveDir: path.join(root, 'www'),
+    loader: 'ts',
+  };
+  const { outputFiles } = await esbuild.build({
+    stdin,
+    bundle: true,
+    write: false,
+    format: 'esm',
+    platform: 'node',
+    target: 'node20',
+    logLevel: 'warning',
+  });
   return import(`data:text/javascript;base64,${Buffer.from(outputFiles[0].contents).toString('base64')}`);
 }

@@ -26,7 +26,21 @@ const docs = (...flags) => cargo(['doc', '--no-deps', ...flags], { RUSTDOCFLAGS:
 /** A test file that hangs fails in the end. */
 const HANGS_MS = 1_200_000;
 /** Browser tests that take long begin first, so that none of them runs on alone when the others have ended. */
-const LONG_FILES = ['docs', 'wood-ear', 'page', 'element', 'controls', 'wood-ear-natural', 'many', 'natural', 'page-panel', 'wood-ear-files', 'devices', 'deaths', 'places'];
+const LONG_FILES = [
+  'docs',
+  'wood-ear',
+  'page',
+  'element',
+  'controls',
+  'wood-ear-natural',
+  'many',
+  'natural',
+  'page-panel',
+  'wood-ear-files',
+  'devices',
+  'deaths',
+  'places',
+];
 
 /**
  * In order; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards.
@@ -36,7 +50,11 @@ const LONG_FILES = ['docs', 'wood-ear', 'page', 'element', 'controls', 'wood-ear
  */
 const STEPS = [
   { name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
-  { name: 'biome', expected: '3 s', work: () => node([path.join('node_modules', '@biomejs', 'biome', 'bin', 'biome'), 'lint', '--error-on-warnings', '.']) },
+  {
+    name: 'biome',
+    expected: '3 s',
+    work: () => node([path.join('node_modules', '@biomejs', 'biome', 'bin', 'biome'), 'ci', '--error-on-warnings', '.']),
+  },
   { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
   { name: 'clippy-generator', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'generator') },
   { name: 'clippy-wood-ear', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'wood-ear') },
@@ -47,7 +65,12 @@ const STEPS = [
   { name: 'docs', expected: '60 s / 10 s', work: rustDocs },
   { name: 'build', expected: '5 min / 5 s', work: async () => (await import('./build.mjs')).build() },
   { name: 'size', expected: '5 s', needs: ['build'], work: async () => (await import('./size.mjs')).check() },
-  { name: 'types', expected: '5 s', needs: ['build'], work: () => node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit']) },
+  {
+    name: 'types',
+    expected: '5 s',
+    needs: ['build'],
+    work: () => node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit']),
+  },
   { name: 'dependencies', expected: '2 s', needs: ['build'], work: async () => (await import('./check-deps.mjs')).check() },
   { name: 'web', expected: '20 s', needs: ['build'], work: webTests },
   { name: 'package', expected: '10 s', needs: ['build'], work: async () => (await import('./package.mjs')).examine(await packed()) },
@@ -142,7 +165,13 @@ async function rustDocs() {
 
 async function webTests() {
   const { bundleWebTests } = await import('./web-tests.mjs');
-  await node(['--enable-source-maps', '--test', `--test-timeout=${HANGS_MS}`, `--test-concurrency=${os.availableParallelism()}`, ...(await bundleWebTests())]);
+  await node([
+    '--enable-source-maps',
+    '--test',
+    `--test-timeout=${HANGS_MS}`,
+    `--test-concurrency=${os.availableParallelism()}`,
+    ...(await bundleWebTests()),
+  ]);
 }
 
 /** The path of the browser of the tests, which is installed if there is none; null where they are left out. */

@@ -14,7 +14,13 @@ const RESET = ['--experimental-reset-state-function'];
 /** `feature` is the cargo feature and the name of the files in pkg/; the generator is made for speed, the renderers for size. */
 export const artefacts = [
   // Functions called once stay functions: V8 makes a third slower code of very large ones.
-  { feature: 'generator', profile: 'release', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'], expected: '10–60 s', bindgen: RESET },
+  {
+    feature: 'generator',
+    profile: 'release',
+    optimise: ['-O3', '--one-caller-inline-max-function-size', '0'],
+    expected: '10–60 s',
+    bindgen: RESET,
+  },
   // Small, and as fast as with everything: the size levels of the compiler are as large and half as fast; vectorised loops, the deepest
   // inlining and loops unrolled in part take 2.6 kB and save no time that can be measured; what panics say, and where in the sources they
   // are, takes 3.7 kB, and nobody reads it. Nor does anything need the names of the tools and of the features of wasm; and nothing is ever stored below
@@ -33,7 +39,16 @@ export const artefacts = [
 ];
 
 // What rustc's default wasm target uses, and SIMD (.cargo/config.toml): what every browser of the last years has.
-const WASM_FEATURES = ['bulk-memory', 'bulk-memory-opt', 'multivalue', 'mutable-globals', 'nontrapping-float-to-int', 'reference-types', 'sign-ext', 'simd'];
+const WASM_FEATURES = [
+  'bulk-memory',
+  'bulk-memory-opt',
+  'multivalue',
+  'mutable-globals',
+  'nontrapping-float-to-int',
+  'reference-types',
+  'sign-ext',
+  'simd',
+];
 
 export async function buildWasm() {
   mkdirSync(pkg, { recursive: true });
@@ -94,13 +109,22 @@ function toolVersions() {
   const files = ['Cargo.toml', 'Cargo.lock', 'scripts/wasm.mjs', 'scripts/silent-panics.mjs', 'rust-toolchain.toml', '.cargo/config.toml'];
   const texts = files.map((file) => path.join(root, file)).map((file) => (existsSync(file) ? readFileSync(file) : ''));
   const binaryen = readFileSync(path.join(root, 'node_modules', 'binaryen', 'package.json'));
-  return hashOf(capture('rustc', ['-vV'], { cwd: root }) ?? '', lockedVersion('wasm-bindgen'), binaryen, process.env.RUSTFLAGS ?? '', ...texts);
+  return hashOf(
+    capture('rustc', ['-vV'], { cwd: root }) ?? '',
+    lockedVersion('wasm-bindgen'),
+    binaryen,
+    process.env.RUSTFLAGS ?? '',
+    ...texts,
+  );
 }
 
 /** The source files cargo says the artefact was made from, relative to the root: an edit of a generator leaves the renderers alone. */
 function sourcesOf(depFile) {
   const [line] = readFileSync(depFile, 'utf8').split(/\r?\n/);
-  const names = line.slice(line.indexOf(': ') + 2).split(/(?<!\\) /).filter(Boolean);
+  const names = line
+    .slice(line.indexOf(': ') + 2)
+    .split(/(?<!\\) /)
+    .filter(Boolean);
   const files = names.map((file) => path.relative(root, path.resolve(root, file.replaceAll('\\ ', ' '))));
   if (files.length === 0) throw new Failure(`${depFile} names no source file`);
   return files.sort();

@@ -27,7 +27,9 @@ export function panelApart(names = new Map()) {
 export const nodeless = {
   name: 'nodeless',
   setup(build) {
-    build.onResolve({ filter: /^node:/ }, ({ path: name, kind }) => (kind === 'dynamic-import' ? { path: name, external: true, sideEffects: false } : undefined));
+    build.onResolve({ filter: /^node:/ }, ({ path: name, kind }) =>
+      kind === 'dynamic-import' ? { path: name, external: true, sideEffects: false } : undefined,
+    );
   },
 };
 
@@ -35,7 +37,9 @@ export const nodeless = {
 export const panelByAddress = {
   name: 'panel-by-address',
   setup(build) {
-    build.onResolve({ filter: /\/load-panel\.ts$/ }, ({ path: file, resolveDir }) => ({ path: path.join(resolveDir, file.replace(/\.ts$/, '.cdn.ts')) }));
+    build.onResolve({ filter: /\/load-panel\.ts$/ }, ({ path: file, resolveDir }) => ({
+      path: path.join(resolveDir, file.replace(/\.ts$/, '.cdn.ts')),
+    }));
   },
 };
 
@@ -47,7 +51,14 @@ export const sheetsAsText = {
       importer.endsWith('.ts') ? { path: path.relative(root, path.join(resolveDir, name)), namespace: 'sheet' } : undefined,
     );
     build.onLoad({ filter: /./, namespace: 'sheet' }, async ({ path: file }) => {
-      const { outputFiles } = await esbuild.build({ absWorkingDir: root, entryPoints: [file], bundle: true, minify: true, write: false, logLevel: 'warning' });
+      const { outputFiles } = await esbuild.build({
+        absWorkingDir: root,
+        entryPoints: [file],
+        bundle: true,
+        minify: true,
+        write: false,
+        logLevel: 'warning',
+      });
       return { contents: outputFiles[0].text.trim(), loader: 'text' };
     });
   },

@@ -21,7 +21,13 @@ const PAGE_ENTRIES = { main: 'www/pages/rocks.ts', 'wood-ear': 'www/pages/wood-e
 const PUBLIC_ENTRIES = named('rock-field', 'element', 'wood-ear-log', 'core');
 const NODE_ENTRIES = named('core.node');
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
-const CDN = { entryPoints: { cdn: PUBLIC_ENTRIES['rock-field'], 'wood-ear-cdn': PUBLIC_ENTRIES['wood-ear-log'] }, inject: ['www/entries/variants/cdn.ts'], define: { 'import.meta.url': 'scriptUrl' }, format: 'iife', platform: 'browser' };
+const CDN = {
+  entryPoints: { cdn: PUBLIC_ENTRIES['rock-field'], 'wood-ear-cdn': PUBLIC_ENTRIES['wood-ear-log'] },
+  inject: ['www/entries/variants/cdn.ts'],
+  define: { 'import.meta.url': 'scriptUrl' },
+  format: 'iife',
+  platform: 'browser',
+};
 // In one file: it shares little with the pages that start it, and what it shares would be cut out of their files.
 const WORKERS = named('worker', 'wood-ear-worker', 'wood-ear-file-worker');
 // The documentation is a guest of the package like any other: it loads rock-field.js and shares no chunk with the page.
@@ -39,7 +45,8 @@ const PAGES = [
     workers: ['wood-ear-worker', 'worker', 'wood-ear-file-worker'],
     wasm: ['wood-ear_bg.wasm', 'generator_bg.wasm'],
     title: 'rock-field – wood ears on a fallen log',
-    description: 'A colony of wood-ear fungus on a fallen log, grown in the browser from one seed. Place it, let it dry, wrinkle and curl, share the link.',
+    description:
+      'A colony of wood-ear fungus on a fallen log, grown in the browser from one seed. Place it, let it dry, wrinkle and curl, share the link.',
   },
 ];
 
@@ -53,7 +60,16 @@ function named(...names) {
   return Object.fromEntries(names.map((name) => [name, `www/entries/${name}.ts`]));
 }
 
-const common = { absWorkingDir: root, bundle: true, minify: true, format: 'esm', target: 'es2022', sourcemap: true, legalComments: 'none', logLevel: 'warning' };
+const common = {
+  absWorkingDir: root,
+  bundle: true,
+  minify: true,
+  format: 'esm',
+  target: 'es2022',
+  sourcemap: true,
+  legalComments: 'none',
+  logLevel: 'warning',
+};
 
 /**
  * `to` is what is served; with `keep`, files of former builds stay in it (hashed-names.mjs). `mark` is a word for every script and wasm file
@@ -92,7 +108,12 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const meta = relativeTo(staging, merged(browser, workers, panel));
     if (to === dist) writeFileSync(metafile, JSON.stringify(meta));
     await finish(staging, meta, names);
-    writeFileSync(path.join(staging, '.npmignore'), pageAlone(meta).map((name) => `/${name}*\n`).join(''));
+    writeFileSync(
+      path.join(staging, '.npmignore'),
+      pageAlone(meta)
+        .map((name) => `/${name}*\n`)
+        .join(''),
+    );
     publish(staging, to, { keep });
   });
 }
@@ -137,7 +158,9 @@ function requireFiles() {
 
 /** Writes index.html with the build's id in it, and the service worker that knows the id and the files. */
 async function finish(staging, meta, hashedNames) {
-  const names = filesIn(staging).filter((name) => !NEVER_ASKED.test(name)).sort();
+  const names = filesIn(staging)
+    .filter((name) => !NEVER_ASKED.test(name))
+    .sort();
   const files = Object.fromEntries(names.map((name) => [name, integrity(path.join(staging, name))]));
   const page = readFileSync(path.join(root, PAGE), 'utf8');
   if (!page.includes('</head>')) throw new Failure(`${PAGE} has no </head> to put the build's id before`);
@@ -162,7 +185,12 @@ async function finish(staging, meta, hashedNames) {
     entryPoints: { sw: SERVICE_WORKER },
     outdir: staging,
     sourcemap: false,
-    define: { __BUILD__: JSON.stringify(build), __HASHED__: JSON.stringify(HASHED.source), __FILES__: JSON.stringify(files), __PAGES__: JSON.stringify(pages) },
+    define: {
+      __BUILD__: JSON.stringify(build),
+      __HASHED__: JSON.stringify(HASHED.source),
+      __FILES__: JSON.stringify(files),
+      __PAGES__: JSON.stringify(pages),
+    },
   });
 }
 
@@ -181,7 +209,9 @@ export function scriptsOf(meta, entryPoint, { dynamic = false } = {}) {
 /** Files that no entry of the package asks for: `files` in package.json cannot tell them from the others. */
 function pageAlone(meta) {
   const asked = [PUBLIC_ENTRIES, PANELS, WORKERS].flatMap(Object.values).flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
-  const scripts = Object.keys(meta.outputs).map((name) => path.basename(name)).filter((name) => name.endsWith('.js'));
+  const scripts = Object.keys(meta.outputs)
+    .map((name) => path.basename(name))
+    .filter((name) => name.endsWith('.js'));
   return scripts.filter((name) => !asked.includes(name));
 }
 
@@ -195,7 +225,10 @@ function integrity(file) {
 
 /** Several builds into one folder, as one. */
 function merged(...metas) {
-  return { inputs: Object.assign({}, ...metas.map(({ inputs }) => inputs)), outputs: Object.assign({}, ...metas.map(({ outputs }) => outputs)) };
+  return {
+    inputs: Object.assign({}, ...metas.map(({ inputs }) => inputs)),
+    outputs: Object.assign({}, ...metas.map(({ outputs }) => outputs)),
+  };
 }
 
 /** Output names in the metafile as they are in dist/. */

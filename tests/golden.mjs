@@ -26,7 +26,20 @@ export async function hashField(field) {
  * @returns {Promise<string>}
  */
 export function hashColony({ positions, normals, indices, individualStarts, vertexStarts, foot, size, base, log }) {
-  return hashOf([positions, normals, indices, individualStarts, vertexStarts, foot, size, base, log.positions, log.normals, log.indices, log.kinds]);
+  return hashOf([
+    positions,
+    normals,
+    indices,
+    individualStarts,
+    vertexStarts,
+    foot,
+    size,
+    base,
+    log.positions,
+    log.normals,
+    log.indices,
+    log.kinds,
+  ]);
 }
 
 async function hashOf(buffers) {

@@ -40,7 +40,8 @@ let session;
 let opened;
 
 before(async () => {
-  const html = '<!doctype html><html lang="en"><meta charset="utf-8"><title>attributes</title><link rel="icon" href="data:,"><script type="module" src="/rock-field.js"></script>';
+  const html =
+    '<!doctype html><html lang="en"><meta charset="utf-8"><title>attributes</title><link rel="icon" href="data:,"><script type="module" src="/rock-field.js"></script>';
   session = await launch({ intercept: pageOf('attributes.html', () => html) });
   opened = await session.open('attributes.html');
 });
@@ -61,12 +62,23 @@ for (const [name, [valid, malformed]] of Object.entries(ROWS)) {
         await customElements.whenDefined('rock-field');
         const element = document.createElement('rock-field');
         const heard = [];
-        for (const type of ['notice', 'error']) element.addEventListener(type, ({ detail }) => heard.push(`${type} ${detail.message ?? detail.error.message}`));
+        for (const type of ['notice', 'error'])
+          element.addEventListener(type, ({ detail }) => heard.push(`${type} ${detail.message ?? detail.error.message}`));
         element.setAttribute('backend', 'null');
         // Small, but where the size itself is asked about.
         for (const side of ['image-width', 'image-height']) if (side !== name) element.setAttribute(side, '256');
         document.body.append(element);
-        const state = () => JSON.stringify([element.params, element.view, element.color, element.quality, element.theme, element.cameraOrbit === valid, element.interaction, element.metresPerPixel]);
+        const state = () =>
+          JSON.stringify([
+            element.params,
+            element.view,
+            element.color,
+            element.quality,
+            element.theme,
+            element.cameraOrbit === valid,
+            element.interaction,
+            element.metresPerPixel,
+          ]);
         const during = async (change) => {
           element.generate().catch(() => {});
           change();

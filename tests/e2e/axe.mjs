@@ -10,6 +10,11 @@ export const COLOR_RULES = ['color-contrast', 'link-in-text-block'];
 /** Every violation of every rule, or of these, as `rule: selector – what is wrong`. */
 export async function violations(page, rules = null) {
   await page.evaluate(source);
-  const found = await page.evaluate(async (only) => (await globalThis.axe.run(document, { resultTypes: ['violations'], ...(only && { runOnly: only }) })).violations, rules);
-  return found.flatMap(({ id, nodes }) => nodes.map(({ target, failureSummary }) => `${id}: ${target.flat().join(' ')} – ${failureSummary.replaceAll('\n', ' ')}`));
+  const found = await page.evaluate(
+    async (only) => (await globalThis.axe.run(document, { resultTypes: ['violations'], ...(only && { runOnly: only }) })).violations,
+    rules,
+  );
+  return found.flatMap(({ id, nodes }) =>
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.flat().join(' ')} – ${failureSummary.replaceAll('\n', ' ')}`),
+  );
 }

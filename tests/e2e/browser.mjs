@@ -19,7 +19,12 @@ import { serve } from '../../scripts/serve.mjs';
  */
 const FEATURES_OFF = [
   ...['WebUIOmniboxPopup', 'WebUIOmniboxAimPopup'],
-  ...['AvoidCorsURLLoaderRestartOnRedirect', 'AvoidUnnecessaryBeforeUnloadCheckSync', 'DestroyProfileOnBrowserClose', 'HttpsFirstBalancedModeAutoEnable'],
+  ...[
+    'AvoidCorsURLLoaderRestartOnRedirect',
+    'AvoidUnnecessaryBeforeUnloadCheckSync',
+    'DestroyProfileOnBrowserClose',
+    'HttpsFirstBalancedModeAutoEnable',
+  ],
   ...['HttpsUpgrades', 'MediaRouter', 'OptimizationHints', 'PaintHolding', 'ThirdPartyStoragePartitioning'],
 ];
 const QUIET = [
@@ -33,7 +38,12 @@ const QUIET = [
 const WEBGL = ['--use-angle=swiftshader', '--enable-unsafe-swiftshader'];
 // The page itself is put together without that GPU, which makes a page a third cheaper. WebGPU's canvases are white in screenshots then.
 const WEBGL_ALONE = ['--disable-gpu-compositing'];
-const WEBGPU = ['--enable-unsafe-webgpu', '--use-webgpu-adapter=swiftshader', '--enable-features=Vulkan,WebGPU', '--use-vulkan=swiftshader'];
+const WEBGPU = [
+  '--enable-unsafe-webgpu',
+  '--use-webgpu-adapter=swiftshader',
+  '--enable-features=Vulkan,WebGPU',
+  '--use-vulkan=swiftshader',
+];
 // Said by the browser because of how it is started here, whatever the page does: no adapter, no service worker, WebGL pictures that are read back.
 const EXPECTED_WARNINGS = /^(No available adapters\.|Service Worker registration blocked by Playwright)|GPU stall due to ReadPixels/;
 /**
@@ -67,7 +77,13 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
   const server = await serve(folder, { port, intercept });
   const flags = [...QUIET, ...(gpu ? [...WEBGL, ...(webgpu ? WEBGPU : WEBGL_ALONE)] : NO_GPU), ...args];
   try {
-    const browser = await chromium.launch({ executablePath, headless: true, chromiumSandbox: !asRoot, args: flags, ignoreDefaultArgs: backForwardCache ? ['--disable-back-forward-cache'] : [] });
+    const browser = await chromium.launch({
+      executablePath,
+      headless: true,
+      chromiumSandbox: !asRoot,
+      args: flags,
+      ignoreDefaultArgs: backForwardCache ? ['--disable-back-forward-cache'] : [],
+    });
     const close = async () => {
       await browser.close();
       await server.close();
@@ -90,7 +106,10 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
 async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, deviceScaleFactor = 0.25, ...context } = {}) {
   const owner = await browser.newContext({ serviceWorkers, deviceScaleFactor, ...context });
   owner.setDefaultTimeout(PATIENCE);
-  const guard = setTimeout(() => owner.close({ reason: `the page was open for ${OPEN_MS / 60_000} minutes: something in this test waits for ever` }), OPEN_MS);
+  const guard = setTimeout(
+    () => owner.close({ reason: `the page was open for ${OPEN_MS / 60_000} minutes: something in this test waits for ever` }),
+    OPEN_MS,
+  );
   owner.once('close', () => clearTimeout(guard));
   const page = await owner.newPage();
   const errors = [];

@@ -30,7 +30,10 @@ before(async () => {
 after(() => session?.close());
 
 /** A page with this body, whose first element is `a`; `heard` counts its events by type. */
-async function open(body = `<rock-field controls ${SMALL}></rock-field>`, { lang = 'en', size = [1000, 560], script = '/rock-field.js', kind = 'module', csp, ...options } = {}) {
+async function open(
+  body = `<rock-field controls ${SMALL}></rock-field>`,
+  { lang = 'en', size = [1000, 560], script = '/rock-field.js', kind = 'module', csp, ...options } = {},
+) {
   const [width, height] = size;
   headers = csp ? { 'content-security-policy': csp } : {};
   html = `<!doctype html><html lang="${lang}"><meta charset="utf-8"><title>controls</title><link rel="icon" href="data:,">
@@ -42,7 +45,12 @@ async function open(body = `<rock-field controls ${SMALL}></rock-field>`, { lang
     ...options,
     prepare: async (page) => {
       page.on('request', (request) => requests.push(plainName(new URL(request.url()).pathname.slice(1))));
-      await page.route('**/host.css', (route) => route.fulfill({ contentType: 'text/css', body: `html { font-size: 62.5%; color-scheme: light dark } body { margin: 0; font: 16px sans-serif } button { text-transform: uppercase } rock-field { width: ${width}px; height: ${height}px }` }));
+      await page.route('**/host.css', (route) =>
+        route.fulfill({
+          contentType: 'text/css',
+          body: `html { font-size: 62.5%; color-scheme: light dark } body { margin: 0; font: 16px sans-serif } button { text-transform: uppercase } rock-field { width: ${width}px; height: ${height}px }`,
+        }),
+      );
       await page.route('**/host.js', (route) => route.fulfill({ contentType: 'text/javascript', body: HOST }));
     },
   });
@@ -88,7 +96,10 @@ const focused = (page) =>
   });
 
 async function closeClean({ errors, close }, known = []) {
-  assert.deepEqual(errors.filter((text) => !known.some((pattern) => pattern.test(text))), []);
+  assert.deepEqual(
+    errors.filter((text) => !known.some((pattern) => pattern.test(text))),
+    [],
+  );
   await close();
 }
 
@@ -98,17 +109,34 @@ test('nothing of the panel is fetched before it is wanted; it opens beside the p
   const stage = () => page.locator('rock-field .stage').boundingBox();
   const whole = await stage();
   assert.ok(!requests.includes('panel.js'));
-  assert.deepEqual(await button(page).evaluate((at) => [at.ariaLabel, at.ariaExpanded, at.offsetWidth >= 24 && at.offsetHeight >= 24]), ['Controls', 'false', true]);
+  assert.deepEqual(await button(page).evaluate((at) => [at.ariaLabel, at.ariaExpanded, at.offsetWidth >= 24 && at.offsetHeight >= 24]), [
+    'Controls',
+    'false',
+    true,
+  ]);
   await openPanel(page);
   assert.ok(requests.includes('panel.js'));
   assert.equal(await focused(page), 'panel');
   const [side, rest] = [await panel(page).boundingBox(), await stage()];
   assert.deepEqual([rest.x + rest.width, side.x + side.width, side.height], [side.x, whole.x + whole.width, whole.height]);
   const texts = await panel(page).innerText();
-  for (const [word, is] of [['Preset', true], ['Layers', true], ['Ground and method', true], ['Statistics', true], ['WebGL2', true], ['Copy embed code', true], ['Language', false], ['Keys and gestures', false]]) {
+  for (const [word, is] of [
+    ['Preset', true],
+    ['Layers', true],
+    ['Ground and method', true],
+    ['Statistics', true],
+    ['WebGL2', true],
+    ['Copy embed code', true],
+    ['Language', false],
+    ['Keys and gestures', false],
+  ]) {
     assert.equal(texts.includes(word), is, word);
   }
-  assert.deepEqual(requests.filter((name) => name === 'icon.svg' || name.endsWith('.css')), ['host.css'], 'nothing of the page');
+  assert.deepEqual(
+    requests.filter((name) => name === 'icon.svg' || name.endsWith('.css')),
+    ['host.css'],
+    'nothing of the page',
+  );
   await panel(page).getByRole('button', { name: 'Close' }).click();
   assert.equal(await panel(page).count(), 0);
   assert.deepEqual([await focused(page), await stage()], ['controls-button', whole]);
@@ -128,7 +156,11 @@ test('by keyboard alone: after the picture comes the button, Escape brings the f
   const names = [];
   for (let presses = 0; presses < 12 && names.at(-1) !== 'seed-number'; presses += 1) {
     await page.keyboard.press('Tab');
-    names.push(await page.evaluate(() => a.shadowRoot.activeElement.shadowRoot.activeElement.id || a.shadowRoot.activeElement.shadowRoot.activeElement.ariaLabel));
+    names.push(
+      await page.evaluate(
+        () => a.shadowRoot.activeElement.shadowRoot.activeElement.id || a.shadowRoot.activeElement.shadowRoot.activeElement.ariaLabel,
+      ),
+    );
   }
   // Undo and redo have nothing to do yet.
   assert.deepEqual(names, ['Reset to the preset', 'Randomise', 'Share', 'Close', 'preset', 'seed-number']);
@@ -173,7 +205,14 @@ test('panel and element have one history, and the panel shows what either of the
     await a.getField();
     return [a.shareURL('https://example.org/'), JSON.stringify(a.params)];
   });
-  assert.equal(await page.evaluate((src) => { const other = document.createElement('rock-field'); other.setAttribute('src', src); return JSON.stringify(other.params); }, link), shown);
+  assert.equal(
+    await page.evaluate((src) => {
+      const other = document.createElement('rock-field');
+      other.setAttribute('src', src);
+      return JSON.stringify(other.params);
+    }, link),
+    shown,
+  );
   await page.evaluate(() => a.getField());
   assert.deepEqual(await page.evaluate(() => [heard.error ?? 0, heard.generate > 1]), [0, true]);
   await closeClean(opened);
@@ -182,7 +221,15 @@ test('panel and element have one history, and the panel shows what either of the
 test('the same parameters again are no step of undo', async () => {
   const opened = await open();
   const { page } = opened;
-  assert.deepEqual(await page.evaluate(() => { const { params } = a; a.params = params; a.seed = 0; return a.undo(); }), false);
+  assert.deepEqual(
+    await page.evaluate(() => {
+      const { params } = a;
+      a.params = params;
+      a.seed = 0;
+      return a.undo();
+    }),
+    false,
+  );
   await closeClean(opened);
 });
 
@@ -214,16 +261,28 @@ test('attributes and properties that change show in the open panel, and disturb 
   await page.mouse.move(slider.x + slider.width / 2, middle);
   await page.mouse.down();
   await page.mouse.move(slider.x + slider.width / 2 + 40, middle, { steps: 4 });
-  const dragged = await page.evaluate(() => { a.seed = 13; return a.packing; });
+  const dragged = await page.evaluate(() => {
+    a.seed = 13;
+    return a.packing;
+  });
   await page.evaluate(() => new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve))));
   assert.equal(await at.locator('#cd').inputValue(), String(dragged));
   await page.mouse.move(slider.x + slider.width / 2 + 60, middle, { steps: 4 });
   await page.mouse.up();
   assert.ok((await page.evaluate(() => a.packing)) > dragged);
   // Language and theme are the element's.
-  await page.evaluate(() => { document.documentElement.lang = 'ja'; a.theme = 'dark'; });
+  await page.evaluate(() => {
+    document.documentElement.lang = 'ja';
+    a.theme = 'dark';
+  });
   await at.getByRole('heading', { name: '設定' }).waitFor();
-  assert.deepEqual(await page.evaluate(() => [a.shadowRoot.querySelector('.controls-panel').lang, getComputedStyle(a.shadowRoot.querySelector('.controls-panel')).colorScheme]), ['ja', 'dark']);
+  assert.deepEqual(
+    await page.evaluate(() => [
+      a.shadowRoot.querySelector('.controls-panel').lang,
+      getComputedStyle(a.shadowRoot.querySelector('.controls-panel')).colorScheme,
+    ]),
+    ['ja', 'dark'],
+  );
   await closeClean(opened);
 });
 
@@ -233,7 +292,8 @@ test('keys, text and radio buttons in the panel reach neither the picture nor th
   await openPanel(page);
   await page.evaluate(() => {
     globalThis.keys = [];
-    for (const type of ['keydown', 'keyup', 'input', 'change']) document.addEventListener(type, (event) => keys.push(`${type} ${event.key ?? ''}`.trim()));
+    for (const type of ['keydown', 'keyup', 'input', 'change'])
+      document.addEventListener(type, (event) => keys.push(`${type} ${event.key ?? ''}`.trim()));
   });
   const at = panel(page);
   await at.locator('#seed-number').focus();
@@ -252,7 +312,10 @@ test('keys, text and radio buttons in the panel reach neither the picture nor th
 });
 
 test('two elements on one page do not disturb each other', async () => {
-  const opened = await open(`<form><rock-field controls ${SMALL}></rock-field></form><rock-field controls ${SMALL} lang="ja"></rock-field>`, { size: [700, 320] });
+  const opened = await open(
+    `<form><rock-field controls ${SMALL}></rock-field></form><rock-field controls ${SMALL} lang="ja"></rock-field>`,
+    { size: [700, 320] },
+  );
   const { page } = opened;
   const [one, two] = [page.locator('rock-field').nth(0), page.locator('rock-field').nth(1)];
   await openPanel(page, one);
@@ -260,7 +323,10 @@ test('two elements on one page do not disturb each other', async () => {
   await panel(page, one).locator('input[name=view][value=diagrams]').check();
   await panel(page, two).locator('input[name=view][value=selection]').check();
   await panel(page, one).locator('#cd-number').fill('0.3');
-  assert.deepEqual(await page.evaluate(() => [a.view, b.view, a.packing, b.packing, b.undo(), [...new FormData(document.forms[0])].length]), ['diagrams', 'selection', 0.3, 0.7, false, 0]);
+  assert.deepEqual(
+    await page.evaluate(() => [a.view, b.view, a.packing, b.packing, b.undo(), [...new FormData(document.forms[0])].length]),
+    ['diagrams', 'selection', 0.3, 0.7, false, 0],
+  );
   assert.equal(await panel(page, one).locator('input[name=view]:checked').inputValue(), 'diagrams');
   // Without a clipboard the text is shown, each in its own element.
   await page.evaluate(() => {
@@ -310,7 +376,10 @@ test('a panel that cannot be loaded is said, and comes when it is asked for agai
   const message = page.locator('rock-field [part=message]');
   await message.waitFor();
   assert.match(await message.innerText(), /could not be loaded.*try again/);
-  assert.deepEqual([await button(page).evaluate((at) => at.title === at.ariaLabel && /try again/.test(at.title)), await page.evaluate(() => heard.notice)], [true, 1]);
+  assert.deepEqual(
+    [await button(page).evaluate((at) => at.title === at.ariaLabel && /try again/.test(at.title)), await page.evaluate(() => heard.notice)],
+    [true, 1],
+  );
   await openPanel(page);
   await panel(page).getByRole('button', { name: 'Close' }).click();
   assert.equal(await button(page).evaluate((at) => at.title), 'Controls');
@@ -355,13 +424,16 @@ test('open begins open without taking the focus; disabled and removal close it',
   // Moving it keeps the panel.
   await page.evaluate(() => document.body.append(a));
   assert.equal(await panel(page).locator('.panel-body').count(), 1);
-  assert.deepEqual(await page.evaluate(() => {
-    const told = [a.controls];
-    a.controls = false;
-    told.push(a.hasAttribute('controls'));
-    a.controls = 'open';
-    return [...told, a.getAttribute('controls')];
-  }), [true, false, 'open']);
+  assert.deepEqual(
+    await page.evaluate(() => {
+      const told = [a.controls];
+      a.controls = false;
+      told.push(a.hasAttribute('controls'));
+      a.controls = 'open';
+      return [...told, a.getAttribute('controls')];
+    }),
+    [true, false, 'open'],
+  );
   await panel(page).locator('.panel-body').waitFor();
   await closeClean(opened);
 });
@@ -383,10 +455,14 @@ test('an element that is removed leaves no panel and no listener behind', async 
   assert.deepEqual(await page.evaluate(() => [...listeners.values()]), []);
   // What the mouse was pressed on last is the browser's for as long.
   await page.locator('h1').click();
-  await page.waitForFunction(() => {
-    globalThis.gc();
-    return gone[0].deref() === undefined;
-  }, undefined, { polling: 500 });
+  await page.waitForFunction(
+    () => {
+      globalThis.gc();
+      return gone[0].deref() === undefined;
+    },
+    undefined,
+    { polling: 500 },
+  );
   // And it comes back.
   await page.evaluate(() => document.querySelector('main').append(a));
   await openPanel(page);
@@ -396,7 +472,12 @@ for (const touch of [false, true]) {
   test(`small, tall and wide${touch ? ', by touch' : ''}: the panel stays inside, every control can be reached, and the picture is where it can be seen`, async () => {
     const opened = await open(undefined, { size: [640, 640], ...(touch && { hasTouch: true, isMobile: true }) });
     const { page } = opened;
-    for (const [[width, height], layout] of [[[300, 150], 'over'], [[360, 300], 'over'], [[360, 640], 'below'], [[640, 400], 'beside']]) {
+    for (const [[width, height], layout] of [
+      [[300, 150], 'over'],
+      [[360, 300], 'over'],
+      [[360, 640], 'below'],
+      [[640, 400], 'beside'],
+    ]) {
       const name = `${width}x${height}${touch ? ' touch' : ''}`;
       await page.setViewportSize({ width: touch ? width + 40 : 760, height: height + 140 });
       await page.evaluate((size) => Object.assign(a.style, size), { width: `${width}px`, height: `${height}px` });
@@ -408,15 +489,22 @@ for (const touch of [false, true]) {
       const outside = await page.evaluate((least) => {
         const box = a.getBoundingClientRect();
         const root = a.shadowRoot.querySelector('.controls-panel').shadowRoot;
-        return [...root.querySelectorAll('button, input, select, summary')].filter((at) => at.checkVisibility()).flatMap((at) => {
-          at.scrollIntoView({ block: 'nearest' });
-          const { left, right, top, bottom, width, height } = at.getBoundingClientRect();
-          const fits = left >= box.left && right <= box.right && top >= box.top - 0.5 && bottom <= box.bottom + 0.5;
-          return fits && width >= least && height >= least ? [] : [`${at.id || at.className || at.localName} ${[left, top, width, height].map(Math.round)}`];
-        });
+        return [...root.querySelectorAll('button, input, select, summary')]
+          .filter((at) => at.checkVisibility())
+          .flatMap((at) => {
+            at.scrollIntoView({ block: 'nearest' });
+            const { left, right, top, bottom, width, height } = at.getBoundingClientRect();
+            const fits = left >= box.left && right <= box.right && top >= box.top - 0.5 && bottom <= box.bottom + 0.5;
+            return fits && width >= least && height >= least
+              ? []
+              : [`${at.id || at.className || at.localName} ${[left, top, width, height].map(Math.round)}`];
+          });
       }, 24);
       assert.deepEqual(outside, [], name);
-      assert.ok(await page.locator('rock-field .panel-body').evaluate((at) => at.scrollWidth <= at.clientWidth), `${name}: nothing sideways`);
+      assert.ok(
+        await page.locator('rock-field .panel-body').evaluate((at) => at.scrollWidth <= at.clientWidth),
+        `${name}: nothing sideways`,
+      );
       assert.deepEqual(await page.evaluate(() => [a.scrollTop, a.shadowRoot.querySelector('.controls-panel').scrollTop]), [0, 0]);
       await page.screenshot({ path: screenshotPath(`controls-${name.replace(' ', '-')}`) });
       await panel(page).getByRole('button', { name: 'Close' }).click();
@@ -426,7 +514,8 @@ for (const touch of [false, true]) {
 }
 
 test('under a strict policy, and from another origin as a classic script, the panel comes as well', async () => {
-  const csp = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; style-src 'self'; img-src data:";
+  const csp =
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; style-src 'self'; img-src data:";
   const strict = await open(undefined, { csp });
   await openPanel(strict.page);
   assert.equal(await panel(strict.page).evaluate((at) => getComputedStyle(at).display), 'flex');
@@ -462,14 +551,19 @@ for (const lang of ['en', 'ja']) {
       await panel(page).locator('.layer-table').waitFor();
       assert.deepEqual(await violations(page), [], `${colorScheme}, open`);
       await page.screenshot({ path: screenshotPath(`controls-${lang}-${colorScheme}`) });
-      await panel(page).getByRole('button', { name: { en: 'Close', ja: '閉じる' }[lang] }).click();
+      await panel(page)
+        .getByRole('button', { name: { en: 'Close', ja: '閉じる' }[lang] })
+        .click();
     }
     await closeClean(opened);
   });
 }
 
 test('axe finds nothing on the page, wide or narrow, light or dark', async () => {
-  for (const viewport of [{ width: 1440, height: 900 }, { width: 360, height: 740 }]) {
+  for (const viewport of [
+    { width: 1440, height: 900 },
+    { width: 360, height: 740 },
+  ]) {
     const opened = await session.open('#w=256&h=192&r=40,16', { colorScheme: 'light', viewport, locale: 'en-US' });
     const { page } = opened;
     await page.locator('.summary').waitFor();

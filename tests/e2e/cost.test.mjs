@@ -11,7 +11,8 @@ import { launch, pageOf } from './browser.mjs';
 /** Bytes after brotli; as heavy as `<model-viewer>` is without its models, less 10 kB. */
 const COLD_EMBED_BUDGET = 225_000;
 
-const pageWith = (element) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>cost</title><link rel="icon" href="data:,">${element}<script type="module" src="/rock-field.js"></script>`;
+const pageWith = (element) =>
+  `<!doctype html><html lang="en"><meta charset="utf-8"><title>cost</title><link rel="icon" href="data:,">${element}<script type="module" src="/rock-field.js"></script>`;
 
 async function withPage(element, use) {
   const asked = [];
@@ -30,12 +31,23 @@ async function withPage(element, use) {
 test('a cold embed on WebGPU fetches one renderer, one generator and nothing beside them, within its budget', async () => {
   await withPage('<rock-field></rock-field>', async (page, asked) => {
     await page.waitForTimeout(1500);
-    const names = asked.filter(({ protocol }) => protocol === 'http:').map(({ pathname }) => pathname.slice(1)).filter((name) => name !== 'cost.html');
+    const names = asked
+      .filter(({ protocol }) => protocol === 'http:')
+      .map(({ pathname }) => pathname.slice(1))
+      .filter((name) => name !== 'cost.html');
     // A script that the page and its worker share is asked for by both, and counted twice.
-    assert.deepEqual(names.map(plainName).filter((name) => name.endsWith('.wasm')).sort(), ['generator_bg.wasm', 'renderer-webgpu_bg.wasm']);
+    assert.deepEqual(
+      names
+        .map(plainName)
+        .filter((name) => name.endsWith('.wasm'))
+        .sort(),
+      ['generator_bg.wasm', 'renderer-webgpu_bg.wasm'],
+    );
     const sizes = names.map((name) => [name, brotli(readFileSync(path.join(dist, name)))]);
     const total = sizes.reduce((sum, [, bytes]) => sum + bytes, 0);
-    console.log(`cold embed: ${(total / 1000).toFixed(1)} kB brotli in ${names.length} files: ${sizes.map(([name, bytes]) => `${name} ${(bytes / 1000).toFixed(1)}`).join(', ')}`);
+    console.log(
+      `cold embed: ${(total / 1000).toFixed(1)} kB brotli in ${names.length} files: ${sizes.map(([name, bytes]) => `${name} ${(bytes / 1000).toFixed(1)}`).join(', ')}`,
+    );
     assert(total <= COLD_EMBED_BUDGET, `${total} bytes after brotli; at most ${COLD_EMBED_BUDGET}`);
   });
 });
@@ -57,7 +69,11 @@ test('a drag shows newer and newer fields, and ends with the newest', async () =
       await element.getField();
       return { shown, asked, last: element.field.layers[2].areaFraction };
     });
-    assert.deepEqual(seen.shown, seen.shown.toSorted((a, b) => a - b), 'a field was shown after a newer one');
+    assert.deepEqual(
+      seen.shown,
+      seen.shown.toSorted((a, b) => a - b),
+      'a field was shown after a newer one',
+    );
     assert(Math.abs(seen.last - seen.asked) < 1e-6);
   });
 });

@@ -53,7 +53,12 @@ const WOOD = ['wood-ears.html', 'wood-ear-worker', 'wood-ear_bg'];
 
 for (const [what, [page, worker, wasm], files, wanted] of [
   ['a script that is empty', WOOD, { worker: script('') }, 'WorkerUnavailable'],
-  ['a page in the place of its script', WOOD, { worker: (response) => response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html>') }, 'WorkerUnavailable'],
+  [
+    'a page in the place of its script',
+    WOOD,
+    { worker: (response) => response.writeHead(200, { 'content-type': 'text/html' }).end('<!doctype html>') },
+    'WorkerUnavailable',
+  ],
   ['a script that throws', ROCKS, { worker: script('throw new Error("oh")') }, 'WorkerUnavailable'],
   ['a script that starts and ends', ROCKS, { worker: script('postMessage({ type: "started" }); self.close()') }, 'WorkerLost'],
   ['a script that stops arriving', ROCKS, { worker: stalled('text/javascript', '// ') }, 'WorkerUnavailable'],
@@ -65,9 +70,21 @@ for (const [what, [page, worker, wasm], files, wanted] of [
     const opened = await session.open(page);
     await opened.page.waitForFunction(() => heard.length > 0);
     const told = await opened.page.evaluate(() => heard);
-    assert.deepEqual(told.map(({ name }) => name), [wanted], JSON.stringify(told));
+    assert.deepEqual(
+      told.map(({ name }) => name),
+      [wanted],
+      JSON.stringify(told),
+    );
     broken = {};
-    const name = await opened.page.evaluate(() => document.querySelector('rock-field, wood-ear-log').generate().then(() => 'made', (error) => error.name));
+    const name = await opened.page.evaluate(() =>
+      document
+        .querySelector('rock-field, wood-ear-log')
+        .generate()
+        .then(
+          () => 'made',
+          (error) => error.name,
+        ),
+    );
     assert.equal(name, 'made');
     await opened.close();
   });
@@ -75,13 +92,14 @@ for (const [what, [page, worker, wasm], files, wanted] of [
 
 test('messages that get lost on their way to the worker are asked again', async () => {
   const opened = await session.open('rocks.html', {
-    prepare: (page) => page.addInitScript(() => {
-      const { postMessage } = Worker.prototype;
-      let lost = 0;
-      Worker.prototype.postMessage = function (...args) {
-        if (lost++ > 0) postMessage.apply(this, args);
-      };
-    }),
+    prepare: (page) =>
+      page.addInitScript(() => {
+        const { postMessage } = Worker.prototype;
+        let lost = 0;
+        Worker.prototype.postMessage = function (...args) {
+          if (lost++ > 0) postMessage.apply(this, args);
+        };
+      }),
   });
   await opened.page.waitForFunction(() => heard.length > 0);
   assert.deepEqual(await opened.page.evaluate(() => heard.map(({ type }) => type)), ['generate']);
@@ -110,7 +128,11 @@ test('an exception while drawing is told once, costs no device, and is over with
     await new Promise((resolve) => setTimeout(resolve, 1200));
     return { heard, same: canvas === element.shadowRoot.querySelector('canvas') };
   });
-  assert.deepEqual(outcome.heard.map(({ name }) => name), ['RendererFailed'], JSON.stringify(outcome.heard));
+  assert.deepEqual(
+    outcome.heard.map(({ name }) => name),
+    ['RendererFailed'],
+    JSON.stringify(outcome.heard),
+  );
   assert.match(outcome.heard[0].message, /oh/);
   assert(outcome.same);
   await opened.close();
@@ -142,9 +164,21 @@ const boxes = (page) => page.locator('[part=message], stage-overlay .message').f
 for (const [address, lang, file, words, label] of [
   ['index.html#preset=journal-fig1&w=200&h=200', 'en', '/worker-', /^the generator's worker could not be started/, 'Retry'],
   ['wood-ear.html#preset=thesis-default&d=5&r=20', 'ja', '/wood-ear-worker-', /^生成用のワーカーを起動できませんでした/, '再試行'],
-  ['index.html#preset=journal-fig1&w=200&h=200', 'ja', '/generator_bg-', /^generator_bg-\w+\.wasm を取得できませんでした：サーバーの応答は 404 です/, '再試行'],
+  [
+    'index.html#preset=journal-fig1&w=200&h=200',
+    'ja',
+    '/generator_bg-',
+    /^generator_bg-\w+\.wasm を取得できませんでした：サーバーの応答は 404 です/,
+    '再試行',
+  ],
   ['wood-ears.html', 'en', '/generator_bg-', /^generator_bg-\w+\.wasm could not be fetched: the server answered 404/, 'Retry'],
-  ['index.html#preset=journal-fig1&w=200&h=200', 'en', '/renderer-webgl_bg-', /^The 3D renderer could not be loaded; the plan is shown instead/, 'Retry'],
+  [
+    'index.html#preset=journal-fig1&w=200&h=200',
+    'en',
+    '/renderer-webgl_bg-',
+    /^The 3D renderer could not be loaded; the plan is shown instead/,
+    'Retry',
+  ],
   ['wood-ears3d.html', 'en', '/renderer-webgl_bg-', /^The 3D renderer could not be loaded; the plan is shown instead/, 'Retry'],
 ]) {
   test(`${address.replace(/#.*/, '')} in ${lang} without ${file}…: one box that is true, whose button works once the file is there`, async () => {
@@ -212,7 +246,9 @@ for (const [address, lang, words] of [
 
 /** The one script of the page that has these words. */
 function scriptWith(words) {
-  const names = readdirSync(dist).filter((name) => /^chunk-.*\.js$/.test(name) && readFileSync(path.join(dist, name), 'utf8').includes(words));
+  const names = readdirSync(dist).filter(
+    (name) => /^chunk-.*\.js$/.test(name) && readFileSync(path.join(dist, name), 'utf8').includes(words),
+  );
   assert.equal(names.length, 1, `${words}: ${names}`);
   return names[0];
 }
@@ -230,9 +266,19 @@ function withImports(names) {
 const NO_RENDERER = /^The 3D renderer could not be loaded; the plan is shown instead/;
 for (const [when, hanging, words, plan] of [
   ['after its scripts', [], NO_RENDERER, 'canvas2d'],
-  ['before the words about it', ['The 3D renderer could not be loaded'], /^a script could not be fetched \(it does not arrive\)/, 'canvas2d'],
+  [
+    'before the words about it',
+    ['The 3D renderer could not be loaded'],
+    /^a script could not be fetched \(it does not arrive\)/,
+    'canvas2d',
+  ],
   ['before what starts it', ['content security policy|unsafe-eval'], NO_RENDERER, 'canvas2d'],
-  ['before the plan, too', ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded'], /^a script could not be fetched \(it does not arrive\)/, null],
+  [
+    'before the plan, too',
+    ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded'],
+    /^a script could not be fetched \(it does not arrive\)/,
+    null,
+  ],
 ]) {
   test(`a network that falls silent while it brings the renderer, ${when}: what can be drawn, true words and a button`, async () => {
     const parts = ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded', 'WebGL2RenderingContext'];
@@ -240,12 +286,18 @@ for (const [when, hanging, words, plan] of [
     const arriving = withImports(parts.map(scriptWith).filter((name) => !silent.includes(name)));
     const renderer = readdirSync(dist).find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
     const generator = readdirSync(dist).find((name) => /^generator_bg-.*\.wasm$/.test(name));
-    const send = (name, response) => response.writeHead(200, { 'content-type': name.endsWith('.js') ? 'text/javascript' : 'application/wasm' }).end(readFileSync(path.join(dist, name)));
+    const send = (name, response) =>
+      response
+        .writeHead(200, { 'content-type': name.endsWith('.js') ? 'text/javascript' : 'application/wasm' })
+        .end(readFileSync(path.join(dist, name)));
     const held = [];
     let rocks;
     broken = {
       ...Object.fromEntries(silent.map((name) => [name, (response) => held.push(() => send(name, response))])),
-      [renderer]: (response) => void response.writeHead(200, { 'content-type': 'application/wasm' }).write(readFileSync(path.join(dist, renderer)).subarray(0, 9000)),
+      [renderer]: (response) =>
+        void response
+          .writeHead(200, { 'content-type': 'application/wasm' })
+          .write(readFileSync(path.join(dist, renderer)).subarray(0, 9000)),
       [generator]: (response) => (rocks = response),
     };
     const pending = new Set();
@@ -257,7 +309,10 @@ for (const [when, hanging, words, plan] of [
     const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200', { prepare });
     // Before the network falls silent everything has been asked for, and all but the silent files are there and have run: whatever else is
     // missing has words of its own. The description of the rocks is asked for with them.
-    await page.waitForFunction((names) => names.every((name) => performance.getEntriesByType('resource').some((entry) => entry.name.includes(name))), arriving);
+    await page.waitForFunction(
+      (names) => names.every((name) => performance.getEntriesByType('resource').some((entry) => entry.name.includes(name))),
+      arriving,
+    );
     await page.evaluate((names) => Promise.all(names.map((name) => import(`/${name}`))), [...arriving, scriptWith('largest')]);
     await until(() => rocks && held.length === silent.length, 'the silent scripts and the rocks have been asked for');
     await until(async () => {
@@ -295,7 +350,10 @@ test('colony and ground die each by itself, at random moments: every run ends wi
     const run = page.evaluate((seed) => {
       const element = document.querySelector('wood-ear-log');
       element.params = { ...element.params, seed };
-      return element.generate().then(() => 'made', (error) => error.name);
+      return element.generate().then(
+        () => 'made',
+        (error) => error.name,
+      );
     }, round + 1);
     await page.waitForTimeout(250 * random());
     const workers = page.workers();
@@ -304,6 +362,17 @@ test('colony and ground die each by itself, at random moments: every run ends wi
     const outcome = await Promise.race([run, page.waitForTimeout(PATIENCE)]);
     assert.match(String(outcome), /^(made|WorkerLost|WorkerUnavailable|Internal|AbortError)$/, `round ${round}`);
   }
-  assert.equal(await page.evaluate(() => document.querySelector('wood-ear-log').generate().then(() => 'made', (error) => error.name)), 'made');
+  assert.equal(
+    await page.evaluate(() =>
+      document
+        .querySelector('wood-ear-log')
+        .generate()
+        .then(
+          () => 'made',
+          (error) => error.name,
+        ),
+    ),
+    'made',
+  );
   await close();
 });

@@ -58,13 +58,20 @@ const NEEDED = {
 function filesOf(page) {
   const names = readdirSync(folderOf('first')).filter((name) => HASHED.test(name) && NEEDED[page].includes(plainName(name)));
   assert.equal(names.length, NEEDED[page].length);
-  assert.deepEqual(names.filter((name) => readdirSync(folderOf('second')).includes(name)), []);
+  assert.deepEqual(
+    names.filter((name) => readdirSync(folderOf('second')).includes(name)),
+    [],
+  );
   return names;
 }
 
 async function openPage(address, options) {
   const opened = await session.open(address, options);
-  await opened.page.waitForFunction(() => document.querySelector('rock-field, wood-ear-log')?.field ?? document.querySelector('wood-ear-log')?.colony, undefined, { polling: 100 });
+  await opened.page.waitForFunction(
+    () => document.querySelector('rock-field, wood-ear-log')?.field ?? document.querySelector('wood-ear-log')?.colony,
+    undefined,
+    { polling: 100 },
+  );
   return opened;
 }
 
@@ -140,7 +147,10 @@ for (const [name, address, stopped] of [
     const own = filesOf(address.startsWith('wood-ear') ? 'wood ears' : 'rocks');
     const lazily = Array.from({ length: 100 }, (_, index) => own[index % own.length]);
     const got = await page.evaluate((names) => Promise.all(names.map(async (file) => [file, (await fetch(file)).ok])), lazily);
-    assert.deepEqual(got.filter(([, ok]) => !ok), []);
+    assert.deepEqual(
+      got.filter(([, ok]) => !ok),
+      [],
+    );
     await page.keyboard.press('?');
     await page.locator('dialog[open]').waitFor();
     await page.keyboard.press('Escape');
@@ -156,7 +166,13 @@ for (const [name, address, stopped] of [
   });
 }
 
-const refusedPicture = (page) => page.evaluate(() => document.querySelector('rock-field').toBlob().catch((error) => error.name));
+const refusedPicture = (page) =>
+  page.evaluate(() =>
+    document
+      .querySelector('rock-field')
+      .toBlob()
+      .catch((error) => error.name),
+  );
 
 for (const [what, serviceWorkers, status, trigger] of [
   ['without a service worker', 'block', 404, 'a script'],
@@ -181,10 +197,19 @@ for (const [what, serviceWorkers, status, trigger] of [
     else await killAndEdit(page);
     await offer(page).waitFor();
     const isUndoDisabled = () => page.getByRole('button', { name: 'Undo' }).isDisabled();
-    assert.deepEqual([/What you could undo is not kept\./.test(await offer(page).innerText()), await isUndoDisabled()], [isEdited, !isEdited]);
+    assert.deepEqual(
+      [/What you could undo is not kept\./.test(await offer(page).innerText()), await isUndoDisabled()],
+      [isEdited, !isEdited],
+    );
     await page.locator('stage-overlay .message button', { hasText: 'Reload' }).click();
-    await page.waitForFunction(() => globalThis.rockFieldMarks?.has('second') && document.querySelector('rock-field')?.field, undefined, { polling: 100 });
-    const seen = await page.evaluate(() => [[...globalThis.rockFieldMarks], document.querySelector('rock-field').params.seed, document.querySelector('rock-field').params.imageWidth]);
+    await page.waitForFunction(() => globalThis.rockFieldMarks?.has('second') && document.querySelector('rock-field')?.field, undefined, {
+      polling: 100,
+    });
+    const seen = await page.evaluate(() => [
+      [...globalThis.rockFieldMarks],
+      document.querySelector('rock-field').params.seed,
+      document.querySelector('rock-field').params.imageWidth,
+    ]);
     assert.deepEqual(seen, [['second'], 11 + (isEdited ? 1 : 0) + (trigger === 'a worker' ? 1 : 0), 256]);
     assert.ok(await isUndoDisabled());
     await close();

@@ -95,7 +95,9 @@ for (const backend of ['webgl', 'webgpu']) {
       session = await launch({ webgpu: backend === 'webgpu', intercept: pageOf('devices.html', () => HTML) });
       opened = await session.open('devices.html');
       page = opened.page;
-      await page.evaluate(() => Promise.all(all().map((element) => customElements.whenDefined(element.localName).then(() => element.ready))));
+      await page.evaluate(() =>
+        Promise.all(all().map((element) => customElements.whenDefined(element.localName).then(() => element.ready))),
+      );
       assert.deepEqual(await page.evaluate(() => all().map((element) => element.backend)), [backend, backend, backend]);
     });
     after(() => session?.close());
@@ -118,10 +120,14 @@ for (const backend of ['webgl', 'webgpu']) {
     });
 
     test('a renderer whose wasm traps is replaced without a reload', async () => {
-      await page.evaluate((wanted) => allBack(() => {
-        faults.trap = true;
-        all()[0].camera = null;
-      }, wanted), backend);
+      await page.evaluate(
+        (wanted) =>
+          allBack(() => {
+            faults.trap = true;
+            all()[0].camera = null;
+          }, wanted),
+        backend,
+      );
       assert.ok(await page.evaluate(async () => isPicture(await all()[0].toBlob())));
     });
 
@@ -132,10 +138,14 @@ for (const backend of ['webgl', 'webgpu']) {
         lose();
       });
       await page.waitForFunction(() => all().every((element) => element.backend === 'canvas2d'));
-      await page.evaluate((wanted) => allBack(() => {
-        faults.gone = false;
-        hide(false);
-      }, wanted), backend);
+      await page.evaluate(
+        (wanted) =>
+          allBack(() => {
+            faults.gone = false;
+            hide(false);
+          }, wanted),
+        backend,
+      );
       assert.equal(await boxes(page).count(), 0);
     });
 
@@ -161,14 +171,20 @@ for (const backend of ['webgl', 'webgpu']) {
         for (const element of all()) element.remove();
         await new Promise((resolve) => setTimeout(resolve, 1200));
         faults.dropped = true;
-        document.body.insertAdjacentHTML('beforeend', `<rock-field ${options}></rock-field><wood-ear-log density="2" range="20" ground=""></wood-ear-log>`);
+        document.body.insertAdjacentHTML(
+          'beforeend',
+          `<rock-field ${options}></rock-field><wood-ear-log density="2" range="20" ground=""></wood-ear-log>`,
+        );
       }, SMALL);
       await page.waitForFunction((wanted) => all().every((element) => element.backend === wanted), backend);
       assert.ok(await page.evaluate(async () => isPicture(await all()[0].toBlob())));
     });
 
     test('on both pages, too, a device that is lost twice costs no more than a moment', async () => {
-      for (const [address, element] of [['index.html#preset=journal-fig1&w=200&h=200', 'rock-field'], ['wood-ear.html#preset=thesis-default&d=2&r=20', 'wood-ear-log']]) {
+      for (const [address, element] of [
+        ['index.html#preset=journal-fig1&w=200&h=200', 'rock-field'],
+        ['wood-ear.html#preset=thesis-default&d=2&r=20', 'wood-ear-log'],
+      ]) {
         const scene = await session.open(address, { locale: 'en-US', prepare: (fresh) => fresh.addInitScript(SCRIPT) });
         scenes.push(scene);
         await scene.page.evaluate((name) => customElements.whenDefined(name).then(() => all()[0].ready), element);
@@ -184,9 +200,22 @@ for (const backend of ['webgl', 'webgpu']) {
         for (const each of pages) await each.evaluate(() => (told.length = 0));
         await devtools.send('Browser.crashGpuProcess');
         for (const each of pages) {
-          await each.waitForFunction((wanted) => all().every((element, of) => element.backend === 'canvas2d' || (element.backend === wanted && told.some((event) => event.type === 'restored' && event.of === of))), backend);
+          await each.waitForFunction(
+            (wanted) =>
+              all().every(
+                (element, of) =>
+                  element.backend === 'canvas2d' ||
+                  (element.backend === wanted && told.some((event) => event.type === 'restored' && event.of === of)),
+              ),
+            backend,
+          );
           const lacking = await each.evaluate((wanted) => all().filter((element) => element.backend !== wanted).length, backend);
-          if (lacking > 0) await boxes(each).filter({ hasText: 'The graphics device was lost' }).getByRole('button', { name: 'Retry' }).nth(lacking - 1).waitFor();
+          if (lacking > 0)
+            await boxes(each)
+              .filter({ hasText: 'The graphics device was lost' })
+              .getByRole('button', { name: 'Retry' })
+              .nth(lacking - 1)
+              .waitFor();
           // The plan too may be blank until the browser has got over the crash.
           const isBack = each.evaluate(async () => {
             for (const element of all()) while (!(await isPicture(await element.toBlob())));
@@ -213,7 +242,11 @@ for (const backend of ['webgl', 'webgpu']) {
 
     test('through all of it there was never more than one error a second, and nothing uncaught', async () => {
       await calm(page);
-      for (const { errors } of [opened, ...scenes]) assert.deepEqual(errors.filter((error) => !/GPU|WebGL|context/i.test(error)), []);
+      for (const { errors } of [opened, ...scenes])
+        assert.deepEqual(
+          errors.filter((error) => !/GPU|WebGL|context/i.test(error)),
+          [],
+        );
     });
   });
 }

@@ -8,7 +8,8 @@ import { COLOR_RULES, violations } from './axe.mjs';
 import { PATIENCE, launch, until } from './browser.mjs';
 
 /** What the recipes say the documentation needs: scripts of examples are modules from blobs, their styles are inline. */
-const POLICY = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src 'self'; connect-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; manifest-src 'self'";
+const POLICY =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval' blob:; worker-src 'self'; connect-src 'self'; img-src 'self' data: blob:; style-src 'self' 'unsafe-inline'; manifest-src 'self'";
 const PAGES = readdirSync(path.join(dist, 'docs')).filter((name) => name.endsWith('.html'));
 /** As many as the documentation lets live; see keeper.ts. */
 const MAX_ALIVE = 10;
@@ -53,7 +54,11 @@ test('every page opens without an error or a foreign request, fits a phone, and 
     assert.deepEqual([found.lang, found.headings], ['en', 1], name);
     assert.ok(found.width <= 360, `${name} is ${found.width} px wide on a screen of 360`);
     assert.equal(new Set(found.ids).size, found.ids.length, `${name} has an id twice`);
-    assert.deepEqual([...asked].filter((origin) => origin !== 'null' && origin !== new URL(session.url).origin), [], name);
+    assert.deepEqual(
+      [...asked].filter((origin) => origin !== 'null' && origin !== new URL(session.url).origin),
+      [],
+      name,
+    );
     assert.deepEqual([errors, warnings], [[], []], name);
     ids.set(`/docs/${name}`, found.ids);
     links.push(...found.links.map((href) => ({ name, url: new URL(href) })));
@@ -72,7 +77,9 @@ test('every page opens without an error or a foreign request, fits a phone, and 
 for (const name of PAGES) {
   test(`${name}: every example runs, and everything in it can be used, without an error`, { timeout: 10 * PATIENCE }, async () => {
     // Each attribute is changed in 3D by attributes.test.mjs.
-    const { page, errors, close } = await (name === 'attributes.html' ? flat : session).open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
+    const { page, errors, close } = await (name === 'attributes.html' ? flat : session).open(`docs/${name}`, {
+      viewport: { width: 1280, height: 800 },
+    });
     await page.evaluate(() => customElements.whenDefined('rock-field'));
     const examples = await page.locator('live-example').all();
     for (const example of examples) {
@@ -127,7 +134,13 @@ test('the result follows the editor, a mistake is named, Reset brings the exampl
 test('only what is near the screen is alive, however far one scrolls', { timeout: 5 * PATIENCE }, async () => {
   for (const name of ['gallery.html', 'attributes.html']) {
     const { page, errors, close } = await flat.open(`docs/${name}`, { viewport: { width: 1280, height: 800 } });
-    const alive = () => page.evaluate(() => [document, ...[...document.querySelectorAll('.result')].map(({ shadowRoot }) => shadowRoot)].reduce((sum, root) => sum + (root?.querySelectorAll('rock-field').length ?? 0), 0));
+    const alive = () =>
+      page.evaluate(() =>
+        [document, ...[...document.querySelectorAll('.result')].map(({ shadowRoot }) => shadowRoot)].reduce(
+          (sum, root) => sum + (root?.querySelectorAll('rock-field').length ?? 0),
+          0,
+        ),
+      );
     const height = await page.evaluate(() => document.documentElement.scrollHeight);
     let most = 0;
     for (let y = 0; y < height; y += height / 20) {
@@ -166,7 +179,8 @@ test('what was read once can be read without a network', async () => {
     }
     return false;
   };
-  for (const file of ['docs/methods.html', 'docs/docs-\\w+.js', 'docs/docs-\\w+.css', '/rock-field.js']) await until(() => page.evaluate(isKept, file), `${file} is kept`);
+  for (const file of ['docs/methods.html', 'docs/docs-\\w+.js', 'docs/docs-\\w+.css', '/rock-field.js'])
+    await until(() => page.evaluate(isKept, file), `${file} is kept`);
   down = true;
   try {
     await page.reload();
@@ -186,8 +200,13 @@ async function isSettled(example) {
   const fields = [...(root?.querySelectorAll('rock-field') ?? [])];
   const later = new Promise((resolve) => setTimeout(resolve, 50, false));
   // A run that was cancelled is done too.
-  const run = (field) => field.getField().then(() => true, ({ name }) => name === 'AbortError');
-  const isDone = async (field) => !field.shadowRoot.querySelector('[part=message]').hidden || Promise.race([later, field.ready.then(() => run(field))]);
+  const run = (field) =>
+    field.getField().then(
+      () => true,
+      ({ name }) => name === 'AbortError',
+    );
+  const isDone = async (field) =>
+    !field.shadowRoot.querySelector('[part=message]').hidden || Promise.race([later, field.ready.then(() => run(field))]);
   return fields.length > 0 && (await Promise.all(fields.map(isDone))).every(Boolean);
 }
 

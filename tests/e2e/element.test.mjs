@@ -55,7 +55,8 @@ after(() => session?.close());
 async function open(body = `<rock-field id="a" ${SMALL}></rock-field><script>listenTo(a)</script>`, { painted = true, ...options } = {}) {
   html = page0(body);
   const opened = await session.open('element.html', options);
-  if (painted) await opened.page.evaluate(() => customElements.whenDefined('rock-field').then(() => document.querySelector('rock-field').ready));
+  if (painted)
+    await opened.page.evaluate(() => customElements.whenDefined('rock-field').then(() => document.querySelector('rock-field').ready));
   return opened;
 }
 
@@ -79,17 +80,29 @@ function quiet(page) {
 test('without any attribute it shows the first preset: one run, one load, then silence', async () => {
   const { page, errors, warnings, close } = await open('<rock-field id="a"></rock-field><script>listenTo(a)</script>');
   await until(page, () => a.shadowRoot.getElementById('description').textContent !== '');
-  const state = await page.evaluate(() => ({ preset: a.params.layers.length, rocks: a.field.stats.rocks, backend: a.backend, types: types(), label: a.shadowRoot.getElementById('description').textContent }));
+  const state = await page.evaluate(() => ({
+    preset: a.params.layers.length,
+    rocks: a.field.stats.rocks,
+    backend: a.backend,
+    types: types(),
+    label: a.shadowRoot.getElementById('description').textContent,
+  }));
   assert.equal(state.preset, 3);
   assert.equal(state.backend, 'webgl');
   assert(Math.abs(state.rocks - 3100) < 180);
-  assert.deepEqual(state.types.filter((type) => type !== 'progress'), ['generate', 'load']);
+  assert.deepEqual(
+    state.types.filter((type) => type !== 'progress'),
+    ['generate', 'load'],
+  );
   assert.match(state.label, /^3,\d\d\d rocks in three sizes, largest 1\.\d m, 8\d% covered$/);
   const before = await quiet(page);
   await pause(page, 1500);
   assert.equal(await page.evaluate(() => counts.frames), before, 'frames were asked for while nothing changed');
   assert.deepEqual(errors, []);
-  assert.deepEqual(warnings.filter((text) => text.includes('rock-field')), []);
+  assert.deepEqual(
+    warnings.filter((text) => text.includes('rock-field')),
+    [],
+  );
   await close();
 });
 
@@ -108,13 +121,18 @@ test('several assignments in one task are one run, and one frame', async () => {
     return { types: types(), seed: a.params.seed, view: a.view, color: a.color, same: a.field === field, frames: counts.frames - frames };
   });
   assert.deepEqual([seen.seed, seen.view, seen.color, seen.same], [5, 'wireframe', 'rock', true]);
-  assert.deepEqual(seen.types.filter((type) => type !== 'progress'), ['generate']);
+  assert.deepEqual(
+    seen.types.filter((type) => type !== 'progress'),
+    ['generate'],
+  );
   assert(seen.frames <= 3, `${seen.frames} frames`);
   await close();
 });
 
 test('the look is drawn at once and starts no run, by property, attribute, undo and panel alike', async () => {
-  const { page, errors, close } = await open('<rock-field id="a" preset="riverbed" image-width="256" image-height="256"></rock-field><script>listenTo(a)</script>');
+  const { page, errors, close } = await open(
+    '<rock-field id="a" preset="riverbed" image-width="256" image-height="256"></rock-field><script>listenTo(a)</script>',
+  );
   await quiet(page);
   const seen = await page.evaluate(async () => {
     heard.length = 0;
@@ -137,16 +155,19 @@ test('the look is drawn at once and starts no run, by property, attribute, undo 
   assert.deepEqual([seen.undone, seen.kept, seen.types], [true, true, []]);
   assert(seen.frames > 0 && seen.frames <= 3, `${seen.frames} frames`);
   // Rocks and look at once are a run.
-  assert.deepEqual(await page.evaluate(async () => {
-    a.params = { ...a.params, seed: 5, dust: 0.1 };
-    await a.getField();
-    return [types().filter((type) => type === 'generate').length, a.dust];
-  }), [1, 0.1]);
+  assert.deepEqual(
+    await page.evaluate(async () => {
+      a.params = { ...a.params, seed: 5, dust: 0.1 };
+      await a.getField();
+      return [types().filter((type) => type === 'generate').length, a.dust];
+    }),
+    [1, 0.1],
+  );
   assert.deepEqual(errors, []);
   await close();
 });
 
-test('the colour is the preset\'s until one is chosen, and comes with its field', async () => {
+test("the colour is the preset's until one is chosen, and comes with its field", async () => {
   const { page, errors, close } = await open();
   const seen = await page.evaluate(async () => {
     const framings = [];
@@ -174,7 +195,17 @@ test('the colour is the preset\'s until one is chosen, and comes with its field'
     colors.push(new URL(a.shareURL()).hash);
     return { colors, framings };
   });
-  assert.deepEqual(seen.colors, ['layer', 'natural', 'plain', '#v=1&preset=scree&w=200&h=150&color=plain', 'natural', '#v=1&preset=scree&w=200&h=150&camera', 'layer', 'natural', '#v=1&preset=journal-fig11a&w=200&h=150&color=natural']);
+  assert.deepEqual(seen.colors, [
+    'layer',
+    'natural',
+    'plain',
+    '#v=1&preset=scree&w=200&h=150&color=plain',
+    'natural',
+    '#v=1&preset=scree&w=200&h=150&camera',
+    'layer',
+    'natural',
+    '#v=1&preset=journal-fig11a&w=200&h=150&color=natural',
+  ]);
   const [before, pending, after] = seen.framings;
   assert.equal(pending, before, 'the old field is framed close up before the new one is there');
   assert.notEqual(after, before);
@@ -196,24 +227,36 @@ test('a wrong value from code is thrown by name and changes nothing', async () =
     }
     return { caught, same: JSON.stringify(a.params) === before, view: a.view };
   });
-  assert.deepEqual(seen, { caught: [['OutOfRange', 'packing'], ['OutOfRange', 'view'], ['OutOfRange', 'color']], same: true, view: '3d' });
+  assert.deepEqual(seen, {
+    caught: [
+      ['OutOfRange', 'packing'],
+      ['OutOfRange', 'view'],
+      ['OutOfRange', 'color'],
+    ],
+    same: true,
+    view: '3d',
+  });
   await close();
 });
 
 test('params is a copy, both ways', async () => {
   const { page, close } = await open();
-  assert(await page.evaluate(() => {
-    const given = a.params;
-    a.params = given;
-    given.layers[0].taper[0] = 77;
-    a.params.layers[0].height[0] = 77;
-    return a.params.layers[0].taper[0] !== 77 && a.params.layers[0].height[0] !== 77;
-  }));
+  assert(
+    await page.evaluate(() => {
+      const given = a.params;
+      a.params = given;
+      given.layers[0].taper[0] = 77;
+      a.params.layers[0].height[0] = 77;
+      return a.params.layers[0].taper[0] !== 77 && a.params.layers[0].height[0] !== 77;
+    }),
+  );
   await close();
 });
 
 test('properties set before the element was defined are taken over', async () => {
-  const { page, close } = await open(`<rock-field id="a" ${SMALL}></rock-field><script>listenTo(a); a.view = 'diagrams'; a.theme = 'dark'; a.color = 'plain'</script>`);
+  const { page, close } = await open(
+    `<rock-field id="a" ${SMALL}></rock-field><script>listenTo(a); a.view = 'diagrams'; a.theme = 'dark'; a.color = 'plain'</script>`,
+  );
   assert.deepEqual(await page.evaluate(() => [a.view, a.theme, a.color, Object.hasOwn(a, 'view')]), ['diagrams', 'dark', 'plain', false]);
   await close();
 });
@@ -224,7 +267,14 @@ test('attributes: valid ones are taken, malformed ones default with one notice t
     // The words would go by themselves.
     { prepare: (page) => page.addInitScript(holdTimers) },
   );
-  const first = await page.evaluate(() => ({ params: a.params, view: a.view, color: a.color, notices: heard.filter(({ type }) => type === 'notice').map(({ detail }) => detail.message), images: a.shadowRoot.querySelectorAll('img').length, text: a.shadowRoot.querySelector('[part=message]').innerText }));
+  const first = await page.evaluate(() => ({
+    params: a.params,
+    view: a.view,
+    color: a.color,
+    notices: heard.filter(({ type }) => type === 'notice').map(({ detail }) => detail.message),
+    images: a.shadowRoot.querySelectorAll('img').length,
+    text: a.shadowRoot.querySelector('[part=message]').innerText,
+  }));
   assert.deepEqual([first.params.notation, first.params.seed, first.view, first.color, first.images], ['relative', 0, '3d', 'plain', 0]);
   assert.equal(first.notices.length, 2);
   assert.match(first.notices[0], /^seed: "-7"/);
@@ -238,10 +288,21 @@ test('attributes: valid ones are taken, malformed ones default with one notice t
     a.view = 'selection';
     a.setAttribute('seed', '12');
   });
-  const second = await page.evaluate(async () => [await a.getField() && a.params.seed, a.params.packing, a.params.notation, a.view, types().filter((type) => type === 'notice').length]);
+  const second = await page.evaluate(async () => [
+    (await a.getField()) && a.params.seed,
+    a.params.packing,
+    a.params.notation,
+    a.view,
+    types().filter((type) => type === 'notice').length,
+  ]);
   assert.deepEqual(second, [12, 0.3, 'relative', 'selection', 0]);
   await page.evaluate(() => a.setAttribute('preset', 'journal-fig11a'));
-  assert.deepEqual(await page.evaluate(() => [a.params.seed, a.params.packing, a.params.notation, a.params.layers.length]), [12, 0.7, 'px', 1]);
+  assert.deepEqual(await page.evaluate(() => [a.params.seed, a.params.packing, a.params.notation, a.params.layers.length]), [
+    12,
+    0.7,
+    'px',
+    1,
+  ]);
   await page.evaluate(() => a.setAttribute('seed', 'nine'));
   assert.equal(await page.evaluate(() => a.getField().then(() => types().filter((type) => type === 'notice').length)), 1);
   assert.deepEqual(errors, []);
@@ -252,8 +313,17 @@ test('src is a share link: everything is taken from it, what is wrong in it is n
   const { page, errors, close } = await open(
     `<rock-field id="a" src="https://example.org/#v=1&amp;preset=journal-fig12a&amp;seed=9&amp;w=300&amp;h=200&amp;cd=5&amp;view=wireframe&amp;camera=1,0.5,200,150,100,0"></rock-field><script>listenTo(a)</script>`,
   );
-  const state = await page.evaluate(() => ({ params: a.params, view: a.view, camera: a.camera, framed: a.framed, notices: heard.filter(({ type }) => type === 'notice').map(({ detail }) => detail.message) }));
-  assert.deepEqual([state.params.seed, state.params.imageWidth, state.params.imageHeight, state.params.packing, state.view, state.framed], [9, 300, 200, 1, 'wireframe', false]);
+  const state = await page.evaluate(() => ({
+    params: a.params,
+    view: a.view,
+    camera: a.camera,
+    framed: a.framed,
+    notices: heard.filter(({ type }) => type === 'notice').map(({ detail }) => detail.message),
+  }));
+  assert.deepEqual(
+    [state.params.seed, state.params.imageWidth, state.params.imageHeight, state.params.packing, state.view, state.framed],
+    [9, 300, 200, 1, 'wireframe', false],
+  );
   assert.deepEqual(state.camera, { azimuth: 1, elevation: 0.5, distance: 200, target: [150, 100, 0] });
   assert.equal(state.notices.length, 1);
   assert.match(state.notices[0], /^src: .*cd/);
@@ -263,7 +333,10 @@ test('src is a share link: everything is taken from it, what is wrong in it is n
 
 test('before the first picture one sees what the page has put behind the element, not a black canvas', async () => {
   const body = '<rock-field id="a" style="--rock-field-background: rgb(0 160 0)"></rock-field><script>listenTo(a)</script>';
-  const { page, close } = await open(body, { painted: false, prepare: (page) => page.route('**/generator_bg-*', (route) => route.abort()) });
+  const { page, close } = await open(body, {
+    painted: false,
+    prepare: (page) => page.route('**/generator_bg-*', (route) => route.abort()),
+  });
   await page.waitForFunction(() => types().includes('error') && a.shadowRoot.querySelector('.stage canvas'), undefined, { polling: 100 });
   const { data, width, channels } = decodePng(await page.screenshot({ scale: 'css', clip: { x: 0, y: 0, width: 400, height: 100 } }));
   assert.deepEqual([...data.subarray(channels * (50 * width + 200)).subarray(0, 3)], [0, 160, 0]);
@@ -275,14 +348,18 @@ test('before the first picture one sees what the page has put behind the element
 });
 
 test('it has the size of a replaced element unless the page says otherwise, in device pixels', async () => {
-  const { page, close } = await open(`<style>rock-field { width: revert-layer; height: revert-layer }</style><rock-field id="a" ${SMALL} view="selection" quality="low"></rock-field><script>listenTo(a)</script>`, { deviceScaleFactor: 2 });
-  const measure = () => page.evaluate(async () => {
-    await frame();
-    await frame();
-    const { width, height } = a.getBoundingClientRect();
-    const canvas = a.shadowRoot.querySelector('canvas');
-    return [width, height, canvas.width, canvas.height];
-  });
+  const { page, close } = await open(
+    `<style>rock-field { width: revert-layer; height: revert-layer }</style><rock-field id="a" ${SMALL} view="selection" quality="low"></rock-field><script>listenTo(a)</script>`,
+    { deviceScaleFactor: 2 },
+  );
+  const measure = () =>
+    page.evaluate(async () => {
+      await frame();
+      await frame();
+      const { width, height } = a.getBoundingClientRect();
+      const canvas = a.shadowRoot.querySelector('canvas');
+      return [width, height, canvas.width, canvas.height];
+    });
   await page.evaluate(() => document.querySelectorAll('style').forEach((style) => style.remove()));
   assert.deepEqual(await measure(), [300, 150, 600, 300]);
   await page.evaluate(() => Object.assign(a.style, { width: '123px', height: '77px' }));
@@ -300,7 +377,9 @@ test('it has the size of a replaced element unless the page says otherwise, in d
 });
 
 test('out of sight nothing is drawn, and the newest field is there when it comes back', async () => {
-  const { page, close } = await open(`<rock-field id="a" ${SMALL}></rock-field><div style="height: 5000px"></div><script>listenTo(a)</script>`);
+  const { page, close } = await open(
+    `<rock-field id="a" ${SMALL}></rock-field><div style="height: 5000px"></div><script>listenTo(a)</script>`,
+  );
   await page.evaluate(
     () =>
       new Promise((resolve) => {
@@ -397,7 +476,13 @@ test('after a loss of the context the same field comes back through the same cam
     loseContext();
     await restored;
     const canvases = a.shadowRoot.querySelectorAll('canvas');
-    return { types: types(), same: a.field === before.field, camera: JSON.stringify(a.camera) === before.camera, one: canvases.length === 1 && canvases[0] !== before.canvas, backend: a.backend };
+    return {
+      types: types(),
+      same: a.field === before.field,
+      camera: JSON.stringify(a.camera) === before.camera,
+      one: canvases.length === 1 && canvases[0] !== before.canvas,
+      backend: a.backend,
+    };
   });
   assert.deepEqual(seen, { types: ['restored'], same: true, camera: true, one: true, backend: 'webgl' });
   assert.deepEqual(errors, []);
@@ -437,7 +522,11 @@ test('keys and pointer move the camera; frame all brings it back, with and witho
     await page.mouse.move(260, 160, { steps: 4 });
     await page.mouse.up();
     await page.keyboard.press('ArrowLeft');
-    const moved = await page.evaluate(() => [a.framed, types().filter((type) => type === 'camera-change').length, JSON.stringify(a.camera) !== JSON.stringify(a.defaultCamera)]);
+    const moved = await page.evaluate(() => [
+      a.framed,
+      types().filter((type) => type === 'camera-change').length,
+      JSON.stringify(a.camera) !== JSON.stringify(a.defaultCamera),
+    ]);
     assert.deepEqual([moved[0], moved[2]], [false, true]);
     assert(moved[1] >= 3);
     const frames = await quiet(page);
@@ -476,7 +565,9 @@ test('without any GPU it draws the plan and says so, in the language of the page
     gpu: false,
     intercept(request, response) {
       if (!request.url.startsWith('/element.html')) return false;
-      response.writeHead(200, { 'content-type': 'text/html' }).end(page0('<rock-field id="a" lang="ja"></rock-field><script>listenTo(a)</script>'));
+      response
+        .writeHead(200, { 'content-type': 'text/html' })
+        .end(page0('<rock-field id="a" lang="ja"></rock-field><script>listenTo(a)</script>'));
       return true;
     },
   });

@@ -40,7 +40,9 @@ before(async () => {
     response.setHeader('access-control-allow-origin', '*');
     for (const [name, value] of Object.entries(headers)) response.setHeader(name, value);
     if (pathname.startsWith('/inline/')) {
-      response.writeHead(200, { 'content-type': 'text/javascript' }).end(readFileSync(path.join(folder, pathname.slice('/inline/'.length))));
+      response
+        .writeHead(200, { 'content-type': 'text/javascript' })
+        .end(readFileSync(path.join(folder, pathname.slice('/inline/'.length))));
       return true;
     }
     const text = html[pathname.slice(1)];
@@ -74,7 +76,10 @@ async function look(body, { names = ['rock-field'], header = {}, head = '' } = {
 
 /** As `look`, of a page in a frame of this page. */
 async function lookInside(body, attributes, names = ['rock-field']) {
-  html = { 'inner.html': document(body), 'elsewhere.html': document(`<iframe ${attributes} src="/inner.html" width="400" height="300"></iframe>`) };
+  html = {
+    'inner.html': document(body),
+    'elsewhere.html': document(`<iframe ${attributes} src="/inner.html" width="400" height="300"></iframe>`),
+  };
   const { page, errors, close } = await session.open('elsewhere.html');
   const frame = await (await page.waitForSelector('iframe')).contentFrame();
   await frame.waitForFunction(() => globalThis.seen !== undefined && document.readyState === 'complete');
@@ -89,7 +94,11 @@ const INLINE = '<script type="module" src="/inline/rock-field.js"></script><scri
 const BOTH = ['rock-field', 'wood-ear-log'];
 const SHOWN = ['shown by webgl', 'shown by webgl'];
 
-for (const [name, scripts] of Object.entries({ 'the modules': MODULES, 'the classic scripts': CLASSIC, 'the scripts with everything in them': INLINE })) {
+for (const [name, scripts] of Object.entries({
+  'the modules': MODULES,
+  'the classic scripts': CLASSIC,
+  'the scripts with everything in them': INLINE,
+})) {
   test(`a sandboxed frame, which has no origin, shows both elements: ${name}`, async () => {
     assert.deepEqual(await lookInside(ROCKS + EARS + scripts, 'sandbox="allow-scripts"', BOTH), { seen: SHOWN, errors: [] });
   });
@@ -103,7 +112,11 @@ test('the classic scripts of another origin show both elements, in a sandboxed f
 
 const TYPED = "require-trusted-types-for 'script'";
 
-for (const [name, scripts] of Object.entries({ 'the modules': MODULES, 'the classic scripts': CLASSIC, 'the scripts with everything in them': INLINE })) {
+for (const [name, scripts] of Object.entries({
+  'the modules': MODULES,
+  'the classic scripts': CLASSIC,
+  'the scripts with everything in them': INLINE,
+})) {
   test(`a page that requires Trusted Types shows both elements with their panels by the policies of the recipe: ${name}`, async () => {
     const recipe = readFileSync(new URL('../../www/docs/pages/recipes.md', import.meta.url), 'utf8');
     const [policy] = /^require-trusted-types-for 'script'; trusted-types .*$/m.exec(recipe) ?? ['the recipe says nothing'];
@@ -124,12 +137,13 @@ test('the classic script works as a module, deferred, twice, and beside the othe
     async: '<script async src="/cdn.js"></script>',
     defer: '<script defer src="/cdn.js"></script>',
     injected: "<script>const script = document.createElement('script'); script.src = '/cdn.js'; document.head.append(script)</script>",
-    imported: "<script type=\"module\">import('/cdn.js')</script>",
+    imported: '<script type="module">import(\'/cdn.js\')</script>',
     twice: '<script src="/cdn.js"></script><script src="/cdn.js"></script>',
     'as a module and classic': '<script type="module" src="/cdn.js"></script><script src="/cdn.js"></script>',
     'with a query': '<script type="module" src="/cdn.js?v=1:2:3"></script>',
   };
-  for (const [name, script] of Object.entries(ways)) assert.deepEqual(await look(ROCKS + script), { seen: SHOWN.slice(1), errors: [] }, name);
+  for (const [name, script] of Object.entries(ways))
+    assert.deepEqual(await look(ROCKS + script), { seen: SHOWN.slice(1), errors: [] }, name);
   assert.deepEqual(await look(ROCKS + EARS + CLASSIC.repeat(2), { names: BOTH }), { seen: SHOWN, errors: [] });
 });
 
@@ -140,10 +154,13 @@ test('the classic script evaluated, or written into the page, says how to includ
     eval: code('(0, eval)(text)'),
     'direct eval': code('eval(text)'),
     function: code('new Function(text)()'),
-    blob: code("const script = document.createElement('script'); script.src = URL.createObjectURL(new Blob([text])); document.head.append(script)"),
+    blob: code(
+      "const script = document.createElement('script'); script.src = URL.createObjectURL(new Blob([text])); document.head.append(script)",
+    ),
     'blob as a module': code("await import(URL.createObjectURL(new Blob([text], { type: 'text/javascript' })))"),
     'text of a script': code("const script = document.createElement('script'); script.textContent = text; document.head.append(script)"),
-    'evaluated by a classic script': "<script>const request = new XMLHttpRequest(); request.open('GET', '/cdn.js', false); request.send(); eval(request.responseText)</script>",
+    'evaluated by a classic script':
+      "<script>const request = new XMLHttpRequest(); request.open('GET', '/cdn.js', false); request.send(); eval(request.responseText)</script>",
     'in the page': `<script>${text.replaceAll('</script', '<\\/script')}</script>`,
     'in the page as a module': `<script type="module">${text.replaceAll('</script', '<\\/script')}</script>`,
   };

@@ -33,7 +33,10 @@ async function open(body, { painted = true, lang = 'en', ...options } = {}) {
 test('attributes and properties of parameters are two ways to the same field', async () => {
   const { page, errors, warnings, close } = await open(`<rock-field ${SMALL} seed="3" radius="40 12" taper-rock="1 2"></rock-field>`);
   const byAttribute = await page.evaluate(() => ({ params: a.params, radius: a.radius, taperRock: a.taperRock, width: a.imageWidth }));
-  assert.deepEqual([byAttribute.radius, byAttribute.taperRock, byAttribute.width, byAttribute.params.layers.length], [[40, 12], [1, 2], 256, 2]);
+  assert.deepEqual(
+    [byAttribute.radius, byAttribute.taperRock, byAttribute.width, byAttribute.params.layers.length],
+    [[40, 12], [1, 2], 256, 2],
+  );
   const byProperty = await page.evaluate(async () => {
     const b = document.createElement('rock-field');
     document.body.append(b);
@@ -51,12 +54,22 @@ test('attributes and properties of parameters are two ways to the same field', a
   assert.deepEqual(grown[0], grown[1], 'a layer more is another one as an attribute than as a property');
   const thrown = await page.evaluate(() => {
     const before = JSON.stringify(a.params);
-    const errors = [() => (a.packing = 2), () => (a.radius = [0]), () => (a.radius = 7), () => (a.layers = [{ radius: 'x' }])].map((assign) => {
-      try { assign(); return ''; } catch ({ name, key }) { return `${name} ${key}`; }
-    });
+    const errors = [() => (a.packing = 2), () => (a.radius = [0]), () => (a.radius = 7), () => (a.layers = [{ radius: 'x' }])].map(
+      (assign) => {
+        try {
+          assign();
+          return '';
+        } catch ({ name, key }) {
+          return `${name} ${key}`;
+        }
+      },
+    );
     return { errors, unchanged: before === JSON.stringify(a.params) };
   });
-  assert.deepEqual(thrown, { errors: ['OutOfRange packing', 'OutOfRange radius', 'WrongType radius', 'WrongType radius'], unchanged: true });
+  assert.deepEqual(thrown, {
+    errors: ['OutOfRange packing', 'OutOfRange radius', 'WrongType radius', 'WrongType radius'],
+    unchanged: true,
+  });
   assert.deepEqual([errors, warnings], [[], []]);
   await close();
 });
@@ -67,20 +80,48 @@ test('what a framework assigns: text is the attribute, nothing takes it away, an
     const radii = ({ layers }) => layers.map(({ radius }) => radius);
     const b = document.createElement('rock-field');
     // Properties before the attributes that fill everything, or their layers, otherwise.
-    Object.assign(b, { seed: 7, packing: '0.6', radius: [80, 30, 10], imageWidth: 256, imageHeight: 192, disabled: false, autoRotate: true, backend: 'null' });
+    Object.assign(b, {
+      seed: 7,
+      packing: '0.6',
+      radius: [80, 30, 10],
+      imageWidth: 256,
+      imageHeight: 192,
+      disabled: false,
+      autoRotate: true,
+      backend: 'null',
+    });
     b.setAttribute('taper-rock', '6 6 2');
     b.preset = 'journal-fig1';
     document.body.append(b);
     await b.getField();
     // The renderer may come later than the field.
     while (!b.backend) await new Promise((resolve) => setTimeout(resolve, 5));
-    const first = [b.seed, b.packing, radii(b), b.taperRock, b.imageWidth, b.getAttribute('packing'), b.getAttribute('preset'), b.hasAttribute('disabled'), b.hasAttribute('auto-rotate'), b.backend];
+    const first = [
+      b.seed,
+      b.packing,
+      radii(b),
+      b.taperRock,
+      b.imageWidth,
+      b.getAttribute('packing'),
+      b.getAttribute('preset'),
+      b.hasAttribute('disabled'),
+      b.hasAttribute('auto-rotate'),
+      b.backend,
+    ];
     b.preset = 'journal-fig11a';
     const moved = [b.seed, b.packing, radii(b), b.imageWidth];
     b.seed = '9';
     b.radius = '40 12';
     const texts = [b.seed, radii(b)];
-    Object.assign(b, { seed: undefined, radius: null, packing: undefined, view: undefined, preset: undefined, metresPerPixel: undefined, taperRock: undefined });
+    Object.assign(b, {
+      seed: undefined,
+      radius: null,
+      packing: undefined,
+      view: undefined,
+      preset: undefined,
+      metresPerPixel: undefined,
+      taperRock: undefined,
+    });
     const gone = [b.seed, radii(b), b.packing, b.preset, b.getAttributeNames().sort()];
     b.seed = 5;
     b.params = { ...b.params, seed: 6 };
@@ -112,7 +153,13 @@ test('attributes changed while it generates: the last ones win, and every malfor
     a.setAttribute('radius', '30 x');
     a.setAttribute('view', 'sideways');
     await a.getField();
-    return { seed: a.seed, packing: a.packing, view: a.view, notices: heard.filter(({ type }) => type === 'notice').map(({ detail }) => detail.message.split(':')[0]), errors: count('error') };
+    return {
+      seed: a.seed,
+      packing: a.packing,
+      view: a.view,
+      notices: heard.filter(({ type }) => type === 'notice').map(({ detail }) => detail.message.split(':')[0]),
+      errors: count('error'),
+    };
   });
   assert.deepEqual(result, { seed: 5, packing: 0.7, view: '3d', notices: ['packing', 'radius', 'view'], errors: 0 });
   assert.deepEqual(errors, []);
@@ -144,24 +191,32 @@ test('auto-rotate turns, and not where the system asks for less motion', async (
     const { page, close } = await open(`<rock-field ${SMALL} auto-rotate></rock-field>`, { reducedMotion });
     const turns = reducedMotion === 'no-preference';
     // However slowly its frames come; and where nothing moves, for a while.
-    const turned = await page.evaluate(async (patience) => {
-      const before = a.camera.azimuth;
-      const end = performance.now() + patience;
-      while (a.camera.azimuth === before && performance.now() < end) await new Promise((resolve) => setTimeout(resolve, 50));
-      return [a.camera.azimuth - before, a.framed];
-    }, turns ? PATIENCE : 700);
+    const turned = await page.evaluate(
+      async (patience) => {
+        const before = a.camera.azimuth;
+        const end = performance.now() + patience;
+        while (a.camera.azimuth === before && performance.now() < end) await new Promise((resolve) => setTimeout(resolve, 50));
+        return [a.camera.azimuth - before, a.framed];
+      },
+      turns ? PATIENCE : 700,
+    );
     assert.deepEqual([turned[0] > 0, turned[1]], [turns, true], reducedMotion);
     await close();
   }
 });
 
 test('a lazy element loads nothing before it comes near, and then like any other', async () => {
-  const { page, close } = await open(`<div style="height: 5000px"></div><rock-field ${SMALL} loading="lazy"></rock-field>`, { painted: false });
+  const { page, close } = await open(`<div style="height: 5000px"></div><rock-field ${SMALL} loading="lazy"></rock-field>`, {
+    painted: false,
+  });
   const requests = [];
   page.on('request', (request) => requests.push(request.url()));
   await page.evaluate(() => customElements.whenDefined('rock-field'));
   await page.waitForTimeout(500);
-  assert.deepEqual(requests.filter((url) => url.endsWith('.wasm')), []);
+  assert.deepEqual(
+    requests.filter((url) => url.endsWith('.wasm')),
+    [],
+  );
   await page.evaluate(() => a.scrollIntoView());
   await page.evaluate(() => a.ready);
   assert(requests.some((url) => url.endsWith('.wasm')));
@@ -170,11 +225,17 @@ test('a lazy element loads nothing before it comes near, and then like any other
 
 test('a poster stands in until the first picture; slots take the place of poster, progress and error', async () => {
   const image = 'data:image/gif;base64,R0lGODlhAQABAIAAAAUEBAAAACwAAAAAAQABAAACAkQBADs=';
-  const { page, close } = await open(`<rock-field ${SMALL} poster="${image}" backend="null"><p slot="poster">soon</p><p slot="error">sorry</p></rock-field>`, { painted: false });
+  const { page, close } = await open(
+    `<rock-field ${SMALL} poster="${image}" backend="null"><p slot="poster">soon</p><p slot="error">sorry</p></rock-field>`,
+    { painted: false },
+  );
   await page.evaluate(() => customElements.whenDefined('rock-field'));
   const parts = await page.evaluate(() => {
     const root = a.shadowRoot;
-    return { slots: [...root.querySelectorAll('slot')].map(({ name }) => name), image: root.querySelector('[part=poster] img')?.getAttribute('src') };
+    return {
+      slots: [...root.querySelectorAll('slot')].map(({ name }) => name),
+      image: root.querySelector('[part=poster] img')?.getAttribute('src'),
+    };
   });
   assert.deepEqual(parts, { slots: ['poster', 'progress', 'error'], image });
   await page.evaluate(() => a.ready);
@@ -194,9 +255,23 @@ test('toBlob gives a picture of the size asked for, and the screen keeps its own
     const colours = new Set(new Uint32Array(sheet.getImageData(0, 0, 500, 200).data.buffer));
     const refused = await a.toBlob({ width: 100_000, height: 100_000 }).catch(({ name, key }) => `${name} ${key}`);
     const jpeg = await a.toBlob({ type: 'image/jpeg', quality: 0.8 });
-    return { type: blob.type, size: [bitmap.width, bitmap.height], isPicture: colours.size > 50, same: before.join() === [canvas.width, canvas.height].join(), refused, jpeg: jpeg.type };
+    return {
+      type: blob.type,
+      size: [bitmap.width, bitmap.height],
+      isPicture: colours.size > 50,
+      same: before.join() === [canvas.width, canvas.height].join(),
+      refused,
+      jpeg: jpeg.type,
+    };
   });
-  assert.deepEqual(result, { type: 'image/png', size: [500, 200], isPicture: true, same: true, refused: 'OutOfRange width', jpeg: 'image/jpeg' });
+  assert.deepEqual(result, {
+    type: 'image/png',
+    size: [500, 200],
+    isPicture: true,
+    same: true,
+    refused: 'OutOfRange width',
+    jpeg: 'image/jpeg',
+  });
   await close();
 });
 
@@ -219,13 +294,25 @@ test('shareURL shows the same field elsewhere; undo and redo go back and forth; 
     const stranger = await a.randomize({ lock: ['size'] }).catch(({ name, key }) => `${name} ${key}`);
     return { changed: second.seed !== first.seed, width: second.imageWidth, shared, undone, atStart, redone, layersKept, stranger };
   });
-  assert.deepEqual(result, { changed: true, width: 256, shared: true, undone: true, atStart: false, redone: true, layersKept: true, stranger: 'UnknownKey size' });
+  assert.deepEqual(result, {
+    changed: true,
+    width: 256,
+    shared: true,
+    undone: true,
+    atStart: false,
+    redone: true,
+    layersKept: true,
+    stranger: 'UnknownKey size',
+  });
   assert.deepEqual(errors, []);
   await close();
 });
 
 test('what it shows is said to those who cannot see it, in the language of the page', async () => {
-  for (const [lang, label, sentence] of [['en', 'Field of rocks', /^\d+ rocks in three sizes, largest [\d.]+ c?m, \d+% covered$/], ['ja', '岩の地面', /^3種類の大きさの岩\d+個、最大[\d.]+ c?m、被覆率\d+%$/]]) {
+  for (const [lang, label, sentence] of [
+    ['en', 'Field of rocks', /^\d+ rocks in three sizes, largest [\d.]+ c?m, \d+% covered$/],
+    ['ja', '岩の地面', /^3種類の大きさの岩\d+個、最大[\d.]+ c?m、被覆率\d+%$/],
+  ]) {
     const { page, close } = await open(`<rock-field ${SMALL} radius="60 20 8"></rock-field>`, { lang });
     const said = await page.evaluate(async () => {
       const stage = a.shadowRoot.querySelector('[role=application]');

@@ -54,7 +54,12 @@ function hashOf(lists) {
 
 function listsOf(field) {
   return [
-    field.positions, field.normals, field.indices, field.rockStarts, field.vertexStarts, field.rockLayer,
+    field.positions,
+    field.normals,
+    field.indices,
+    field.rockStarts,
+    field.vertexStarts,
+    field.rockLayer,
     ...field.layers.flatMap((layer) => [layer.sites, layer.cellStarts, layer.cellVertices, layer.selected]),
   ];
 }
@@ -75,7 +80,12 @@ test('the worker makes the same bytes as Node', async () => {
       element.params = given;
       const field = await element.getField();
       const lists = [
-        field.positions, field.normals, field.indices, field.rockStarts, field.vertexStarts, field.rockLayer,
+        field.positions,
+        field.normals,
+        field.indices,
+        field.rockStarts,
+        field.vertexStarts,
+        field.rockLayer,
         ...field.layers.flatMap((layer) => [layer.sites, layer.cellStarts, layer.cellVertices, layer.selected]),
       ];
       const size = lists.reduce((sum, list) => sum + list.byteLength, 0);
@@ -144,7 +154,10 @@ test('a long run tells its progress, leaves the page alive, can be cancelled sof
     heard.length = 0;
     element.params = { ...element.params, imageWidth: 8192, imageHeight: 8192 };
     let name = '';
-    element.getField().then(() => (name = 'finished'), (error) => (name = error.name));
+    element.getField().then(
+      () => (name = 'finished'),
+      (error) => (name = error.name),
+    );
     element.addEventListener('progress', () => element.cancel(), { once: true });
     let turns = 0;
     for (; name === ''; turns += 1) await new Promise((resolve) => setTimeout(resolve));
@@ -162,18 +175,26 @@ test('a long run tells its progress, leaves the page alive, can be cancelled sof
 test('a worker that is killed, idle or in a run, is replaced and the page goes on', async () => {
   const { page, errors, close } = await open();
   await until(page, () => heard.some(({ type }) => type === 'generate'));
-  const edit = (seed, side) => page.evaluate(([seed, side]) => {
-    const element = document.querySelector('rock-field');
-    element.params = { ...element.params, seed, imageWidth: side, imageHeight: side };
-    return element.getField().then((field) => field.imageWidth);
-  }, [seed, side]);
+  const edit = (seed, side) =>
+    page.evaluate(
+      ([seed, side]) => {
+        const element = document.querySelector('rock-field');
+        element.params = { ...element.params, seed, imageWidth: side, imageHeight: side };
+        return element.getField().then((field) => field.imageWidth);
+      },
+      [seed, side],
+    );
 
   await page.workers()[0].evaluate(() => self.close());
   assert.equal(await edit(2, 300), 300);
 
   const run = edit(3, 4096);
   await page.waitForTimeout(60);
-  await page.workers().at(-1).evaluate(() => self.close()).catch(() => {});
+  await page
+    .workers()
+    .at(-1)
+    .evaluate(() => self.close())
+    .catch(() => {});
   assert.equal(await run, 4096);
   assert.deepEqual(await page.evaluate(() => heard.filter(({ type }) => type === 'error')), []);
   assert.deepEqual(errors, []);
@@ -181,8 +202,16 @@ test('a worker that is killed, idle or in a run, is replaced and the page goes o
 });
 
 for (const [what, files, wanted] of [
-  ['wasm that is missing', { '/generator_bg.wasm': [404, 'text/plain', 'no'] }, /generator_bg-\w+\.wasm could not be fetched: the server answered 404/],
-  ['wasm served as a page', { '/generator_bg.wasm': [200, 'text/html', '<!doctype html>'] }, /generator_bg-\w+\.wasm is not a wasm file: the server sent text\/html/],
+  [
+    'wasm that is missing',
+    { '/generator_bg.wasm': [404, 'text/plain', 'no'] },
+    /generator_bg-\w+\.wasm could not be fetched: the server answered 404/,
+  ],
+  [
+    'wasm served as a page',
+    { '/generator_bg.wasm': [200, 'text/html', '<!doctype html>'] },
+    /generator_bg-\w+\.wasm is not a wasm file: the server sent text\/html/,
+  ],
   ['damaged wasm', { '/generator_bg.wasm': [200, 'application/wasm', '\0asm\x01\0\0\0junk'] }, /wasm could not be started/],
   ['a worker script that is missing', { '/worker.js': [404, 'text/plain', 'no'] }, /worker could not be started/],
   ['a worker script served as a page', { '/worker.js': [200, 'text/html', '<!doctype html>'] }, /worker could not be started/],
@@ -195,7 +224,10 @@ for (const [what, files, wanted] of [
     assert(await message.isVisible());
     assert.equal(await page.evaluate(() => heard.filter(({ type }) => type === 'error').length), 1);
     // The browser itself reports what could not be fetched; nothing else may complain.
-    assert.deepEqual(errors.filter((text) => !/Failed to load (resource|module script)/.test(text)), []);
+    assert.deepEqual(
+      errors.filter((text) => !/Failed to load (resource|module script)/.test(text)),
+      [],
+    );
 
     broken = {};
     await page.evaluate(() => document.querySelector('rock-field').generate());
@@ -212,7 +244,12 @@ test('a request over the budget is refused with the numbers, and the picture sta
   const [error, still] = await page.evaluate(async () => {
     const element = document.querySelector('rock-field');
     const field = element.field;
-    element.params = { ...element.params, imageWidth: 8192, imageHeight: 8192, layers: Array.from({ length: 8 }, (_, id) => ({ ...element.params.layers[0], id, radius: 2 })) };
+    element.params = {
+      ...element.params,
+      imageWidth: 8192,
+      imageHeight: 8192,
+      layers: Array.from({ length: 8 }, (_, id) => ({ ...element.params.layers[0], id, radius: 2 })),
+    };
     const thrown = await element.getField().catch((error) => error);
     return [{ name: thrown.name, key: thrown.key, value: thrown.value, max: thrown.max }, element.field === field];
   });

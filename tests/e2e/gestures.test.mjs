@@ -203,12 +203,30 @@ test('two fingers: apart they zoom, together up they pan; the page neither scrol
   const opened = await phone();
   const { page, mid, state, slide } = opened;
   const first = await state();
-  await slide([[mid.x - 30, mid.y], [mid.x + 30, mid.y]], [[mid.x - 90, mid.y], [mid.x + 90, mid.y]]);
+  await slide(
+    [
+      [mid.x - 30, mid.y],
+      [mid.x + 30, mid.y],
+    ],
+    [
+      [mid.x - 90, mid.y],
+      [mid.x + 90, mid.y],
+    ],
+  );
   await settle(page);
   const zoomed = await state();
   assert.ok(zoomed.distance < 0.6 * first.distance);
   assert.deepEqual([zoomed.scroll, zoomed.scale, zoomed.azimuth], [200, 1, first.azimuth]);
-  await slide([[mid.x - 30, mid.y], [mid.x + 30, mid.y]], [[mid.x - 30, mid.y - 100], [mid.x + 30, mid.y - 100]]);
+  await slide(
+    [
+      [mid.x - 30, mid.y],
+      [mid.x + 30, mid.y],
+    ],
+    [
+      [mid.x - 30, mid.y - 100],
+      [mid.x + 30, mid.y - 100],
+    ],
+  );
   await settle(page);
   const panned = await state();
   assert.notDeepEqual(panned.target, zoomed.target);

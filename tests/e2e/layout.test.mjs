@@ -7,8 +7,21 @@ import { launch } from './browser.mjs';
 const PAGES = ['index.html#preset=riverbed&w=64&h=64&r=20,10,8&color=plain', 'wood-ear.html#preset=thesis-default&d=4&color=plain'];
 /** Widths from the narrowest phone on, phones held sideways, a window at 400 %, both sides of every breakpoint. */
 const WINDOWS = [
-  [320, 640], [320, 256], [360, 740], [390, 844], [480, 700], [568, 320], [640, 512], [700, 600], [701, 600], [768, 1024],
-  [844, 390], [932, 430], [960, 600], [1024, 768], [1440, 900],
+  [320, 640],
+  [320, 256],
+  [360, 740],
+  [390, 844],
+  [480, 700],
+  [568, 320],
+  [640, 512],
+  [700, 600],
+  [701, 600],
+  [768, 1024],
+  [844, 390],
+  [932, 430],
+  [960, 600],
+  [1024, 768],
+  [1440, 900],
 ];
 
 let session;
@@ -22,7 +35,12 @@ after(() => session?.close());
 /** The page with its first picture. `fingers`: a touch screen. */
 async function open(address, { fingers = false, ...options } = {}) {
   const opened = await session.open(address, {
-    viewport: { width: 960, height: 640 }, locale: 'en-US', colorScheme: 'light', isMobile: fingers, hasTouch: fingers, ...options,
+    viewport: { width: 960, height: 640 },
+    locale: 'en-US',
+    colorScheme: 'light',
+    isMobile: fingers,
+    hasTouch: fingers,
+    ...options,
   });
   await opened.page.waitForFunction(() => document.querySelector('.summary') !== null, undefined, { polling: 100 });
   return opened;
@@ -33,7 +51,8 @@ function misfits(page) {
   return page.evaluate(async () => {
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     const found = [];
-    const nameOf = (element) => `${element.localName}.${element.className || element.id || element.getAttribute('aria-label') || element.textContent.trim()}`;
+    const nameOf = (element) =>
+      `${element.localName}.${element.className || element.id || element.getAttribute('aria-label') || element.textContent.trim()}`;
     const { innerWidth: width, innerHeight: height } = window;
     const isShown = (element) => element.checkVisibility({ visibilityProperty: true }) && element.getClientRects().length > 0;
     const everything = [...document.querySelectorAll('*')].filter(isShown);
@@ -42,27 +61,41 @@ function misfits(page) {
     for (const element of [document.scrollingElement, ...everything.filter(isScroller)]) {
       const before = [element.scrollLeft, element.scrollTop];
       element.scrollTo(1e4, element.matches('.panel-body') ? before[1] : 1e4);
-      if ((element.scrollLeft !== 0 || element.scrollTop !== before[1]) && !element.matches('select, input, textarea')) found.push(`${nameOf(element)} scrolls to ${element.scrollLeft}, ${element.scrollTop}`);
+      if ((element.scrollLeft !== 0 || element.scrollTop !== before[1]) && !element.matches('select, input, textarea'))
+        found.push(`${nameOf(element)} scrolls to ${element.scrollLeft}, ${element.scrollTop}`);
       element.scrollTo(...before);
     }
     if (visualViewport.width < width - 1 || visualViewport.pageLeft !== 0) found.push('the page pans');
     // The whole of every control is in the window, but for those that the panel's controls are scrolled to.
-    const controls = everything.filter((element) => element.matches('button, select, summary, .slider, .number, .segment, a.button, .summary, .file-button') && !element.matches('.skip-link'));
+    const controls = everything.filter(
+      (element) =>
+        element.matches('button, select, summary, .slider, .number, .segment, a.button, .summary, .file-button') &&
+        !element.matches('.skip-link'),
+    );
     for (const element of controls) {
       const box = element.getBoundingClientRect();
       const isScrolled = element.closest('.panel-body') !== null;
       const bounds = (isScrolled ? element.closest('.panel-body') : document.documentElement).getBoundingClientRect();
-      if (box.left < bounds.left - 0.5 || box.right > bounds.right + 0.5) found.push(`${nameOf(element)} reaches from ${box.left} to ${box.right} of ${bounds.left} to ${bounds.right}`);
-      if (!isScrolled && (box.top < -0.5 || box.bottom > height + 0.5)) found.push(`${nameOf(element)} reaches down from ${box.top} to ${box.bottom} of ${height}`);
-      if (element.scrollWidth > element.clientWidth + 1 && getComputedStyle(element).display !== 'inline' && !element.matches('.preset-button, .slider')) found.push(`${nameOf(element)} holds ${element.scrollWidth} in ${element.clientWidth}`);
+      if (box.left < bounds.left - 0.5 || box.right > bounds.right + 0.5)
+        found.push(`${nameOf(element)} reaches from ${box.left} to ${box.right} of ${bounds.left} to ${bounds.right}`);
+      if (!isScrolled && (box.top < -0.5 || box.bottom > height + 0.5))
+        found.push(`${nameOf(element)} reaches down from ${box.top} to ${box.bottom} of ${height}`);
+      if (
+        element.scrollWidth > element.clientWidth + 1 &&
+        getComputedStyle(element).display !== 'inline' &&
+        !element.matches('.preset-button, .slider')
+      )
+        found.push(`${nameOf(element)} holds ${element.scrollWidth} in ${element.clientWidth}`);
       const icon = element.matches('.icon-button, .share') && Math.min(box.width, box.height);
       if (icon !== false && icon < 24) found.push(`${nameOf(element)} is ${box.width} × ${box.height}`);
-      if (element.matches('.icon-button') && Math.abs(box.width - box.height) > 1) found.push(`${nameOf(element)} is drawn out to ${box.width} × ${box.height}`);
+      if (element.matches('.icon-button') && Math.abs(box.width - box.height) > 1)
+        found.push(`${nameOf(element)} is drawn out to ${box.width} × ${box.height}`);
     }
     const apart = controls.map((element) => [element, element.getBoundingClientRect()]);
     for (const [index, [one, a]] of apart.entries()) {
       for (const [other, b] of apart.slice(index + 1)) {
-        const overlap = Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
+        const overlap =
+          Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
         const inOneBox = (one.closest('.panel-body') === null) === (other.closest('.panel-body') === null);
         if (overlap && inOneBox && !one.contains(other)) found.push(`${nameOf(one)} and ${nameOf(other)} overlap`);
       }
@@ -81,7 +114,10 @@ for (const fingers of [false, true]) {
       await page.addStyleTag({ content: '.picture { display: none }' });
       for (const language of ['en', 'ja']) {
         await page.locator(`input[name="language"][value="${language}"]`).evaluate((button) => button.click());
-        await page.waitForFunction((name) => document.querySelector('.share').getAttribute('aria-label') === name, language === 'ja' ? '共有' : 'Share');
+        await page.waitForFunction(
+          (name) => document.querySelector('.share').getAttribute('aria-label') === name,
+          language === 'ja' ? '共有' : 'Share',
+        );
         for (const [width, height] of WINDOWS) {
           await page.setViewportSize({ width, height });
           const where = `${address.split('#')[0]} in ${language} at ${width} × ${height}`;
@@ -113,7 +149,15 @@ test('what looks for hidden words, or brings them into view, moves the panel and
       const last = hidden.at(-1);
       last.scrollIntoView();
       const control = document.querySelector(`[aria-describedby~="${last.id}"]`).getBoundingClientRect();
-      return { moved: [top, ...[document.scrollingElement, document.body, document.querySelector('.app'), document.querySelector('.panel')].map(({ scrollTop }) => scrollTop)], isSeen: control.bottom > 0 && control.top < innerHeight };
+      return {
+        moved: [
+          top,
+          ...[document.scrollingElement, document.body, document.querySelector('.app'), document.querySelector('.panel')].map(
+            ({ scrollTop }) => scrollTop,
+          ),
+        ],
+        isSeen: control.bottom > 0 && control.top < innerHeight,
+      };
     });
     assert.deepEqual(moved, [0, 0, 0, 0, 0], address);
     assert.ok(isSeen, 'the words of a control are where it is');

@@ -52,7 +52,9 @@ const COUNTERS = `
 `;
 
 const GRID = `<style>body { margin: 8px; display: grid; grid-template-columns: repeat(6, 200px); gap: 8px } rock-field { width: 200px; height: 150px }</style>`;
-const pageWith = (body) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>many</title><link rel="icon" href="data:,"><script>${COUNTERS}</script>${GRID}${body}
+const pageWith = (
+  body,
+) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>many</title><link rel="icon" href="data:,"><script>${COUNTERS}</script>${GRID}${body}
 <script type="module" src="/rock-field.js"></script>`;
 
 /** Small fields, so that a software GPU gets through them. */
@@ -62,7 +64,11 @@ const SMALL = 'image-width="400" image-height="300"';
 const WHOLE_TEST_MS = 10 * PATIENCE;
 
 async function withPage(webgpu, body, use, deviceScaleFactor = 1) {
-  const session = await launch({ webgpu, intercept: pageOf('many.html', () => pageWith(body)), args: ['--js-flags=--expose-gc', '--enable-precise-memory-info'] });
+  const session = await launch({
+    webgpu,
+    intercept: pageOf('many.html', () => pageWith(body)),
+    args: ['--js-flags=--expose-gc', '--enable-precise-memory-info'],
+  });
   // A page that hangs never answers: without its browser the test fails instead of waiting for ever.
   const watchdog = setTimeout(() => session.browser.close(), WHOLE_TEST_MS);
   try {
@@ -81,7 +87,11 @@ for (const webgpu of [false, true]) {
   test(`24 elements are all painted, each with its own field, on one device, and then rest (${backend})`, async () => {
     const elements = Array.from({ length: 24 }, (_, seed) => `<rock-field ${SMALL} seed="${seed}"></rock-field>`).join('');
     await withPage(webgpu, elements, async (page) => {
-      await page.evaluate(() => customElements.whenDefined('rock-field').then(() => Promise.all([...document.querySelectorAll('rock-field')].map(({ ready }) => ready))));
+      await page.evaluate(() =>
+        customElements
+          .whenDefined('rock-field')
+          .then(() => Promise.all([...document.querySelectorAll('rock-field')].map(({ ready }) => ready))),
+      );
       const seen = await page.evaluate(async () => {
         const before = { ...held(), backends: [...new Set([...document.querySelectorAll('rock-field')].map(({ backend }) => backend))] };
         for (let frames = -1; frames !== counts.frames; await sleep(1500)) frames = counts.frames;
@@ -103,56 +113,64 @@ for (const webgpu of [false, true]) {
 
 for (const webgpu of [false, true]) {
   test(`200 elements, one after the other, leave nothing behind and the heap flat (${webgpu ? 'webgpu' : 'webgl'})`, async () => {
-    await withPage(webgpu, '', async (page) => {
-      const before = await page.evaluate(async () => {
-        await customElements.whenDefined('rock-field');
-        const state = held();
-        // Keeps the device: Chromium's software WebGPU hangs now and then when the garbage of one is collected while the next is made.
-        globalThis.anchor = document.createElement('rock-field');
-        anchor.imageWidth = anchor.imageHeight = 200;
-        document.body.append(anchor);
-        await anchor.ready;
-        return state;
-      });
-      const session = await page.context().newCDPSession(page);
-      const measure = async () => {
-        // Again and again: what one lets go of may have been holding something, and the browser clears up in tasks of its own.
-        for (let pass = 0; pass < 4; pass += 1) {
-          await session.send('HeapProfiler.collectGarbage');
-          await page.waitForTimeout(150);
+    await withPage(
+      webgpu,
+      '',
+      async (page) => {
+        const before = await page.evaluate(async () => {
+          await customElements.whenDefined('rock-field');
+          const state = held();
+          // Keeps the device: Chromium's software WebGPU hangs now and then when the garbage of one is collected while the next is made.
+          globalThis.anchor = document.createElement('rock-field');
+          anchor.imageWidth = anchor.imageHeight = 200;
+          document.body.append(anchor);
+          await anchor.ready;
+          return state;
+        });
+        const session = await page.context().newCDPSession(page);
+        const measure = async () => {
+          // Again and again: what one lets go of may have been holding something, and the browser clears up in tasks of its own.
+          for (let pass = 0; pass < 4; pass += 1) {
+            await session.send('HeapProfiler.collectGarbage');
+            await page.waitForTimeout(150);
+          }
+          const { usedSize, embedderHeapUsedSize, backingStorageSize } = await session.send('Runtime.getHeapUsage');
+          return usedSize + embedderHeapUsedSize + backingStorageSize;
+        };
+        const measured = [];
+        for (let cycle = 1; cycle <= 200; cycle += 1) {
+          await page.evaluate(async (seed) => {
+            const element = document.createElement('rock-field');
+            Object.assign(element.style, { width: `${200 + (seed % 7)}px` });
+            element.seed = seed;
+            element.imageWidth = element.imageHeight = 200;
+            document.body.append(element);
+            await element.ready;
+            element.remove();
+          }, cycle);
+          // From 120 on: V8 lets go of code that has not run for a few collections.
+          if (cycle < 120 || cycle % 10 > 0) continue;
+          // The idle time of an element.
+          await page.evaluate(() => sleep(1500));
+          measured.push(await measure());
         }
-        const { usedSize, embedderHeapUsedSize, backingStorageSize } = await session.send('Runtime.getHeapUsage');
-        return usedSize + embedderHeapUsedSize + backingStorageSize;
-      };
-      const measured = [];
-      for (let cycle = 1; cycle <= 200; cycle += 1) {
-        await page.evaluate(async (seed) => {
-          const element = document.createElement('rock-field');
-          Object.assign(element.style, { width: `${200 + (seed % 7)}px` });
-          element.seed = seed;
-          element.imageWidth = element.imageHeight = 200;
-          document.body.append(element);
-          await element.ready;
-          element.remove();
-        }, cycle);
-        // From 120 on: V8 lets go of code that has not run for a few collections.
-        if (cycle < 120 || cycle % 10 > 0) continue;
-        // The idle time of an element.
-        await page.evaluate(() => sleep(1500));
-        measured.push(await measure());
-      }
-      // The idle times of the last element and, after that, of its worker; what is let go of is told of in tasks of the browser's own.
-      const after = await page.evaluate(async ([before, patience]) => {
-        anchor.remove();
-        const end = performance.now() + patience;
-        while (JSON.stringify(held()) !== JSON.stringify(before) && performance.now() < end) await sleep(100);
-        return held();
-      }, [before, PATIENCE]);
-      assert.deepEqual(after, before);
-      // What is not collected yet can only add to a measurement, so the smallest of three is the truest.
-      const bytes = measured.slice(-6);
-      const growth = Math.min(...bytes.slice(3)) / Math.min(...bytes.slice(0, 3)) - 1;
-      assert(growth <= 0.02, `the heap grew by ${(100 * growth).toFixed(1)} % in the last 50 cycles: ${bytes}`);
-    }, 0.25);
+        // The idle times of the last element and, after that, of its worker; what is let go of is told of in tasks of the browser's own.
+        const after = await page.evaluate(
+          async ([before, patience]) => {
+            anchor.remove();
+            const end = performance.now() + patience;
+            while (JSON.stringify(held()) !== JSON.stringify(before) && performance.now() < end) await sleep(100);
+            return held();
+          },
+          [before, PATIENCE],
+        );
+        assert.deepEqual(after, before);
+        // What is not collected yet can only add to a measurement, so the smallest of three is the truest.
+        const bytes = measured.slice(-6);
+        const growth = Math.min(...bytes.slice(3)) / Math.min(...bytes.slice(0, 3)) - 1;
+        assert(growth <= 0.02, `the heap grew by ${(100 * growth).toFixed(1)} % in the last 50 cycles: ${bytes}`);
+      },
+      0.25,
+    );
   });
 }

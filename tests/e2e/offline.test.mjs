@@ -37,7 +37,11 @@ test('the second scene works offline too, after one visit', async () => {
   const { page, close } = await session.open('wood-ear.html#preset=thesis-default&d=20&r=25', { serviceWorkers: 'allow' });
   await page.evaluate(() => navigator.serviceWorker.ready);
   await keptRenderer(page);
-  await untilIn(page, async () => (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys()))).flat().some(({ url }) => /wood-ear_bg-/.test(url)));
+  await untilIn(page, async () =>
+    (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys())))
+      .flat()
+      .some(({ url }) => /wood-ear_bg-/.test(url)),
+  );
   down = true;
   await page.reload({ waitUntil: 'load' });
   await page.waitForFunction(() => document.querySelector('wood-ear-log')?.scene, undefined, { polling: 100 });
@@ -67,7 +71,11 @@ test('after one visit the page works without a network, and a new deploy is seen
 
   await buildWeb({ to: folder, mark: 'second' });
   await page.reload({ waitUntil: 'load' });
-  assert.deepEqual(await page.evaluate(() => [...globalThis.rockFieldMarks]), ['second'], 'the first load after a deploy runs the new code');
+  assert.deepEqual(
+    await page.evaluate(() => [...globalThis.rockFieldMarks]),
+    ['second'],
+    'the first load after a deploy runs the new code',
+  );
 
   await untilIn(page, async () => Boolean((await navigator.serviceWorker.getRegistration())?.waiting));
   const caches = await page.evaluate(async () => (await globalThis.caches.keys()).filter((name) => /:\w{16}$/.test(name)));
@@ -77,7 +85,9 @@ test('after one visit the page works without a network, and a new deploy is seen
 
 test('old caches go when the new worker takes over', async () => {
   const { page, close } = await session.open(SMALL, { serviceWorkers: 'allow' });
-  await page.evaluate(async () => (await caches.open('rock-field-0123456789abcdef')).put(new URL('./', location.href), new Response('of yore')));
+  await page.evaluate(async () =>
+    (await caches.open('rock-field-0123456789abcdef')).put(new URL('./', location.href), new Response('of yore')),
+  );
   await page.evaluate(() => navigator.serviceWorker.ready);
   await untilIn(page, async () => !(await caches.has('rock-field-0123456789abcdef')));
   await close();

@@ -8,16 +8,23 @@ const ARTICLE = `<!doctype html><html lang="en"><meta charset="utf-8"><title>art
 <rock-field image-width="200" image-height="200" style="width: 100%; height: 20rem"></rock-field><p>Between</p>
 <wood-ear-log density="2" range="20" ground="none" style="width: 100%; height: 20rem"></wood-ear-log>
 <script type="module" src="/rock-field.js"></script><script type="module" src="/wood-ear-log.js"></script>`;
-const PAGES = { '/article.html': ARTICLE, '/elsewhere.html': '<!doctype html><title>elsewhere</title><link rel="icon" href="data:,"><p>Elsewhere' };
+const PAGES = {
+  '/article.html': ARTICLE,
+  '/elsewhere.html': '<!doctype html><title>elsewhere</title><link rel="icon" href="data:,"><p>Elsewhere',
+};
 const ROCKS = 'index.html#preset=journal-fig1&w=200&h=200';
 const WOOD = 'wood-ear.html#preset=thesis-default&d=2&r=20';
 
 async function open(session, address) {
   const opened = await session.open(address, { viewport: { width: 900, height: 600 }, locale: 'en-US' });
-  await opened.page.waitForFunction(() => {
-    globalThis.scenes = [...document.querySelectorAll('rock-field, wood-ear-log')];
-    return scenes.length > 0 && scenes.every((scene) => scene.ready && scene.backend && (scene.field ?? scene.scene));
-  }, undefined, { polling: 100 });
+  await opened.page.waitForFunction(
+    () => {
+      globalThis.scenes = [...document.querySelectorAll('rock-field, wood-ear-log')];
+      return scenes.length > 0 && scenes.every((scene) => scene.ready && scene.backend && (scene.field ?? scene.scene));
+    },
+    undefined,
+    { polling: 100 },
+  );
   await opened.page.evaluate(() => Promise.all(scenes.map(({ ready }) => ready)));
   return opened;
 }
@@ -32,7 +39,10 @@ function picturesOf(pdf) {
   });
 }
 
-for (const [backend, address] of [['webgl', ROCKS], ['webgpu', WOOD]]) {
+for (const [backend, address] of [
+  ['webgl', ROCKS],
+  ['webgpu', WOOD],
+]) {
   describe(backend, () => {
     let session;
     let opened;
@@ -58,7 +68,11 @@ for (const [backend, address] of [['webgl', ROCKS], ['webgpu', WOOD]]) {
       });
       await page.goto(`${session.url}elsewhere.html`);
       await page.evaluate(() => history.back()).catch(() => undefined);
-      await page.waitForFunction(() => globalThis.given?.length > 0 || (!globalThis.given && document.querySelector('rock-field, wood-ear-log')?.ready), undefined, { polling: 100 });
+      await page.waitForFunction(
+        () => globalThis.given?.length > 0 || (!globalThis.given && document.querySelector('rock-field, wood-ear-log')?.ready),
+        undefined,
+        { polling: 100 },
+      );
       assert.deepEqual(await page.evaluate(() => globalThis.given ?? []), [true], 'it was loaded anew: this test shows nothing');
       const colours = await page.evaluate(async () => {
         const bitmap = await createImageBitmap(await scenes[0].toBlob());
@@ -80,7 +94,10 @@ for (const [backend, address] of [['webgl', ROCKS], ['webgpu', WOOD]]) {
         assert.ok(pictures.length >= count, `${page.url()}: ${pictures}`);
         // Paper has other proportions than the window.
         await page.emulateMedia({ media: 'print' });
-        assert.deepEqual(await page.evaluate(() => scenes.map((scene) => getComputedStyle(scene.shadowRoot.querySelector('canvas')).objectFit)), Array(count).fill('contain'));
+        assert.deepEqual(
+          await page.evaluate(() => scenes.map((scene) => getComputedStyle(scene.shadowRoot.querySelector('canvas')).objectFit)),
+          Array(count).fill('contain'),
+        );
         await page.emulateMedia({ media: null });
         assert.deepEqual(errors, []);
       }

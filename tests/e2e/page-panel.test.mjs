@@ -174,7 +174,8 @@ test('after a layer or a base is added, copied or removed, the focus is on the n
   const opened = await open('#preset=journal-fig1&w=64&h=64&r=20,10');
   const { page } = opened;
   await hidePictures(page);
-  const at = () => page.evaluate(() => document.activeElement?.closest('.layer')?.dataset.layer ?? document.activeElement?.textContent.trim());
+  const at = () =>
+    page.evaluate(() => document.activeElement?.closest('.layer')?.dataset.layer ?? document.activeElement?.textContent.trim());
   const press = async (name) => {
     await page.getByRole('button', { name, exact: true }).focus();
     await page.keyboard.press('Enter');
@@ -207,11 +208,16 @@ test('the radius takes height and taper with it, and back; a lock keeps them', a
   const layer = async () => (await params(page)).layers[0];
   const { taper, height } = await layer();
   const field = page.locator('[id="r-0-number"]');
-  const radius = (value) => page.waitForFunction((wanted) => document.querySelector('rock-field').params.layers[0].radius === wanted, value);
+  const radius = (value) =>
+    page.waitForFunction((wanted) => document.querySelector('rock-field').params.layers[0].radius === wanted, value);
   await field.fill('');
   await field.pressSequentially('20');
   await radius(20);
-  assert.deepEqual([(await layer()).taper, (await layer()).height], [taper.map((value) => value / 2), height.map((value) => value / 2)], 'digit by digit, nothing is rounded away');
+  assert.deepEqual(
+    [(await layer()).taper, (await layer()).height],
+    [taper.map((value) => value / 2), height.map((value) => value / 2)],
+    'digit by digit, nothing is rounded away',
+  );
   await page.locator('[id="r-0"]').press('End');
   await page.locator('[id="r-0"]').press('Home');
   await field.fill('40');
@@ -238,7 +244,11 @@ test('fingers take a slider by its thumb; a tap beside it and a scroll that begi
   const box = await slider.boundingBox();
   const y = box.y + box.height / 2;
   const thumb = box.x + 10 + 0.7 * (box.width - 20);
-  const state = async () => [(await params(page)).packing, await page.locator('[id="cd"]').inputValue(), await page.getByRole('button', { name: 'Undo' }).isDisabled()];
+  const state = async () => [
+    (await params(page)).packing,
+    await page.locator('[id="cd"]').inputValue(),
+    await page.getByRole('button', { name: 'Undo' }).isDisabled(),
+  ];
   const before = await state();
   await page.touchscreen.tap(box.x + 0.2 * box.width, y);
   assert.deepEqual(await state(), before, 'a tap');
@@ -270,7 +280,12 @@ test('the wheel over a number that has the focus scrolls the panel and leaves th
   await page.mouse.wheel(0, 120);
   await page.waitForFunction((top) => document.querySelector('.panel-body').scrollTop > top, before[1]);
   assert.equal(await field.inputValue(), before[0]);
-  assert.deepEqual(await page.locator('[id="w1-0-number"], [id="h1-0-number"], [id="w-number"]').evaluateAll((fields) => fields.map(({ inputMode }) => inputMode).sort()), ['decimal', 'numeric', 'text']);
+  assert.deepEqual(
+    await page
+      .locator('[id="w1-0-number"], [id="h1-0-number"], [id="w-number"]')
+      .evaluateAll((fields) => fields.map(({ inputMode }) => inputMode).sort()),
+    ['decimal', 'numeric', 'text'],
+  );
   await closeClean(opened);
 });
 
@@ -295,19 +310,28 @@ test('every control has a name, what describes it exists, and what is chosen can
   const opened = await open('#w=256&h=256');
   const { page } = opened;
   const nameless = await page.evaluate(() =>
-    [...document.querySelectorAll('button, input, select')].filter((element) => {
-      const name = element.getAttribute('aria-label') || element.textContent.trim() || [...(element.labels ?? [])].map(({ textContent }) => textContent.trim()).join('');
-      return !name;
-    }).map(({ outerHTML }) => outerHTML),
+    [...document.querySelectorAll('button, input, select')]
+      .filter((element) => {
+        const name =
+          element.getAttribute('aria-label') ||
+          element.textContent.trim() ||
+          [...(element.labels ?? [])].map(({ textContent }) => textContent.trim()).join('');
+        return !name;
+      })
+      .map(({ outerHTML }) => outerHTML),
   );
   assert.deepEqual(nameless, []);
   const dangling = await page.evaluate(() =>
     [...document.querySelectorAll('[aria-describedby], [aria-labelledby], [aria-controls]')].flatMap((element) =>
-      ['aria-describedby', 'aria-labelledby', 'aria-controls'].flatMap((name) => (element.getAttribute(name) ?? '').split(' ').filter((id) => id && !document.getElementById(id))),
+      ['aria-describedby', 'aria-labelledby', 'aria-controls'].flatMap((name) =>
+        (element.getAttribute(name) ?? '').split(' ').filter((id) => id && !document.getElementById(id)),
+      ),
     ),
   );
   assert.deepEqual(dangling, []);
-  const twice = await page.evaluate(() => [...document.querySelectorAll('[id]')].map(({ id }) => id).filter((id, index, all) => all.indexOf(id) !== index));
+  const twice = await page.evaluate(() =>
+    [...document.querySelectorAll('[id]')].map(({ id }) => id).filter((id, index, all) => all.indexOf(id) !== index),
+  );
   assert.deepEqual(twice, []);
   await page.emulateMedia({ forcedColors: 'active' });
   const pale = await page.evaluate(async () => {
@@ -315,7 +339,9 @@ test('every control has a name, what describes it exists, and what is chosen can
     const probe = document.body.appendChild(document.createElement('p'));
     Object.assign(probe.style, { forcedColorAdjust: 'none', background: 'Highlight', color: 'HighlightText' });
     const colours = (element) => [getComputedStyle(element).backgroundColor, getComputedStyle(element).color].join(' on ');
-    return [...document.querySelectorAll('.segment input:checked + span')].filter((chosen) => colours(chosen) !== colours(probe)).map((chosen) => `${chosen.textContent.trim()}: ${colours(chosen)}, not ${colours(probe)}`);
+    return [...document.querySelectorAll('.segment input:checked + span')]
+      .filter((chosen) => colours(chosen) !== colours(probe))
+      .map((chosen) => `${chosen.textContent.trim()}: ${colours(chosen)}, not ${colours(probe)}`);
   });
   assert.deepEqual(pale, [], 'what is chosen can be read in forced colours');
   await closeClean(opened);

@@ -54,7 +54,10 @@ for (const webgpu of [false, true]) {
       const opened = await openNatural(browser);
       const { page, errors } = opened;
       assert.ok((await stats(page)).rocks > 1000);
-      assert.deepEqual(await page.evaluate(() => [document.querySelector('rock-field').color, document.querySelector('#preset-name').textContent]), ['natural', 'Riverbed']);
+      assert.deepEqual(
+        await page.evaluate(() => [document.querySelector('rock-field').color, document.querySelector('#preset-name').textContent]),
+        ['natural', 'Riverbed'],
+      );
       assert.equal(await page.locator('[data-backend]').textContent(), webgpu ? 'WebGPU' : 'WebGL2');
       assert.deepEqual(await page.locator(MESSAGE).allInnerTexts(), []);
       assert.equal(await page.locator('.boot').count(), 0);
@@ -82,7 +85,13 @@ test('what is only seen is drawn without a run, undone and shared like the rest;
   await page.locator('[data-param="soil"] input[value="sand"]').check();
   await address(page, /&soil=sand&sa=360&r=30,12,6&mat=slate,mixed,mixed$/);
   await page.keyboard.press('Control+z');
-  assert.deepEqual(await page.evaluate(() => { const { ground, sunAzimuth, material } = document.querySelector('rock-field'); return [ground, sunAzimuth, material[0]]; }), ['soil', 360, 'slate']);
+  assert.deepEqual(
+    await page.evaluate(() => {
+      const { ground, sunAzimuth, material } = document.querySelector('rock-field');
+      return [ground, sunAzimuth, material[0]];
+    }),
+    ['soil', 360, 'slate'],
+  );
   assert.equal(await hash(page), before);
   assert.equal(await page.evaluate(() => globalThis.runs), 0, 'nothing is run');
   await page.locator('[data-param="color"] input[value="plain"]').check();
@@ -101,7 +110,11 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
   await page.getByRole('listbox').waitFor();
   assert.equal(await focused(), 'journal-fig1', 'it begins at what is chosen');
   assert.equal(await page.getByRole('option').count(), 36);
-  assert.deepEqual(await page.locator('.presets [role=group]').evaluateAll((groups) => groups.map(({ ariaLabel }) => ariaLabel)), ['Natural grounds', 'Journal (2011)', 'Conference (2010)']);
+  assert.deepEqual(await page.locator('.presets [role=group]').evaluateAll((groups) => groups.map(({ ariaLabel }) => ariaLabel)), [
+    'Natural grounds',
+    'Journal (2011)',
+    'Conference (2010)',
+  ]);
   await page.keyboard.press('Home');
   assert.equal(await focused(), 'riverbed');
   await page.keyboard.press('ArrowRight');
@@ -110,10 +123,11 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
   await page.keyboard.type('sh');
   assert.equal(await focused(), 'shingle');
   assert.deepEqual(await violations(page), []);
-  const isDrawn = (name) => page.evaluate((preset) => {
-    const { data } = document.querySelector(`[data-preset="${preset}"] canvas`).getContext('2d').getImageData(0, 0, 192, 128);
-    return data.some((value) => value !== 0);
-  }, name);
+  const isDrawn = (name) =>
+    page.evaluate((preset) => {
+      const { data } = document.querySelector(`[data-preset="${preset}"] canvas`).getContext('2d').getImageData(0, 0, 192, 128);
+      return data.some((value) => value !== 0);
+    }, name);
   await until(() => isDrawn('riverbed'), 'the picture of the riverbed');
   await page.keyboard.press('Escape');
   assert.equal(await page.getByRole('listbox').count(), 0);
@@ -173,7 +187,10 @@ test('the embed code shows the same rocks', async () => {
   await hidePictures(page);
   const code = await copied(page, page.getByRole('button', { name: 'Copy embed code' }));
   const expected = await hash(page);
-  const source = await page.evaluate((html) => new DOMParser().parseFromString(html, 'text/html').querySelector('rock-field').getAttribute('src'), code);
+  const source = await page.evaluate(
+    (html) => new DOMParser().parseFromString(html, 'text/html').querySelector('rock-field').getAttribute('src'),
+    code,
+  );
   const shown = await page.evaluate(async (src) => {
     const element = document.createElement('rock-field');
     element.setAttribute('backend', 'null');
@@ -236,7 +253,18 @@ test('of a bad link there is one notice for each thing that is wrong, which name
 });
 
 // Small where the rocks cover each other many times over: a software GPU would take minutes.
-const DEGENERATE = ['#r=', '#r=8192', '#w=1&h=1', '#w=1024&h=1', '#w=64&h=64&r=1&w2=0&w3=0&h1=1&h2=1&h3=0', '#a=0,0,0', '#a=1,1,1', '#cd=0', '#w=32&h=32&w1=-500,-500,-500', '#n=0,-,5'];
+const DEGENERATE = [
+  '#r=',
+  '#r=8192',
+  '#w=1&h=1',
+  '#w=1024&h=1',
+  '#w=64&h=64&r=1&w2=0&w3=0&h1=1&h2=1&h3=0',
+  '#a=0,0,0',
+  '#a=1,1,1',
+  '#cd=0',
+  '#w=32&h=32&w1=-500,-500,-500',
+  '#n=0,-,5',
+];
 
 test('links that leave hardly anything to be seen have a picture and no error', async () => {
   const opened = await open(DEGENERATE[0]);
@@ -254,7 +282,8 @@ test('links that leave hardly anything to be seen have a picture and no error', 
 test('each scene is found as it was left, and the log can be laid on the rocks that were edited', async () => {
   const opened = await open('#preset=journal-fig1&w=64&h=64&r=20', { viewport: { width: 720, height: 280 } });
   const { page } = opened;
-  const ready = (name) => page.waitForFunction((element) => document.querySelector(element) && document.querySelector('.summary'), name, { polling: 100 });
+  const ready = (name) =>
+    page.waitForFunction((element) => document.querySelector(element) && document.querySelector('.summary'), name, { polling: 100 });
   const tab = (name) => page.getByRole('navigation').getByRole('link', { name });
   // The address tells of a seed when it is shown.
   const nextSeed = async (shown) => {
@@ -262,7 +291,9 @@ test('each scene is found as it was left, and the log can be laid on the rocks t
     await address(page, shown);
   };
   await nextSeed(/seed=1/);
-  await page.goto(new URL('wood-ear.html#preset=thesis-default&d=8&ground=preset%3Djournal-fig12a%26w%3D64%26h%3D64%26r%3D20', session.url).href);
+  await page.goto(
+    new URL('wood-ear.html#preset=thesis-default&d=8&ground=preset%3Djournal-fig12a%26w%3D64%26h%3D64%26r%3D20', session.url).href,
+  );
   await ready('wood-ear-log');
   await nextSeed(/seed=1/);
   await tab('Rocks').click();
@@ -297,7 +328,8 @@ test('in plans there is no colour to choose; a chosen word is as wide as before;
   assert.ok(await colors.evaluateAll((inputs) => inputs.every(({ disabled }) => disabled)));
   await page.locator('[data-param="view"] input[value="3d"]').check();
   assert.ok(await colors.evaluateAll((inputs) => inputs.every(({ disabled }) => !disabled)));
-  const widths = () => page.locator('.overlay-start .segment').evaluateAll((segments) => segments.map((segment) => segment.getBoundingClientRect().width));
+  const widths = () =>
+    page.locator('.overlay-start .segment').evaluateAll((segments) => segments.map((segment) => segment.getBoundingClientRect().width));
   const before = [await widths(), await page.evaluate(() => document.querySelector('rock-field').camera)];
   await page.locator('[data-param="color"] input[value="plain"]').check();
   await address(page, /&color=plain&camera=/);
@@ -321,7 +353,10 @@ test('the keyboard’s focus on the picture is seen', async () => {
     return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
   }, shot);
   const accent = [0x2a, 0x64, 0x88];
-  assert.ok(edge.every((value, k) => Math.abs(value - accent[k]) < 12), `${edge}`);
+  assert.ok(
+    edge.every((value, k) => Math.abs(value - accent[k]) < 12),
+    `${edge}`,
+  );
   await closeClean(opened);
 });
 
@@ -330,7 +365,14 @@ test('views and colours change the picture, not the rocks; the link tells them',
   const { page } = opened;
   const before = await hash(page);
   let last = await page.locator('rock-field').screenshot();
-  for (const [name, value] of [['view', 'wireframe'], ['view', 'diagrams'], ['view', 'selection'], ['view', '3d'], ['color', 'rock'], ['color', 'plain']]) {
+  for (const [name, value] of [
+    ['view', 'wireframe'],
+    ['view', 'diagrams'],
+    ['view', 'selection'],
+    ['view', '3d'],
+    ['color', 'rock'],
+    ['color', 'plain'],
+  ]) {
     await page.locator(`[data-param="${name}"] input[value="${value}"]`).check();
     // Another picture, which stays.
     let next = last;
@@ -366,8 +408,25 @@ test('the page works by keyboard alone', async () => {
     if (name === null) break;
     reached.add(name);
   }
-  for (const name of ['Share', 'preset', 'seed-number', 'Fresh random seed', 'r-0', 'r-0-number', 'h3-0', 'w', 'cd-number', 'u', 'border', 'language', 'theme']) {
-    assert.ok([...reached].some((seen) => seen === name), `${name} is not reached: ${[...reached].join(', ')}`);
+  for (const name of [
+    'Share',
+    'preset',
+    'seed-number',
+    'Fresh random seed',
+    'r-0',
+    'r-0-number',
+    'h3-0',
+    'w',
+    'cd-number',
+    'u',
+    'border',
+    'language',
+    'theme',
+  ]) {
+    assert.ok(
+      [...reached].some((seen) => seen === name),
+      `${name} is not reached: ${[...reached].join(', ')}`,
+    );
   }
   await page.locator('main.stage').evaluate((stage) => stage.querySelector('rock-field').shadowRoot.querySelector('[tabindex]').focus());
   await page.keyboard.press('ArrowLeft');
@@ -388,14 +447,23 @@ test('the page works by keyboard alone', async () => {
 
 for (const language of ['en', 'ja']) {
   test(`a phone of 360 px in ${language}: nothing is cut off, the picture stays visible, targets are large`, async () => {
-    const opened = await open('#preset=journal-fig1&w=256&h=256', { viewport: { width: 360, height: 740 }, deviceScaleFactor: 1, isMobile: true, hasTouch: true, locale: language === 'ja' ? 'ja-JP' : 'en-US', colorScheme: language === 'ja' ? 'dark' : 'light' });
+    const opened = await open('#preset=journal-fig1&w=256&h=256', {
+      viewport: { width: 360, height: 740 },
+      deviceScaleFactor: 1,
+      isMobile: true,
+      hasTouch: true,
+      locale: language === 'ja' ? 'ja-JP' : 'en-US',
+      colorScheme: language === 'ja' ? 'dark' : 'light',
+    });
     const { page } = opened;
     assert.equal(await page.evaluate(() => document.documentElement.lang), language);
     await page.screenshot({ path: screenshotPath(`page-phone-${language}`) });
     await page.locator('.sheet-toggle').tap();
     await page.screenshot({ path: screenshotPath(`page-phone-${language}-open`) });
     const { wide, small, picture } = await page.evaluate(() => {
-      const targets = [...document.querySelectorAll('.panel button, .panel select, .panel .slider, .segment, .on-picture')].filter((element) => element.checkVisibility());
+      const targets = [...document.querySelectorAll('.panel button, .panel select, .panel .slider, .segment, .on-picture')].filter(
+        (element) => element.checkVisibility(),
+      );
       const boxes = targets.map((element) => ({ name: element.className || element.id, box: element.getBoundingClientRect() }));
       return {
         wide: boxes.filter(({ box }) => box.left < 0 || box.right > innerWidth).map(({ name }) => name),

@@ -59,9 +59,19 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
       const said = () => {
         const panel = part('panel');
         const stage = a.shadowRoot.querySelector('[role=application]');
-        return [stage.ariaLabel, stage.getAttribute('aria-roledescription'), a.shadowRoot.getElementById('description').textContent, part('controls-button').ariaLabel, panel.shadowRoot.querySelector('.panel').ariaLabel, panel.shadowRoot.querySelector('.panel-title').textContent].map((text) => japanese.test(text));
+        return [
+          stage.ariaLabel,
+          stage.getAttribute('aria-roledescription'),
+          a.shadowRoot.getElementById('description').textContent,
+          part('controls-button').ariaLabel,
+          panel.shadowRoot.querySelector('.panel').ariaLabel,
+          panel.shadowRoot.querySelector('.panel-title').textContent,
+        ].map((text) => japanese.test(text));
       };
-      const all = async (isJapanese) => { await until(() => said().every((is) => is === isJapanese)); return panelLang(); };
+      const all = async (isJapanese) => {
+        await until(() => said().every((is) => is === isJapanese));
+        return panelLang();
+      };
       const panelLang = () => part('panel').lang;
       const first = await all(true);
       document.documentElement.lang = 'en';
@@ -81,18 +91,30 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
   });
 
   test(`${name}: moved into a frame's document, a popup's, and back it has its styles, size, frames and panel`, async () => {
-    const { page, errors, close } = await open(`${element.replace('>', ' controls="open">')}<iframe style="width: 500px; height: 400px"></iframe>`);
+    const { page, errors, close } = await open(
+      `${element.replace('>', ' controls="open">')}<iframe style="width: 500px; height: 400px"></iframe>`,
+    );
     const seen = await page.evaluate(async () => {
       const shown = async (width) => {
         a.style.cssText = `display: block; width: ${width}px; height: 300px`;
         await a.ready;
         const panel = () => a.shadowRoot.querySelector('[part=panel]');
         const canvas = () => a.shadowRoot.querySelector('canvas');
-        await until(() => panel() && canvas()?.width === Math.round(a.shadowRoot.querySelector('.stage').clientWidth * a.ownerDocument.defaultView.devicePixelRatio));
+        await until(
+          () =>
+            panel() &&
+            canvas()?.width === Math.round(a.shadowRoot.querySelector('.stage').clientWidth * a.ownerDocument.defaultView.devicePixelRatio),
+        );
         const style = (node) => a.ownerDocument.defaultView.getComputedStyle(node);
         const camera = JSON.stringify(a.camera);
         a.camera = { ...a.camera, azimuth: a.camera.azimuth + 1 };
-        return [style(a).contain, style(a.shadowRoot.querySelector('.stage')).position, style(panel()).position, style(panel().shadowRoot.querySelector('.panel')).position, JSON.stringify(a.camera) !== camera];
+        return [
+          style(a).contain,
+          style(a.shadowRoot.querySelector('.stage')).position,
+          style(panel()).position,
+          style(panel().shadowRoot.querySelector('.panel')).position,
+          JSON.stringify(a.camera) !== camera,
+        ];
       };
       const results = [await shown(400)];
       const { field } = a;
@@ -117,8 +139,15 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
   test(`${name}: toBlob draws below the fold, lazy, without a box and in no visible tab, and settles by name elsewhere`, async () => {
     const { page, close } = await open(`<div style="height: 5000px"></div>${element.replace('>', ' loading="lazy">')}`, { ready: false });
     const seen = await page.evaluate(async () => {
-      const size = async (blob) => { const { width, height } = await createImageBitmap(blob); return [width, height, (await colours(blob)) > 20]; };
-      const refused = (promise) => promise.then(() => 'given', (error) => error.name);
+      const size = async (blob) => {
+        const { width, height } = await createImageBitmap(blob);
+        return [width, height, (await colours(blob)) > 20];
+      };
+      const refused = (promise) =>
+        promise.then(
+          () => 'given',
+          (error) => error.name,
+        );
       const below = await size(await a.toBlob({ width: 100, height: 80 }));
       a.style.display = 'none';
       const boxless = await size(await a.toBlob({ width: 100, height: 80 }));
@@ -134,7 +163,15 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
       const withoutRenderer = await refused(broken.toBlob());
       return { below, boxless, own, never, detached, withoutRenderer, again: await refused(broken.toBlob()) };
     });
-    assert.deepEqual(seen, { below: [100, 80, true], boxless: [100, 80, true], own: [300, 150, true], never: [60, 50, true], detached: 'NotConnected', withoutRenderer: 'NoRenderer', again: 'NoRenderer' });
+    assert.deepEqual(seen, {
+      below: [100, 80, true],
+      boxless: [100, 80, true],
+      own: [300, 150, true],
+      never: [60, 50, true],
+      detached: 'NotConnected',
+      withoutRenderer: 'NoRenderer',
+      again: 'NoRenderer',
+    });
     await close();
   });
 
@@ -142,7 +179,10 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
     const prepare = (page) => page.route('**/*_bg*.wasm', () => {});
     const { page, close } = await open(element, { ready: false, prepare });
     const seen = await page.evaluate(() => {
-      const waiting = a.toBlob().then(() => 'given', ({ name }) => name);
+      const waiting = a.toBlob().then(
+        () => 'given',
+        ({ name }) => name,
+      );
       a.remove();
       return waiting;
     });
@@ -155,14 +195,40 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
     const seen = await page.evaluate(async () => {
       const canvas = a.shadowRoot.querySelector('canvas');
       const before = [canvas.width, canvas.height];
-      const sizes = [{ width: 9000, height: 20 }, { width: 20, height: 9000 }, { width: 0 }, { height: NaN }, { width: 10.5, height: 10 }, { width: -5, height: 5 }, { width: '20', height: 20 }, { width: Infinity }, { width: 100_000, height: 100_000 }];
+      const sizes = [
+        { width: 9000, height: 20 },
+        { width: 20, height: 9000 },
+        { width: 0 },
+        { height: NaN },
+        { width: 10.5, height: 10 },
+        { width: -5, height: 5 },
+        { width: '20', height: 20 },
+        { width: Infinity },
+        { width: 100_000, height: 100_000 },
+      ];
       const refused = [];
-      for (const size of sizes) refused.push(await a.toBlob(size).then(() => 'given', ({ name, key, value, min, max }) => [name, key, String(value), min >= 1, max >= 8192]));
+      for (const size of sizes)
+        refused.push(
+          await a.toBlob(size).then(
+            () => 'given',
+            ({ name, key, value, min, max }) => [name, key, String(value), min >= 1, max >= 8192],
+          ),
+        );
       const only = await createImageBitmap(await a.toBlob({ width: 200 }));
       return { refused, only: [only.width, only.height], same: String([canvas.width, canvas.height]) === String(before) };
     });
     const wrong = (key, value) => ['OutOfRange', key, value, true, true];
-    assert.deepEqual(seen.refused, [wrong('width', '9000'), wrong('height', '9000'), wrong('width', '0'), wrong('height', 'NaN'), wrong('width', '10.5'), wrong('width', '-5'), wrong('width', '20'), wrong('width', 'Infinity'), wrong('width', '100000')]);
+    assert.deepEqual(seen.refused, [
+      wrong('width', '9000'),
+      wrong('height', '9000'),
+      wrong('width', '0'),
+      wrong('height', 'NaN'),
+      wrong('width', '10.5'),
+      wrong('width', '-5'),
+      wrong('width', '20'),
+      wrong('width', 'Infinity'),
+      wrong('width', '100000'),
+    ]);
     assert.deepEqual([seen.only, seen.same, errors], [[200, 150], true, []]);
     await close();
   });
@@ -209,13 +275,16 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
 const SMALL = '<rock-field image-width="100" image-height="80" radius="30 10"></rock-field>';
 
 test('in shadow roots that the page declares, from templates, in SVG, behind content-visibility, in dialogs, full screen and from right to left there is a picture of the box', async () => {
-  const { page, errors, close } = await open(`<style>rock-field { width: 120px; height: 90px }</style>
+  const { page, errors, close } = await open(
+    `<style>rock-field { width: 120px; height: 90px }</style>
     <div id="declared"><template shadowrootmode="open"><style>rock-field { display: block; width: 120px; height: 90px }</style>${SMALL}</template></div>
     <div id="own">${SMALL.replace('>', '><template shadowrootmode="open"><p>replaced</p></template>')}</div>
     <template>${SMALL}</template><div id="imported"></div><div id="cloned"></div><div id="copied"></div>
     <svg width="120" height="90"><foreignObject id="foreign" width="120" height="90">${SMALL}</foreignObject></svg>
     <div style="height: 3000px"></div><div id="skipped" style="content-visibility: auto; contain-intrinsic-size: 10px 10px">${SMALL}</div>
-    <dialog>${SMALL}</dialog><div id="rtl" dir="rtl">${SMALL}</div>`, { ready: false });
+    <dialog>${SMALL}</dialog><div id="rtl" dir="rtl">${SMALL}</div>`,
+    { ready: false },
+  );
   const seen = await page.evaluate(async () => {
     const { content } = document.querySelector('template');
     const node = (id) => document.getElementById(id);
@@ -223,14 +292,24 @@ test('in shadow roots that the page declares, from templates, in SVG, behind con
     node('cloned').append(content.cloneNode(true));
     node('copied').append(node('own').firstElementChild.cloneNode(true));
     document.querySelector('dialog').showModal();
-    const places = [node('declared').shadowRoot, ...['own', 'imported', 'cloned', 'copied', 'foreign', 'skipped', 'rtl'].map(node), document.querySelector('dialog')];
+    const places = [
+      node('declared').shadowRoot,
+      ...['own', 'imported', 'cloned', 'copied', 'foreign', 'skipped', 'rtl'].map(node),
+      document.querySelector('dialog'),
+    ];
     const results = [];
     for (const place of places) {
       const element = place.querySelector('rock-field');
       element.scrollIntoView();
       await element.ready;
       const { width, height } = element.shadowRoot.querySelector('canvas');
-      results.push([place.id ?? place.localName ?? 'declared', width, height, element.shadowRoot.querySelector('p') === null, element.field.stats.rocks]);
+      results.push([
+        place.id ?? place.localName ?? 'declared',
+        width,
+        height,
+        element.shadowRoot.querySelector('p') === null,
+        element.field.stats.rocks,
+      ]);
     }
     return results;
   });
@@ -258,7 +337,10 @@ test('whatever rules the page has for everything, canvases and boxes, the pictur
     const { page, errors, close } = await open(`<style>${rules}</style><p>before</p>${SMALL}<p>after</p>`);
     const seen = await page.evaluate(() => {
       const canvas = a.shadowRoot.querySelector('canvas');
-      const [own, drawn] = [a, canvas].map((node) => { const { x, y, width, height } = node.getBoundingClientRect(); return [x, y, width, height]; });
+      const [own, drawn] = [a, canvas].map((node) => {
+        const { x, y, width, height } = node.getBoundingClientRect();
+        return [x, y, width, height];
+      });
       return { same: String(own) === String(drawn), size: own.slice(2), canvas: [canvas.width, canvas.height] };
     });
     assert.deepEqual([seen, errors], [{ same: true, size: expected, canvas: expected }, []], rules);
@@ -267,7 +349,10 @@ test('whatever rules the page has for everything, canvases and boxes, the pictur
   await box('* { all: revert !important }', [300, 150]);
   await box('* { all: revert } rock-field { display: inline; width: 200px; height: 100px }', [200, 100]);
   await box('rock-field { position: static; contain: none; width: 200px; height: 100px }', [200, 100]);
-  await box('canvas { width: 10px !important; display: none !important } div { display: none !important } * { position: static !important; transform: none !important; opacity: 1 } rock-field { width: 200px; height: 100px }', [200, 100]);
+  await box(
+    'canvas { width: 10px !important; display: none !important } div { display: none !important } * { position: static !important; transform: none !important; opacity: 1 } rock-field { width: 200px; height: 100px }',
+    [200, 100],
+  );
 });
 
 test('a link has the address of the page, whatever its base', async () => {
@@ -279,14 +364,20 @@ test('a link has the address of the page, whatever its base', async () => {
     const own = new URL(a.shareURL());
     const other = a.shareURL('x.html');
     document.querySelector('iframe').contentDocument.body.append(a);
-    return [own.origin === location.origin && own.pathname === location.pathname, /^https?:/.test(a.shareURL()), other.startsWith('https://elsewhere.example/deep/x.html#')];
+    return [
+      own.origin === location.origin && own.pathname === location.pathname,
+      /^https?:/.test(a.shareURL()),
+      other.startsWith('https://elsewhere.example/deep/x.html#'),
+    ];
   });
   assert.deepEqual(seen, [true, true, true]);
   await close();
 });
 
 test('a slider of a panel in a frame is let go where it is held: two drags are two steps of undo', async () => {
-  const { page, errors, close } = await open(`${SMALL.replace('>', ' controls="open">')}<iframe style="width: 800px; height: 500px"></iframe>`);
+  const { page, errors, close } = await open(
+    `${SMALL.replace('>', ' controls="open">')}<iframe style="width: 800px; height: 500px"></iframe>`,
+  );
   const seen = await page.evaluate(async () => {
     const frame = document.querySelector('iframe');
     a.style.cssText = 'width: 700px; height: 400px';
@@ -354,7 +445,10 @@ test('what is dropped on the log is opened, also from a folder; what cannot be i
     await opened;
     return [texts, silent, a.params.mesh.indices.length];
   });
-  assert.deepEqual([seen, errors], [[[[true, 'bad.obj has no triangles'], 'LogFileNoMesh', [true, 'ドロップされたものにファイルがありません']], true, 12], []]);
+  assert.deepEqual(
+    [seen, errors],
+    [[[[true, 'bad.obj has no triangles'], 'LogFileNoMesh', [true, 'ドロップされたものにファイルがありません']], true, 12], []],
+  );
   await close();
 });
 
@@ -364,9 +458,12 @@ for (const webgpu of [false, true]) {
     const old = session;
     session = own;
     try {
-      const { page, close } = await open(`${ELEMENTS['rock-field']}<div style="height: 5000px"></div><rock-field image-width="200" image-height="150"></rock-field>`);
+      const { page, close } = await open(
+        `${ELEMENTS['rock-field']}<div style="height: 5000px"></div><rock-field image-width="200" image-height="150"></rock-field>`,
+      );
       const seen = await page.evaluate(async () => {
-        const copies = () => [...document.querySelectorAll('rock-field')].map((element) => element.shadowRoot.querySelectorAll('canvas')[1]);
+        const copies = () =>
+          [...document.querySelectorAll('rock-field')].map((element) => element.shadowRoot.querySelectorAll('canvas')[1]);
         const [, below] = document.querySelectorAll('rock-field');
         await until(() => below.backend && below.field);
         dispatchEvent(new Event('beforeprint'));

@@ -3,7 +3,10 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { copied, holdResults, launch, until } from './browser.mjs';
 
-const element = (name, attributes) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>refused</title><link rel="icon" href="data:,">
+const element = (
+  name,
+  attributes,
+) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>refused</title><link rel="icon" href="data:,">
 <${name} id="a" backend="null" ${attributes}></${name}>
 <script>
   const heard = [];
@@ -32,10 +35,16 @@ after(() => session?.close());
 
 /** On a device of 4 GB, whose budget is 512 MiB. */
 async function open(address, options = {}) {
-  const opened = await session.open(address, { viewport: { width: 720, height: 320 }, locale: 'en-US', colorScheme: 'light', ...options, prepare: async (page) => {
-    await page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'deviceMemory', { get: () => 4 }));
-    await page.addInitScript(holdResults);
-  } });
+  const opened = await session.open(address, {
+    viewport: { width: 720, height: 320 },
+    locale: 'en-US',
+    colorScheme: 'light',
+    ...options,
+    prepare: async (page) => {
+      await page.addInitScript(() => Object.defineProperty(Navigator.prototype, 'deviceMemory', { get: () => 4 }));
+      await page.addInitScript(holdResults);
+    },
+  });
   await opened.page.waitForFunction(() => document.querySelector('rock-field, wood-ear-log')?.field, undefined, { polling: 100 });
   await opened.page.evaluate(() => {
     const a = document.querySelector('rock-field, wood-ear-log');
@@ -45,8 +54,14 @@ async function open(address, options = {}) {
       const [field, before] = [a.field, seen()];
       edit();
       const pending = a.shareURL() === JSON.parse(before)[1];
-      const error = await a.generate().then(() => 'made', ({ name, key }) => `${name} ${key}`);
-      const now = await (a.getField ?? a.getColony).call(a).then(() => a.field === field, ({ name }) => name);
+      const error = await a.generate().then(
+        () => 'made',
+        ({ name, key }) => `${name} ${key}`,
+      );
+      const now = await (a.getField ?? a.getColony).call(a).then(
+        () => a.field === field,
+        ({ name }) => name,
+      );
       return { error, pending, same: seen() === before ? 'same' : seen(), now, steps: [a.undo(), a.redo()] };
     };
   });
@@ -80,7 +95,13 @@ test('rock-field: what code, a property, an attribute or a link sets and the gen
     await a.generate().catch(() => undefined);
     a.setAttribute('seed', '7');
     const field = await a.getField();
-    return [a.params.seed, a.params.packing, a.params.layers.map(({ radius }) => radius), field.layers[0].radius, new URL(a.shareURL()).hash];
+    return [
+      a.params.seed,
+      a.params.packing,
+      a.params.layers.map(({ radius }) => radius),
+      field.layers[0].radius,
+      new URL(a.shareURL()).hash,
+    ];
   });
   assert.deepEqual(later, [7, 0.6, [200], 200, '#v=1&preset=journal-fig1&seed=7&w=2048&h=2048&cd=0.6&r=200&a=0.3']);
   assert.deepEqual(errors, []);
@@ -92,7 +113,11 @@ test('an edit whose run has not ended survives the refusal of the next one, also
   const seen = await page.evaluate(async () => {
     const { now } = performance;
     const outcomes = [];
-    for (const [later, isSameTask] of [[5000, true], [0, false], [0, true]]) {
+    for (const [later, isSameTask] of [
+      [5000, true],
+      [0, false],
+      [0, true],
+    ]) {
       a.seed = 5;
       // The run begins at the end of the task; its result cannot be here yet.
       if (!isSameTask) for (let k = 0; k < 3; k += 1) await undefined;
@@ -107,7 +132,11 @@ test('an edit whose run has not ended survives the refusal of the next one, also
     }
     return outcomes;
   });
-  assert.deepEqual(seen, [[5, [200], 200, true, 0, false], [5, [200], 200, true, 0, false], [0, [200], 200, false, 0, false]]);
+  assert.deepEqual(seen, [
+    [5, [200], 200, true, 0, false],
+    [5, [200], 200, true, 0, false],
+    [0, [200], 200, false, 0, false],
+  ]);
   await close();
 });
 
@@ -145,7 +174,8 @@ test('wood-ear-log: what code, a property, an attribute or a link sets and eithe
     'an attribute': () => a.setAttribute('ground', 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1'),
     'a property': () => (a.ground = 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1&seed=2'),
     params: () => (a.params = { ...a.params, density: 5, ground: 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1' }),
-    'a link': () => (a.src = '#preset=wrinkled&d=4&ll=400&view=wireframe&camera=1,0.5,300,9,9,0&ground=preset=journal-fig1%26r=1,1,1,1,1,1,1,1'),
+    'a link': () =>
+      (a.src = '#preset=wrinkled&d=4&ll=400&view=wireframe&camera=1,0.5,300,9,9,0&ground=preset=journal-fig1%26r=1,1,1,1,1,1,1,1'),
   });
   // A mesh is refused at once, before any run.
   const atOnce = await page.evaluate(() => {
@@ -196,7 +226,9 @@ test('a bad camera is refused with key, value and bounds, and nothing moves', as
         ['WrongType', 'target', '0,0', null, null],
         ['OutOfRange', 'target', '2000000', -1e6, 1e6],
       ],
-      true, false, [],
+      true,
+      false,
+      [],
     ]);
     await close();
   }
@@ -209,7 +241,8 @@ const params = (page) => page.evaluate(() => document.querySelector('rock-field,
 const LINK = '#v=1&preset=journal-fig1&w=2048&h=2048&r=200&a=0.3';
 const isUndoDisabled = (page) => page.getByRole('button', { name: 'Undo' }).isDisabled();
 /** Waits for words on the line of messages, by the clock: frames may be slow to come. */
-const says = (page, words) => page.waitForFunction((text) => document.querySelector('stage-overlay > .message')?.innerText.includes(text), words, { polling: 100 });
+const says = (page, words) =>
+  page.waitForFunction((text) => document.querySelector('stage-overlay > .message')?.innerText.includes(text), words, { polling: 100 });
 /** What Share copies. */
 const shared = async (page) => new URL(await copied(page, page.getByRole('button', { name: 'Share' }))).hash;
 
@@ -221,7 +254,10 @@ test('a control keeps the value that was refused, with its message; address, Sha
     await problem.waitFor();
     assert.match(await problem.textContent(), /MiB.*MiB/);
     await page.locator('[id="r-0-number"]').blur();
-    assert.deepEqual([await page.locator('[id="r-0-number"]').inputValue(), await page.locator('[id="r-0"]').getAttribute('aria-valuetext')], ['1', '1 px']);
+    assert.deepEqual(
+      [await page.locator('[id="r-0-number"]').inputValue(), await page.locator('[id="r-0"]').getAttribute('aria-valuetext')],
+      ['1', '1 px'],
+    );
     assert.deepEqual([(await params(page)).layers[0].radius, await hash(page), await isUndoDisabled(page)], [200, LINK, true]);
     assert.equal(await shared(page), LINK);
     // The next edit is of its own parameter alone.
@@ -237,7 +273,7 @@ test('a control keeps the value that was refused, with its message; address, Sha
   await close();
 });
 
-test('a control of an element\'s own panel keeps the value that was refused, with its message, and the picture stays', async () => {
+test("a control of an element's own panel keeps the value that was refused, with its message, and the picture stays", async () => {
   const { page, errors, close } = await open('rocks.html');
   // `control` is what the panel calls the parameter `key`.
   const refuses = async ({ control, key, refusable, kept, taken }) => {
@@ -259,13 +295,17 @@ test('a control of an element\'s own panel keeps the value that was refused, wit
     // The next edit is of its own parameter alone, and the message goes.
     await panel.getByRole('button', { name: 'Next seed' }).click();
     await page.waitForFunction((name) => a[name] !== before, kept, { polling: 100 });
-    assert.deepEqual([await number.inputValue(), await problem.count(), await page.evaluate((name) => [a.seed, a[name]], key)], [taken, 0, [1, key === 'radius' ? [Number(taken)] : Number(taken)]]);
+    assert.deepEqual(
+      [await number.inputValue(), await problem.count(), await page.evaluate((name) => [a.seed, a[name]], key)],
+      [taken, 0, [1, key === 'radius' ? [Number(taken)] : Number(taken)]],
+    );
   };
   await page.evaluate(() => (a.style.cssText = 'display: block; width: 700px; height: 300px'));
   await refuses({ control: 'r-0', key: 'radius', refusable: '1', kept: 'field', taken: '200' });
   await page.evaluate(async () => {
     await import('/wood-ear-log.js');
-    a.outerHTML = '<wood-ear-log id="a" backend="null" density="4" range="100" rings="24" meridians="64" log-spacing="1.5" collisions="off" style="display: block; width: 700px; height: 300px"></wood-ear-log>';
+    a.outerHTML =
+      '<wood-ear-log id="a" backend="null" density="4" range="100" rings="24" meridians="64" log-spacing="1.5" collisions="off" style="display: block; width: 700px; height: 300px"></wood-ear-log>';
     await a.getColony();
   });
   await refuses({ control: 'd', key: 'density', refusable: '100', kept: 'colony', taken: '4' });
@@ -275,10 +315,20 @@ test('a control of an element\'s own panel keeps the value that was refused, wit
 
 test('a link that is refused leaves the picture, its view, colour and camera, and the address goes back to them', async () => {
   const { page, errors, close } = await open(`${LINK}&camera=1,0.5,900,900,900,0`);
-  const seen = () => page.evaluate(() => {
-    const { params, view, color, camera } = document.querySelector('rock-field');
-    return [params, view, color, camera, ...document.querySelectorAll('.overlay-start input:checked').values().map(({ value }) => value)];
-  });
+  const seen = () =>
+    page.evaluate(() => {
+      const { params, view, color, camera } = document.querySelector('rock-field');
+      return [
+        params,
+        view,
+        color,
+        camera,
+        ...document
+          .querySelectorAll('.overlay-start input:checked')
+          .values()
+          .map(({ value }) => value),
+      ];
+    });
   const [before, address] = [await seen(), await hash(page)];
   await page.evaluate(() => (location.hash = '#preset=riverbed&w=2048&h=2048&r=1&view=wireframe&color=plain&camera=0,1,300,9,9,0'));
   await says(page, 'MiB');

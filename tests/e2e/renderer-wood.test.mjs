@@ -63,7 +63,11 @@ async function draw() {
     return copy.toDataURL();
   };
   // A tent over the middle of the field.
-  const tent = (size) => [Float32Array.of(-size, -size, 0, size, -size, 0, 0, size, 0, 0, 0, size), Float32Array.of(-0.6, -0.6, 0.5, 0.6, -0.6, 0.5, 0, 0.9, 0.5, 0, 0, 1), Uint32Array.of(0, 1, 3, 1, 2, 3, 2, 0, 3)];
+  const tent = (size) => [
+    Float32Array.of(-size, -size, 0, size, -size, 0, 0, size, 0, 0, 0, size),
+    Float32Array.of(-0.6, -0.6, 0.5, 0.6, -0.6, 0.5, 0, 0.9, 0.5, 0, 0, 1),
+    Uint32Array.of(0, 1, 3, 1, 2, 3, 2, 0, 3),
+  ];
   const setLog = (size) => renderer.setLog(...tent(size), new Uint8Array(4), place);
   const setColony = (keys) => renderer.setColony(...tent(2), keys, 1, 4, place);
   const bare = picture();
@@ -103,13 +107,20 @@ async function drawSkirts(backend) {
   const place = Float32Array.of(0, 0, 0, 1);
   /** A pyramid without its top, in rings of four corners: `[half the side, height]`, from above. */
   const pyramid = (rings) => {
-    const corners = [[-1, -1], [1, -1], [1, 1], [-1, 1]];
+    const corners = [
+      [-1, -1],
+      [1, -1],
+      [1, 1],
+      [-1, 1],
+    ];
     const positions = rings.flatMap(([half, z]) => corners.flatMap(([x, y]) => [50 + half * x, 50 + half * y, z]));
     const normals = rings.flatMap(() => corners.flatMap(([x, y]) => [0.6 * x, 0.6 * y, 0.53]));
-    const sides = rings.slice(1).flatMap((_, ring) => corners.flatMap((_, k) => {
-      const [above, next] = [4 * ring + k, 4 * ring + ((k + 1) % 4)];
-      return [above, above + 4, next, next, above + 4, next + 4];
-    }));
+    const sides = rings.slice(1).flatMap((_, ring) =>
+      corners.flatMap((_, k) => {
+        const [above, next] = [4 * ring + k, 4 * ring + ((k + 1) % 4)];
+        return [above, above + 4, next, next, above + 4, next + 4];
+      }),
+    );
     return [Float32Array.from(positions), Float32Array.from(normals), Uint32Array.from([0, 1, 2, 0, 2, 3, ...sides])];
   };
   const bare = () => renderer.setField(100, 100, new Float32Array(), new Float32Array(), none, new Uint32Array(1), none, none);
@@ -150,7 +161,10 @@ async function drawSkirts(backend) {
     return (100 * count) / (width * height);
   };
   renderer.setCamera(0.3, 0.3, 100, 50, 50, 0);
-  const above = [[9, 14], [11, 0]];
+  const above = [
+    [9, 14],
+    [11, 0],
+  ];
   const seen = [];
   for (const subject of ['rock', 'log']) {
     for (const [style, values] of Object.entries(styles)) {

@@ -21,7 +21,8 @@ export async function hashOf(page, arrays) {
   const found = await page.evaluateHandle(arrays);
   const text = await found.evaluate((all) => {
     let state = 0x811c9dc5;
-    for (const { buffer, byteOffset, byteLength } of all) for (const byte of new Uint8Array(buffer, byteOffset, byteLength)) state = Math.imul(state ^ byte, 0x01000193);
+    for (const { buffer, byteOffset, byteLength } of all)
+      for (const byte of new Uint8Array(buffer, byteOffset, byteLength)) state = Math.imul(state ^ byte, 0x01000193);
     return (state >>> 0).toString(16).padStart(8, '0');
   });
   await found.dispose();
@@ -30,6 +31,9 @@ export async function hashOf(page, arrays) {
 
 /** Closes what was opened; fails if the page has said an error that matches none of the known patterns. */
 export async function closeClean({ errors, close }, known = []) {
-  assert.deepEqual(errors.filter((text) => !known.some((pattern) => pattern.test(text))), []);
+  assert.deepEqual(
+    errors.filter((text) => !known.some((pattern) => pattern.test(text))),
+    [],
+  );
   await close();
 }

@@ -22,11 +22,16 @@ const OBJ = (() => {
 })();
 
 const drop = (page, name, text) =>
-  page.evaluate(([fileName, content]) => {
-    const transfer = new DataTransfer();
-    transfer.items.add(new File([content], fileName));
-    document.querySelector('wood-ear-log').dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
-  }, [name, text]);
+  page.evaluate(
+    ([fileName, content]) => {
+      const transfer = new DataTransfer();
+      transfer.items.add(new File([content], fileName));
+      document
+        .querySelector('wood-ear-log')
+        .dispatchEvent(new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true }));
+    },
+    [name, text],
+  );
 
 test('a log from a file carries the colony; a broken, foreign or empty file is refused in words and the old log stays', async () => {
   const opened = await open('#preset=thesis-default&r=25&d=100');
@@ -58,7 +63,11 @@ test('a log from a file carries the colony; a broken, foreign or empty file is r
 });
 
 /** Two triangles so thin that they have an area in the file and none in the generator, which has 32-bit positions. */
-const SLIVERS = 'v 0 100 0\nv 200 100 0\nv 100 100 0.0000000001\nv 0 -100 0\nv 200 -100 0\nv 100 -100 0.0000000001\nf 1 2 3\nf 4 5 6\n'.replaceAll('0 0.0000000001', '0.0000000001 0');
+const SLIVERS =
+  'v 0 100 0\nv 200 100 0\nv 100 100 0.0000000001\nv 0 -100 0\nv 200 -100 0\nv 100 -100 0.0000000001\nf 1 2 3\nf 4 5 6\n'.replaceAll(
+    '0 0.0000000001',
+    '0.0000000001 0',
+  );
 
 test('a log that the generator refuses leaves the old one, on the element, in the panel, in the history and in the address', async () => {
   // As the page itself writes it, so that its address stays as it is.
@@ -71,7 +80,11 @@ test('a log that the generator refuses leaves the old one, on the element, in th
   });
   const before = { hash: await hash(page), params: await params(page), address: page.url() };
   await drop(page, 'slivers.obj', SLIVERS);
-  await page.locator(`${MESSAGE} p, .control-problem`).filter({ hasText: /no triangle of the log has an area/ }).first().waitFor();
+  await page
+    .locator(`${MESSAGE} p, .control-problem`)
+    .filter({ hasText: /no triangle of the log has an area/ })
+    .first()
+    .waitFor();
   assert.deepEqual(await params(page), before.params);
   assert.equal(await hash(page), before.hash);
   assert.equal(page.url(), before.address);
@@ -118,12 +131,30 @@ test('of several files the latest is shown, others are given up by name, and wha
     element.cancel();
     const names = [];
     for (const wrong of [undefined, null, 'https://example.org/log.glb', {}, new URL('https://example.org/'), 7, []]) {
-      await element.loadLog(wrong).catch(({ name, key, message }) => names.push([name, key, /file, a Blob or an ArrayBuffer/.test(message)].join()));
+      await element
+        .loadLog(wrong)
+        .catch(({ name, key, message }) => names.push([name, key, /file, a Blob or an ArrayBuffer/.test(message)].join()));
     }
     await element.loadLog(new Uint8Array(await box('170').arrayBuffer()));
-    return { settled: settled.map(({ status, reason }) => reason?.name ?? status), latest, both: both.at(1).status, cancelled: await cancelled, names: [...new Set(names)], last: size(), errors };
+    return {
+      settled: settled.map(({ status, reason }) => reason?.name ?? status),
+      latest,
+      both: both.at(1).status,
+      cancelled: await cancelled,
+      names: [...new Set(names)],
+      last: size(),
+      errors,
+    };
   }, OBJ);
-  assert.deepEqual(outcome, { settled: ['AbortError', 'AbortError', 'fulfilled'], latest: 65, both: 'fulfilled', cancelled: 'AbortError', names: ['WrongType,log,true'], last: 85, errors: [] });
+  assert.deepEqual(outcome, {
+    settled: ['AbortError', 'AbortError', 'fulfilled'],
+    latest: 65,
+    both: 'fulfilled',
+    cancelled: 'AbortError',
+    names: ['WrongType,log,true'],
+    last: 85,
+    errors: [],
+  });
   await closeClean(opened);
 });
 
@@ -134,13 +165,17 @@ test('a large file is read beside the page: no task of the page takes long, and 
   const { longest, name, ms } = await page.evaluate(async () => {
     const lines = [];
     for (let x = 0; x < 700; x += 1) for (let y = 0; y < 300; y += 1) lines.push(`v ${x}.123456 ${y}.123456 ${(x * y) % 7}.123456`);
-    for (let x = 0; x < 699; x += 1) for (let y = 0; y < 299; y += 1) lines.push(`f ${x * 300 + y + 1} ${x * 300 + y + 301} ${x * 300 + y + 302} ${x * 300 + y + 2}`);
+    for (let x = 0; x < 699; x += 1)
+      for (let y = 0; y < 299; y += 1) lines.push(`f ${x * 300 + y + 1} ${x * 300 + y + 301} ${x * 300 + y + 302} ${x * 300 + y + 2}`);
     const file = new File([lines.join('\n')], 'grid.obj');
     const tasks = [];
     new PerformanceObserver((list) => tasks.push(...list.getEntries())).observe({ entryTypes: ['longtask'] });
     await new Promise((resolve) => setTimeout(resolve, 300));
     const begun = performance.now();
-    const { name } = await document.querySelector('wood-ear-log').loadLog(file).catch((thrown) => thrown);
+    const { name } = await document
+      .querySelector('wood-ear-log')
+      .loadLog(file)
+      .catch((thrown) => thrown);
     const ms = performance.now() - begun;
     return { longest: Math.max(0, ...tasks.filter(({ startTime }) => startTime > begun).map(({ duration }) => duration)), name, ms };
   });
@@ -154,14 +189,20 @@ test('while files are dragged over the picture a frame says what happens; of an 
   const { page } = opened;
   const frame = () => page.evaluate(() => document.querySelector('wood-ear-log').shadowRoot.querySelector('.drop').checkVisibility());
   const drag = (type, target, files) =>
-    page.evaluate(([name, selector, list]) => {
-      const transfer = new DataTransfer();
-      for (const [file, text] of list) transfer.items.add(new File([text], file));
-      const event = new DragEvent(name, { dataTransfer: transfer, bubbles: true, cancelable: true, composed: true });
-      document.querySelector(selector).dispatchEvent(event);
-      return event.defaultPrevented;
-    }, [type, target, files]);
-  const both = [['box.mtl', 'newmtl bark\n'], ['box.obj', OBJ]];
+    page.evaluate(
+      ([name, selector, list]) => {
+        const transfer = new DataTransfer();
+        for (const [file, text] of list) transfer.items.add(new File([text], file));
+        const event = new DragEvent(name, { dataTransfer: transfer, bubbles: true, cancelable: true, composed: true });
+        document.querySelector(selector).dispatchEvent(event);
+        return event.defaultPrevented;
+      },
+      [type, target, files],
+    );
+  const both = [
+    ['box.mtl', 'newmtl bark\n'],
+    ['box.obj', OBJ],
+  ];
   assert.equal(await frame(), false);
   assert.equal(await drag('dragover', 'wood-ear-log', both), true);
   assert.equal(await frame(), true);
@@ -177,7 +218,9 @@ test('while files are dragged over the picture a frame says what happens; of an 
   await page.screenshot({ path: screenshotPath('wood-ear-share-file') });
   await page.evaluate(() => releaseTimers());
   // Beside the picture the browser would leave the page for the file.
-  await page.evaluate(() => (document.querySelector('wood-ear-log').params = { ...document.querySelector('wood-ear-log').params, mesh: null }));
+  await page.evaluate(
+    () => (document.querySelector('wood-ear-log').params = { ...document.querySelector('wood-ear-log').params, mesh: null }),
+  );
   assert.equal(await drag('drop', '#controls', both), true);
   await page.waitForFunction(() => document.querySelector('wood-ear-log').params.mesh !== null);
   await closeClean(opened);

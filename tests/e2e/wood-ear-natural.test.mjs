@@ -48,9 +48,16 @@ for (const preset of names) {
     const seen = pictures.map((each) => tiles(each, ...TILES));
     found[preset] = asText(seen[0]);
     const errors = process.env.UPDATE ? [] : seen.map((each) => meanDifference(each, asPicture(stored[preset], ...TILES)));
-    console.log(`${preset}: backends ${between.toFixed(3)} % apart, ${errors.map((error) => error.toFixed(3)).join(' and ')} % from what is stored`);
+    console.log(
+      `${preset}: backends ${between.toFixed(3)} % apart, ${errors.map((error) => error.toFixed(3)).join(' and ')} % from what is stored`,
+    );
     assert(between < MOST.backends, `WebGPU and WebGL2 are ${between.toFixed(2)} % apart`);
-    errors.forEach((error, index) => assert(error < MOST.stored, `on ${BACKENDS[index]} it is ${error.toFixed(2)} % from what is stored; if it is right, UPDATE=1 stores it`));
+    errors.forEach((error, index) =>
+      assert(
+        error < MOST.stored,
+        `on ${BACKENDS[index]} it is ${error.toFixed(2)} % from what is stored; if it is right, UPDATE=1 stores it`,
+      ),
+    );
   });
 }
 

@@ -27,7 +27,10 @@ for (const webgpu of [false, true]) {
       assert.ok(individuals > 300);
       assert.equal(crossingPairs, 0);
       assert.equal(await page.locator('[data-backend]').textContent(), webgpu ? 'WebGPU' : 'WebGL2');
-      assert.deepEqual(await page.evaluate(() => [document.querySelector('wood-ear-log').color, document.querySelector('#preset-name').textContent]), ['natural', 'Fallen log']);
+      assert.deepEqual(
+        await page.evaluate(() => [document.querySelector('wood-ear-log').color, document.querySelector('#preset-name').textContent]),
+        ['natural', 'Fallen log'],
+      );
       assert.equal(await page.locator(MESSAGE).count(), 0);
       // No rock's ground lies under the middle of the log, where it touches the soil.
       const under = await page.evaluate(() => {
@@ -41,7 +44,9 @@ for (const webgpu of [false, true]) {
           }
           return isIn;
         };
-        return field.layers.flatMap(({ selected, cellStarts, cellVertices }) => [...selected].filter((cell) => inside(cellStarts[cell], cellStarts[cell + 1], cellVertices))).length;
+        return field.layers.flatMap(({ selected, cellStarts, cellVertices }) =>
+          [...selected].filter((cell) => inside(cellStarts[cell], cellStarts[cell + 1], cellVertices)),
+        ).length;
       });
       assert.equal(under, 0);
       assert.ok(await page.evaluate(() => document.querySelector('wood-ear-log').field.stats.rocks > 300));
@@ -98,10 +103,16 @@ test('a click on the log places a base, its ring is dragged along the log and re
   const moved = (await params(page)).bases[1];
   assert.notDeepEqual(moved.position, placed.position);
   await page.keyboard.press('Control+z');
-  await page.waitForFunction((wanted) => JSON.stringify(document.querySelector('wood-ear-log').params.bases[1]) === wanted, JSON.stringify(placed));
+  await page.waitForFunction(
+    (wanted) => JSON.stringify(document.querySelector('wood-ear-log').params.bases[1]) === wanted,
+    JSON.stringify(placed),
+  );
   await page.evaluate(() => document.querySelector('wood-ear-log').shadowRoot.querySelectorAll('.handle')[1].focus());
   await page.keyboard.press('ArrowLeft');
-  await page.waitForFunction((wanted) => JSON.stringify(document.querySelector('wood-ear-log').params.bases[1]) !== wanted, JSON.stringify(placed));
+  await page.waitForFunction(
+    (wanted) => JSON.stringify(document.querySelector('wood-ear-log').params.bases[1]) !== wanted,
+    JSON.stringify(placed),
+  );
   await page.keyboard.press('Delete');
   await page.waitForFunction(() => document.querySelector('wood-ear-log').params.bases.length === 1);
   // The last one stays.
@@ -124,14 +135,22 @@ test('a base has a range of its own, from the panel', async () => {
   await page.locator('[data-param="range-of-1"] input[value="own"]').check();
   await page.locator('[id="br-1"]').press('Home');
   await colony(page);
-  assert.deepEqual((await params(page)).bases.map(({ range }) => range), [null, 20]);
+  assert.deepEqual(
+    (await params(page)).bases.map(({ range }) => range),
+    [null, 20],
+  );
   await page.getByRole('button', { name: 'Remove base 1' }).click();
-  assert.deepEqual((await params(page)).bases.map(({ range }) => range), [20]);
+  assert.deepEqual(
+    (await params(page)).bases.map(({ range }) => range),
+    [20],
+  );
   await closeClean(opened);
 });
 
 test('a shared link shows the same log on the same rocks elsewhere', async () => {
-  const opened = await open('#preset=wet-colony&d=20&r=25&seed=7&color=plain&bx=-30,20&by=-15,-15&bz=20,20&br=-,30&ground=preset%3Djournal-fig12a%26w%3D64%26h%3D64%26r%3D20');
+  const opened = await open(
+    '#preset=wet-colony&d=20&r=25&seed=7&color=plain&bx=-30,20&by=-15,-15&bz=20,20&br=-,30&ground=preset%3Djournal-fig12a%26w%3D64%26h%3D64%26r%3D20',
+  );
   const { page } = opened;
   await hidePictures(page);
   await page.locator('#ground').selectOption('shingle');
@@ -163,11 +182,18 @@ test('the embed code shows the same log on another page', async () => {
   let html = '';
   const other = await launch({ intercept: pageOf('elsewhere.html', () => html) });
   try {
-    const opened = await open(`${SMALL}&ground=preset%3Djournal-fig12a%26w%3D128%26h%3D128%26r%3D20`, { permissions: ['clipboard-read', 'clipboard-write'] }, other);
+    const opened = await open(
+      `${SMALL}&ground=preset%3Djournal-fig12a%26w%3D128%26h%3D128%26r%3D20`,
+      { permissions: ['clipboard-read', 'clipboard-write'] },
+      other,
+    );
     const { page } = opened;
     const code = await copied(page, page.getByRole('button', { name: 'Copy embed code' }));
     html = `<!doctype html><title>Elsewhere</title><link rel="icon" href="data:,">${code}`;
-    assert.match(html, /<script async crossorigin src="http:\/\/[^"]+\/wood-ear-cdn\.js"><\/script>\n<wood-ear-log src="#v=1&amp;preset=thesis-default/);
+    assert.match(
+      html,
+      /<script async crossorigin src="http:\/\/[^"]+\/wood-ear-cdn\.js"><\/script>\n<wood-ear-log src="#v=1&amp;preset=thesis-default/,
+    );
     const expected = await hash(page);
     const there = await other.open('elsewhere.html', { viewport: { width: 500, height: 400 } });
     await there.page.waitForFunction(() => document.querySelector('wood-ear-log')?.scene, undefined, { polling: 100 });
@@ -186,7 +212,9 @@ test('of a drag the colony before its collisions is followed at once, and the ne
   const seen = await page.evaluate(async () => {
     const element = document.querySelector('wood-ear-log');
     const seen = [];
-    element.addEventListener('generate', ({ detail }) => seen.push([element.colony.stats.individuals, detail.isPreview, detail.superseded]));
+    element.addEventListener('generate', ({ detail }) =>
+      seen.push([element.colony.stats.individuals, detail.isPreview, detail.superseded]),
+    );
     // To and fro, until some of it has been seen.
     for (let step = 0; step < 20 || seen.filter(([, isPreview]) => isPreview).length < 2; step += 1) {
       element.density = 40 - 10 * Math.cos(step / 6);
@@ -219,17 +247,32 @@ test('a long run is told once, beside the offer of the other rule, clear of what
   const tell = (progress) => page.evaluate((given) => document.querySelector('wood-ear-log').tellProgress(given), progress);
   const box = page.locator('[part=message]');
   const offer = page.locator('.progress-offer');
-  for (const [language, words] of [['en', 'about 40 seconds'], ['ja', '約40 秒']]) {
+  for (const [language, words] of [
+    ['en', 'about 40 seconds'],
+    ['ja', '約40 秒'],
+  ]) {
     await page.locator(`input[name="language"][value="${language}"]`).evaluate((button) => button.click());
     await tell({ stage: 'collide', fraction: 0.31, secondsLeft: 40 });
     await offer.filter({ hasText: words }).waitFor();
     assert.ok(!(await box.innerText()).includes(words), 'it is said twice');
     // What the picture has to say for itself meanwhile, with its button.
-    await page.evaluate(() => document.querySelector('wood-ear-log').say('Words of the picture itself, long enough to need a second line where the window is no wider than a phone.'));
-    for (const [width, height] of [[1280, 800], [844, 390], [360, 740], [320, 640]]) {
+    await page.evaluate(() =>
+      document
+        .querySelector('wood-ear-log')
+        .say('Words of the picture itself, long enough to need a second line where the window is no wider than a phone.'),
+    );
+    for (const [width, height] of [
+      [1280, 800],
+      [844, 390],
+      [360, 740],
+      [320, 640],
+    ]) {
       await page.setViewportSize({ width, height });
       const covered = await page.evaluate(() => {
-        const boxes = [document.querySelector('.progress'), document.querySelector('wood-ear-log').shadowRoot.querySelector('[part=message]')].map((one) => one.getBoundingClientRect());
+        const boxes = [
+          document.querySelector('.progress'),
+          document.querySelector('wood-ear-log').shadowRoot.querySelector('[part=message]'),
+        ].map((one) => one.getBoundingClientRect());
         const [a, b] = boxes;
         const isCovered = Math.min(a.bottom, b.bottom) > Math.max(a.top, b.top) && Math.min(a.right, b.right) > Math.max(a.left, b.left);
         return isCovered || boxes.some(({ top }) => top < 0) ? boxes.map(({ top, bottom }) => [top, bottom]) : false;
@@ -246,7 +289,11 @@ test('a long run is told once, beside the offer of the other rule, clear of what
     const words = () => (box.hidden ? '' : box.innerText);
     return element.getColony().then(() => {
       const heard = [];
-      for (const progress of [{ stage: 'collide', fraction: 0.31, secondsLeft: 40 }, { stage: 'collide', fraction: 0.32, secondsLeft: 30 }, null]) {
+      for (const progress of [
+        { stage: 'collide', fraction: 0.31, secondsLeft: 40 },
+        { stage: 'collide', fraction: 0.32, secondsLeft: 30 },
+        null,
+      ]) {
         element.tellProgress(progress);
         heard.push(words());
       }
@@ -270,7 +317,8 @@ test('an element on another page takes attributes, properties and its own panel'
   const opened = await session.open('wood-ear.html#preset=thesis-default', { viewport: { width: 800, height: 600 }, locale: 'en-US' });
   const { page } = opened;
   const state = await page.evaluate(async () => {
-    document.body.innerHTML = '<wood-ear-log density="20" range="25" bases="0 -20 20, 30 -20 20 30" ground="none" controls="open" style="width: 700px; height: 500px"></wood-ear-log>';
+    document.body.innerHTML =
+      '<wood-ear-log density="20" range="25" bases="0 -20 20, 30 -20 20 30" ground="none" controls="open" style="width: 700px; height: 500px"></wood-ear-log>';
     const element = document.querySelector('wood-ear-log');
     await element.ready;
     const before = (await element.getColony()).stats.individuals;
@@ -286,7 +334,12 @@ test('an element on another page takes attributes, properties and its own panel'
     return { before, after, thrown, bases: element.bases.length, rocks: element.field.stats.rocks, length: element.params.log.length };
   });
   assert.ok(state.after > state.before);
-  assert.deepEqual({ ...state, before: 0, after: 0 }, { before: 0, after: 0, thrown: { name: 'OutOfRange', key: 'density', value: 900, max: 100 }, bases: 2, rocks: 0, length: 120 });
-  await page.waitForFunction(() => document.querySelector('wood-ear-log').shadowRoot.querySelector('.controls-panel')?.shadowRoot.querySelector('[data-param="d"]'));
+  assert.deepEqual(
+    { ...state, before: 0, after: 0 },
+    { before: 0, after: 0, thrown: { name: 'OutOfRange', key: 'density', value: 900, max: 100 }, bases: 2, rocks: 0, length: 120 },
+  );
+  await page.waitForFunction(() =>
+    document.querySelector('wood-ear-log').shadowRoot.querySelector('.controls-panel')?.shadowRoot.querySelector('[data-param="d"]'),
+  );
   await closeClean(opened);
 });

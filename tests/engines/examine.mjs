@@ -24,7 +24,13 @@ export function intercept(request, response) {
   const { pathname, searchParams } = new URL(request.url, 'http://localhost');
   const file = { '/page.mjs': new URL('page.mjs', import.meta.url), '/golden.mjs': new URL('../golden.mjs', import.meta.url) }[pathname];
   if (file) response.writeHead(200, { 'content-type': 'text/javascript', 'access-control-allow-origin': '*' }).end(readFileSync(file));
-  else if (pathname === `/${PAGE}`) response.writeHead(200, HTML).end(page(searchParams.get('element') ?? 'rock-field', [...searchParams].filter(([name]) => name !== 'element')));
+  else if (pathname === `/${PAGE}`)
+    response.writeHead(200, HTML).end(
+      page(
+        searchParams.get('element') ?? 'rock-field',
+        [...searchParams].filter(([name]) => name !== 'element'),
+      ),
+    );
   else if (pathname === `/${EMPTY_PAGE}`) response.writeHead(200, HTML).end(HEAD);
   else return interceptVisits(request, response);
   return true;
@@ -86,7 +92,10 @@ async function file(engine) {
   const picture = decodePng(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
   same([picture.width, picture.height], [FILE.width, FILE.height], 'size of the file');
   const { layers } = statistics(picture, { x: 0, y: 0, ...FILE }, WHITE);
-  assert(layers.every(({ share }) => share > 0), 'there are rocks of every layer in the file');
+  assert(
+    layers.every(({ share }) => share > 0),
+    'there are rocks of every layer in the file',
+  );
 }
 
 /** An attribute gives the field that Node gives, once, and another picture. */

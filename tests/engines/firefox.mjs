@@ -33,10 +33,14 @@ export async function openFirefox(program, { env, timeoutMs }) {
   try {
     let hasEnded = false;
     void browser.ended.then(() => (hasEnded = true));
-    const port = await until(() => {
-      if (hasEnded) throw new Error(`Firefox ended: ${browser.said()}`);
-      return activePort(profile);
-    }, 'Starting Firefox', START_MS);
+    const port = await until(
+      () => {
+        if (hasEnded) throw new Error(`Firefox ended: ${browser.said()}`);
+        return activePort(profile);
+      },
+      'Starting Firefox',
+      START_MS,
+    );
     socket = connect(port, '127.0.0.1');
     const send = marionette(socket);
     const { capabilities } = await send('WebDriver:NewSession', { timeouts: { script: timeoutMs, pageLoad: timeoutMs } });
@@ -90,7 +94,8 @@ export function marionette(socket) {
     if (error) reject(new Error(`${error.error}: ${error.message}`));
     else resolve(result);
   };
-  const fail = (error) => waiting.forEach(({ reject }) => reject(new Error(`Firefox is gone${error?.message ? `: ${error.message}` : ''}`)));
+  const fail = (error) =>
+    waiting.forEach(({ reject }) => reject(new Error(`Firefox is gone${error?.message ? `: ${error.message}` : ''}`)));
   socket.on('error', fail);
   socket.on('close', fail);
   return (name, parameters) =>

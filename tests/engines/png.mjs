@@ -22,7 +22,8 @@ export function decodePng(file) {
   const [width, height] = [header.readUInt32BE(0), header.readUInt32BE(4)];
   const [depth, color, , , interlaced] = header.subarray(8);
   const channels = CHANNELS[color];
-  if (depth !== 8 || !channels || interlaced) throw new Error(`PNG of colour type ${color}, ${depth} bits${interlaced ? ', interlaced' : ''} is not read here`);
+  if (depth !== 8 || !channels || interlaced)
+    throw new Error(`PNG of colour type ${color}, ${depth} bits${interlaced ? ', interlaced' : ''} is not read here`);
   return { width, height, channels, data: unfilter(inflateSync(Buffer.concat(packed)), width * channels, height, channels) };
 }
 
@@ -36,7 +37,8 @@ function* chunks(bytes) {
 
 /** Undoes the filters (PNG specification, section 9): every byte was written as its difference from a guess. */
 function unfilter(filtered, stride, height, channels) {
-  if (filtered.length !== (stride + 1) * height) throw new Error(`this PNG file has ${filtered.length} bytes of pixels where ${(stride + 1) * height} are due`);
+  if (filtered.length !== (stride + 1) * height)
+    throw new Error(`this PNG file has ${filtered.length} bytes of pixels where ${(stride + 1) * height} are due`);
   const data = new Uint8Array(stride * height);
   for (let row = 0; row < height; row += 1) {
     const filter = filtered[row * (stride + 1)];

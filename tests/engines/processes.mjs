@@ -21,7 +21,11 @@ let isGuarded = false;
  */
 export function start(program, args, { env = {}, stdio = [], scratch } = {}) {
   guard();
-  const child = spawn(program, args, { env: { ...process.env, ...env }, stdio: ['ignore', 'pipe', 'pipe', ...stdio], detached: !isWindows });
+  const child = spawn(program, args, {
+    env: { ...process.env, ...env },
+    stdio: ['ignore', 'pipe', 'pipe', ...stdio],
+    detached: !isWindows,
+  });
   let said = '';
   for (const stream of [child.stdout, child.stderr]) stream.on('data', (text) => (said = (said + text).slice(-SAID_MAX)));
   child.on('error', (error) => (said += `could not be started: ${error.message}`));

@@ -36,7 +36,9 @@
     const isColony = shown.localName === 'wood-ear-log';
     const hash = isColony ? await hashColony(await shown.getColony()) : await hashField(await shown.getField());
     const fetched = performance.getEntriesByType('resource').map(({ name }) => new URL(name).pathname);
-    const plain = fetched.filter((name) => /\.(js|css|wasm)$/.test(name) && !HASHED.test(name) && !PLAIN.test(name) && name !== '/visit.js');
+    const plain = fetched.filter(
+      (name) => /\.(js|css|wasm)$/.test(name) && !HASHED.test(name) && !PLAIN.test(name) && name !== '/visit.js',
+    );
     return { element: shown.localName, backend: shown.backend, hash, params: isColony ? null : shown.params, plain, complaints };
   }
 

@@ -31,8 +31,10 @@ export function interceptVisits(request, response) {
   const allowed = searchParams.get('allowed');
   // A frame without an origin gets modules as other origins do.
   response.setHeader('access-control-allow-origin', '*');
-  if (pathname === '/visit.js') response.writeHead(200, { 'content-type': 'text/javascript' }).end(readFileSync(new URL('visit.js', import.meta.url)));
-  else if (PAGES.some(({ name }) => pathname === `/${name}`)) response.writeHead(200, HTML).end(watched(readFileSync(path.join(dist, pathname), 'utf8'), allowed));
+  if (pathname === '/visit.js')
+    response.writeHead(200, { 'content-type': 'text/javascript' }).end(readFileSync(new URL('visit.js', import.meta.url)));
+  else if (PAGES.some(({ name }) => pathname === `/${name}`))
+    response.writeHead(200, HTML).end(watched(readFileSync(path.join(dist, pathname), 'utf8'), allowed));
   else if (pathname === `/${FRAME}`) response.writeHead(200, HTML).end(framing(allowed));
   else if (pathname === `/${FRAMED}`) response.writeHead(200, HTML).end(framed());
   else return false;
@@ -45,8 +47,11 @@ function watched(page, allowed) {
 }
 
 function framing(allowed) {
-  return watched(`<!doctype html><html lang="en"><head><meta charset="utf-8"><title>frame</title><link rel="icon" href="data:,"></head>
-<iframe sandbox="allow-scripts" src="/${FRAMED}" width="400" height="500"></iframe>`, allowed);
+  return watched(
+    `<!doctype html><html lang="en"><head><meta charset="utf-8"><title>frame</title><link rel="icon" href="data:,"></head>
+<iframe sandbox="allow-scripts" src="/${FRAMED}" width="400" height="500"></iframe>`,
+    allowed,
+  );
 }
 
 /** Both elements; the frame tells the page what they come to. */

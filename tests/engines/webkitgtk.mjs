@@ -14,7 +14,11 @@ export async function openWebKitGtk(program, { env, timeoutMs }) {
   const port = await freePort();
   const driver = start(program, [`--port=${port}`], { env: { ...env, ...SKIA_BY_CPU } });
   const send = async (method, address, body) => {
-    const response = await fetch(`http://127.0.0.1:${port}${address}`, { method, body: body && JSON.stringify(body), signal: AbortSignal.timeout(2 * timeoutMs) });
+    const response = await fetch(`http://127.0.0.1:${port}${address}`, {
+      method,
+      body: body && JSON.stringify(body),
+      signal: AbortSignal.timeout(2 * timeoutMs),
+    });
     const { value } = await response.json();
     if (!response.ok) throw new Error(`${value.error}: ${value.message} ${driver.said()}`.trim());
     return value;
@@ -22,11 +26,17 @@ export async function openWebKitGtk(program, { env, timeoutMs }) {
   try {
     let hasEnded = false;
     void driver.ended.then(() => (hasEnded = true));
-    await until(async () => {
-      if (hasEnded) throw new Error(`WebKitWebDriver ended: ${driver.said()}`);
-      return send('GET', '/status').catch(() => undefined);
-    }, 'Starting WebKitWebDriver', START_MS);
-    const { sessionId, capabilities } = await send('POST', '/session', { capabilities: { alwaysMatch: { timeouts: { script: timeoutMs, pageLoad: timeoutMs } } } });
+    await until(
+      async () => {
+        if (hasEnded) throw new Error(`WebKitWebDriver ended: ${driver.said()}`);
+        return send('GET', '/status').catch(() => undefined);
+      },
+      'Starting WebKitWebDriver',
+      START_MS,
+    );
+    const { sessionId, capabilities } = await send('POST', '/session', {
+      capabilities: { alwaysMatch: { timeouts: { script: timeoutMs, pageLoad: timeoutMs } } },
+    });
     const session = `/session/${sessionId}`;
     return {
       version: capabilities.browserVersion,

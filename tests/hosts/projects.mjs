@@ -14,10 +14,13 @@ export async function install(name, folder) {
   const project = path.join(cache, 'hosts', `${name}-${hashOf(readFileSync(path.join(source, 'package-lock.json'))).slice(0, 12)}`);
   cpSync(source, project, { recursive: true });
   if (!existsSync(path.join(project, 'node_modules', '.package-lock.json'))) {
-    await step(`Installing the packages of ${name}`, '10 s', () => npm(['ci', '--ignore-scripts', '--no-audit', '--no-fund', '--loglevel=error'], { cwd: project }));
+    await step(`Installing the packages of ${name}`, '10 s', () =>
+      npm(['ci', '--ignore-scripts', '--no-audit', '--no-fund', '--loglevel=error'], { cwd: project }),
+    );
   }
   // What bundlers remember of a package they know by its version, which a working copy does not change.
-  for (const remembered of ['node_modules/rock-field', 'node_modules/.vite', '.next']) rmSync(path.join(project, remembered), { recursive: true, force: true });
+  for (const remembered of ['node_modules/rock-field', 'node_modules/.vite', '.next'])
+    rmSync(path.join(project, remembered), { recursive: true, force: true });
   cpSync(folder, path.join(project, 'node_modules', 'rock-field'), { recursive: true });
   return project;
 }
@@ -48,7 +51,11 @@ export async function next(project, ...flags) {
 /** The project as its own server shows it: `{ url, close }`. */
 export async function serverOf(project, program, args) {
   const env = { ...process.env, ...QUIET, NO_COLOR: '1' };
-  const server = spawn(process.execPath, [path.join('node_modules', ...program.split('/')), ...args], { cwd: project, env, stdio: ['ignore', 'pipe', 2] });
+  const server = spawn(process.execPath, [path.join('node_modules', ...program.split('/')), ...args], {
+    cwd: project,
+    env,
+    stdio: ['ignore', 'pipe', 2],
+  });
   const ended = new Promise((resolve) => server.once('close', resolve));
   const close = async () => {
     server.kill();

@@ -14,7 +14,8 @@ const ELEMENT = '<rock-field preset="journal-fig1" seed="7" style="width: 400px;
 const LANES = 2;
 
 /** Everything from the page's own origin: what `rock-field` promises to get by with. The rest is this page's icon and the element's size. */
-const STRICT = "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:; style-src-attr 'unsafe-inline'";
+const STRICT =
+  "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; worker-src 'self'; connect-src 'self'; img-src data:; style-src-attr 'unsafe-inline'";
 
 /** With everything in the scripts there is a worker without a file. */
 const STRICT_BUT_BLOB = STRICT.replace("worker-src 'self'", 'worker-src blob:');
@@ -24,25 +25,40 @@ const HOSTS = {
   Next: async (_site, folder) => {
     const project = await install('next', folder);
     await next(project);
-    const asked = await during(nextServer(project, 'start'), ({ url }) => show({ url, live: true, look: (session) => withoutScripts(session, url) }));
-    assert.ok(asked.some((address) => /generator_bg[\w.-]+\.wasm$/.test(address)), `the wasm is no file of its own: ${asked.join(' ')}`);
+    const asked = await during(nextServer(project, 'start'), ({ url }) =>
+      show({ url, live: true, look: (session) => withoutScripts(session, url) }),
+    );
+    assert.ok(
+      asked.some((address) => /generator_bg[\w.-]+\.wasm$/.test(address)),
+      `the wasm is no file of its own: ${asked.join(' ')}`,
+    );
     // Only in development does React say what differs from the server's page.
     await during(nextServer(project, 'dev'), ({ url }) => show({ url, live: true }));
   },
-  'Vue': (site, folder) => typed('vue', 'vue-tsc/bin/vue-tsc.js', site, folder),
-  'Svelte': (site, folder) => typed('svelte', 'svelte-check/bin/svelte-check', site, folder),
-  'React': async (site, folder) => {
+  Vue: (site, folder) => typed('vue', 'vue-tsc/bin/vue-tsc.js', site, folder),
+  Svelte: (site, folder) => typed('svelte', 'svelte-check/bin/svelte-check', site, folder),
+  React: async (site, folder) => {
     const project = await typed('react', 'typescript/bin/tsc', site, folder);
     await during(viteServer(project), ({ url }) => show({ url, live: true }));
   },
-  'a module by its path': (site, folder) => show({ site: vendor(site, folder, '<script type="module" src="./rock-field/rock-field.js"></script>') }),
-  'an import map': (site, folder) => show({ site: vendor(site, folder, '<script type="importmap">{ "imports": { "rock-field": "./rock-field/rock-field.js" } }</script><script type="module">import "rock-field";</script>') }),
-  'a strict policy': (site, folder) => show({ site: vendor(site, folder, '<script type="module" src="./rock-field/rock-field.js"></script>'), policy: STRICT }),
-  'a classic script': (site, folder) => show({ site: vendor(site, folder, '<script src="./rock-field/cdn.js" defer></script>'), policy: STRICT }),
+  'a module by its path': (site, folder) =>
+    show({ site: vendor(site, folder, '<script type="module" src="./rock-field/rock-field.js"></script>') }),
+  'an import map': (site, folder) =>
+    show({
+      site: vendor(
+        site,
+        folder,
+        '<script type="importmap">{ "imports": { "rock-field": "./rock-field/rock-field.js" } }</script><script type="module">import "rock-field";</script>',
+      ),
+    }),
+  'a strict policy': (site, folder) =>
+    show({ site: vendor(site, folder, '<script type="module" src="./rock-field/rock-field.js"></script>'), policy: STRICT }),
+  'a classic script': (site, folder) =>
+    show({ site: vendor(site, folder, '<script src="./rock-field/cdn.js" defer></script>'), policy: STRICT }),
   'a classic script from another origin': async (site, folder) => {
     await during(openCdn(folder), (cdn) => show({ site: write(site, `<script src="${cdn.url}cdn.js"></script>`), cdn: cdn.url }));
   },
-  'esbuild': async (site, folder) => {
+  esbuild: async (site, folder) => {
     await withEsbuild(folder, { outfile: path.join(site, 'out.js') });
     await show({ site: write(site, '<script src="./out.js" defer></script>'), policy: STRICT_BUT_BLOB });
   },
@@ -55,12 +71,12 @@ const HOSTS = {
     await withEsbuild(folder, { format: 'esm', conditions: ['production'], outfile: path.join(site, 'rock-field', 'out.js') });
     await show({ site, policy: STRICT });
   },
-  'Rollup': async (site, folder) => {
+  Rollup: async (site, folder) => {
     const project = await install('rollup', folder);
     await tool(project, 'rollup/dist/bin/rollup', ['main.js', '--plugin', 'node-resolve', '--dir', site, '--silent']);
     await show({ site: write(site, '<script type="module" src="./main.js"></script>'), policy: STRICT_BUT_BLOB });
   },
-  'Vite': async (site, folder) => {
+  Vite: async (site, folder) => {
     await vitePage(await install('vite', folder), site, page('<script type="module" src="./main.js"></script>'));
     await show({ site, policy: STRICT });
   },
@@ -68,7 +84,7 @@ const HOSTS = {
     const project = await install('no-browser', folder);
     for (const kind of ['jsdom', 'happy-dom']) await run(process.execPath, ['main.mjs', kind], { cwd: project });
   },
-  'webpack': async (site, folder) => {
+  webpack: async (site, folder) => {
     await webpack(await install('webpack', folder), site);
     await show({ site: write(site, '<script src="./main.js" defer></script>'), policy: STRICT });
   },
@@ -89,18 +105,22 @@ export async function check({ outside, folder }, chosen = Object.keys(HOSTS)) {
   const stranger = chosen.find((name) => !hosts[name]);
   if (stranger) throw new Failure(`no host is called ${stranger}; there are: ${Object.keys(hosts).join(' · ')}`);
   const failed = [];
-  await inLanes(chosen.entries(), async ([number, name]) => {
-    const site = path.join(outside, `site-${number}`);
-    mkdirSync(site);
-    const start = performance.now();
-    try {
-      await hosts[name](site, folder);
-      say(`✓ ${name} (${seconds(performance.now() - start)} s)`);
-    } catch (error) {
-      say(`✗ ${name}: ${error.message}`);
-      failed.push(name);
-    }
-  }, LANES);
+  await inLanes(
+    chosen.entries(),
+    async ([number, name]) => {
+      const site = path.join(outside, `site-${number}`);
+      mkdirSync(site);
+      const start = performance.now();
+      try {
+        await hosts[name](site, folder);
+        say(`✓ ${name} (${seconds(performance.now() - start)} s)`);
+      } catch (error) {
+        say(`✗ ${name}: ${error.message}`);
+        failed.push(name);
+      }
+    },
+    LANES,
+  );
   assert.deepEqual(failed, [], 'hosts in which there are no rocks');
   return chosen.length;
 }

@@ -15,7 +15,10 @@ const TIMEOUT_MS = 120_000;
  * may ask. A `live` page shows what it hears from the element, and has a button that calls it. Resolves with the addresses asked.
  */
 export async function show({ site, url, cdn, policy, live = false, look }) {
-  const session = await launch({ ...(site && { folder: site }), intercept: policy && ((_request, response) => void response.setHeader('content-security-policy', policy)) });
+  const session = await launch({
+    ...(site && { folder: site }),
+    intercept: policy && ((_request, response) => void response.setHeader('content-security-policy', policy)),
+  });
   try {
     const asked = new Set();
     const prepare = (page) => void page.context().on('request', (request) => asked.add(request.url()));
@@ -25,7 +28,9 @@ export async function show({ site, url, cdn, policy, live = false, look }) {
     const { rocks, params } = await page.evaluate(async () => {
       await customElements.whenDefined('rock-field');
       const element = document.querySelector('rock-field');
-      const failure = new Promise((_, reject) => element.addEventListener('error', ({ detail }) => reject(new Error(detail.error.message))));
+      const failure = new Promise((_, reject) =>
+        element.addEventListener('error', ({ detail }) => reject(new Error(detail.error.message))),
+      );
       await Promise.race([element.ready, failure]);
       return { rocks: element.field.stats.rocks, params: element.params };
     });
@@ -45,7 +50,17 @@ export async function show({ site, url, cdn, policy, live = false, look }) {
 
 /** What the template says has reached the element, its events the component, and the component's calls the element. */
 async function answers(page, { rocks, params }) {
-  assert.deepEqual([params.imageWidth, params.layers.map(({ radius, taper }) => [radius, taper[1]])], [1100, [[80, 6], [30, 6], [10, 2]]]);
+  assert.deepEqual(
+    [params.imageWidth, params.layers.map(({ radius, taper }) => [radius, taper[1]])],
+    [
+      1100,
+      [
+        [80, 6],
+        [30, 6],
+        [10, 2],
+      ],
+    ],
+  );
   await page.getByText(`${rocks} rocks`).waitFor();
   await page.getByRole('button', { name: 'Whole field' }).click();
   await page.getByText('framed').waitFor();

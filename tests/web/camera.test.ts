@@ -6,16 +6,30 @@ import { SceneCamera } from '../../www/scene/camera/scene-camera.ts';
 import type { Subject } from '../../www/scene/camera/camera.ts';
 import type { CameraState } from '../../www/base/view.ts';
 
-const SIZES = [[640, 640], [900, 300], [300, 900]] as const;
+const SIZES = [
+  [640, 640],
+  [900, 300],
+  [300, 900],
+] as const;
 const ASPECTS = [0.3, 0.5, 1, 1.6, 3];
 
 test('close up, a picture of any shape shows the field to its edges and nothing beside it', () => {
   for (const [width, height] of SIZES) {
     for (const aspect of ASPECTS) {
       const camera = defaultCamera(width, height, aspect, false, true);
-      const sides = [[-1, -1], [1, -1], [-1, 1], [1, 1]].map(([x, y]) => groundPoint(camera, x!, y!, aspect));
-      assert(sides.every((point) => point && point[0] > 0 && point[0] < width && point[1] > 0 && point[1] < height), `${width} × ${height} at ${aspect}`);
-      const spans = [0, 1].map((axis) => Math.max(...sides.map((point) => point![axis]!)) - Math.min(...sides.map((point) => point![axis]!)));
+      const sides = [
+        [-1, -1],
+        [1, -1],
+        [-1, 1],
+        [1, 1],
+      ].map(([x, y]) => groundPoint(camera, x!, y!, aspect));
+      assert(
+        sides.every((point) => point && point[0] > 0 && point[0] < width && point[1] > 0 && point[1] < height),
+        `${width} × ${height} at ${aspect}`,
+      );
+      const spans = [0, 1].map(
+        (axis) => Math.max(...sides.map((point) => point![axis]!)) - Math.min(...sides.map((point) => point![axis]!)),
+      );
       assert(Math.max(spans[0]! / width, spans[1]! / height) > 0.9, 'it could be farther away');
     }
   }
@@ -43,7 +57,12 @@ test('all of the field is framed with a margin in every window, from every side,
   for (const size of [...SIZES, [8192, 8], [1, 1]] as const) {
     for (const aspect of [...ASPECTS, 0.1, 8]) {
       for (const closeUp of [false, true]) {
-        for (const [azimuth, elevation] of [[0, 0.09], [0.5, 0.6], [2.5, 1.2], [-1, Math.PI / 2]] as const) {
+        for (const [azimuth, elevation] of [
+          [0, 0.09],
+          [0.5, 0.6],
+          [2.5, 1.2],
+          [-1, Math.PI / 2],
+        ] as const) {
           const scene = new SceneCamera(() => ({ extent: [...size], aspect, plan: false, closeUp, subject: null, height: () => 40 }));
           scene.current = { azimuth, elevation, distance: 50, target: [0, 0, 0] };
           const to = scene.frameAll(null);

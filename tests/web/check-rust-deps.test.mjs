@@ -11,7 +11,8 @@ const ROOMS = { base: [], rocks: ['base'] };
 /** A crate that keeps the rule: rocks/mod.rs re-exports a type of rocks/shape.rs, and base.rs has tests. */
 const SOUND = {
   'lib.rs': 'mod base;\npub mod rocks;\npub use rocks::Shape;\n',
-  'base.rs': '/// See crate::rocks::Shape.\npub(crate) fn number() -> u32 { 7 }\n\n#[cfg(test)]\nmod tests {\n    use crate::rocks::Shape;\n}\n',
+  'base.rs':
+    '/// See crate::rocks::Shape.\npub(crate) fn number() -> u32 { 7 }\n\n#[cfg(test)]\nmod tests {\n    use crate::rocks::Shape;\n}\n',
   'rocks/mod.rs': 'mod grow;\nmod shape;\npub use shape::{Corner, Shape};\n#[cfg(test)]\nmod tests;\n',
   'rocks/shape.rs': 'use crate::base;\npub struct Shape;\npub struct Corner;\n',
   'rocks/grow.rs': 'use super::{\n    Corner,\n    shape::Shape,\n};\nfn grow() -> u32 { crate::base::number() }\n',
@@ -43,11 +44,14 @@ test('a room that uses another one that it may not use is found, however the pat
     // Re-exported by lib.rs.
     'use crate::Shape;',
     // A text with a quote does not hide what follows it.
-    'const QUOTE: char = \'"\'; use crate::rocks::Shape;',
+    "const QUOTE: char = '\"'; use crate::rocks::Shape;",
   ];
   for (const use of uses) {
     const problems = problemsOf({ 'base.rs': use });
-    assert.ok(problems.some((problem) => /^src\/base\.rs:\d+ uses rocks(\/shape)?; base may use no other room$/.test(problem)), `${use}\n${problems.join('\n')}`);
+    assert.ok(
+      problems.some((problem) => /^src\/base\.rs:\d+ uses rocks(\/shape)?; base may use no other room$/.test(problem)),
+      `${use}\n${problems.join('\n')}`,
+    );
   }
 });
 
@@ -58,11 +62,17 @@ test('a module that belongs to no room is found, and so is a room that is not th
 });
 
 test('circles of modules are found, within a room and between rooms', () => {
-  const circle = (files, rooms) => problemsOf(files, rooms).filter((problem) => /circle/.test(problem)).join('\n');
+  const circle = (files, rooms) =>
+    problemsOf(files, rooms)
+      .filter((problem) => /circle/.test(problem))
+      .join('\n');
   assert.match(circle({ 'rocks/shape.rs': 'use super::grow::grow;\npub struct Shape;' }), /rocks\/grow → rocks\/shape → rocks\/grow/);
   // Through a name that the parent re-exports, and through one that a child takes from its parent.
   assert.match(circle({ 'rocks/shape.rs': 'fn f() { super::grow::grow() }' }), /rocks\/grow → rocks\/shape → rocks\/grow/);
-  assert.match(circle({ 'rocks/mod.rs': 'mod grow;\nmod shape;\nstruct Kind;\nfn f() { grow::grow() }', 'rocks/grow.rs': 'use super::Kind;' }), /rocks → rocks\/grow → rocks/);
+  assert.match(
+    circle({ 'rocks/mod.rs': 'mod grow;\nmod shape;\nstruct Kind;\nfn f() { grow::grow() }', 'rocks/grow.rs': 'use super::Kind;' }),
+    /rocks → rocks\/grow → rocks/,
+  );
   const rooms = { base: ['rocks'], rocks: ['base'] };
   assert.match(circle({ 'base.rs': 'use crate::rocks::Shape;' }, rooms), /base → rocks\/shape → base/);
 });

@@ -42,7 +42,8 @@ class FakeGenerator {
   }
 
   start(params: Float64Array, maxBytes: number): void {
-    if (maxBytes < 100) throw Object.assign(new Error('too much'), { name: 'OverBudget', key: 'imageWidth', value: 200, min: 0, max: maxBytes });
+    if (maxBytes < 100)
+      throw Object.assign(new Error('too much'), { name: 'OverBudget', key: 'imageWidth', value: 200, min: 0, max: maxBytes });
     this.started.push(params[0]!);
     this.#mode = params[0]!;
     this.#left = params[1]!;
@@ -82,13 +83,19 @@ function request(mode: number, steps: number, maxBytes = 1000): FlatRequest {
   return { params: Float64Array.of(mode, steps), imageWidth: steps, imageHeight: 1, maxBytes };
 }
 
-function setUp(load: () => Promise<GeneratorModule> = async () => ({ Generator: FakeGenerator, fresh_seed: () => 7 }) as unknown as GeneratorModule) {
+function setUp(
+  load: () => Promise<GeneratorModule> = async () => ({ Generator: FakeGenerator, fresh_seed: () => 7 }) as unknown as GeneratorModule,
+) {
   const said: (FromWorker & { at: number })[] = [];
   const waiting: { wanted: (message: FromWorker) => boolean; resolve: (message: FromWorker) => void }[] = [];
-  const host = new LoopHost(load, (module, post) => new RunLoop(module, FIELD_LOOPS, post), (message) => {
-    said.push({ ...message, at: now });
-    for (const { wanted, resolve } of waiting) if (wanted(message)) resolve(message);
-  });
+  const host = new LoopHost(
+    load,
+    (module, post) => new RunLoop(module, FIELD_LOOPS, post),
+    (message) => {
+      said.push({ ...message, at: now });
+      for (const { wanted, resolve } of waiting) if (wanted(message)) resolve(message);
+    },
+  );
   const until = (wanted: (message: FromWorker) => boolean) => {
     const found = said.find(wanted);
     return found ? Promise.resolve(found as FromWorker) : new Promise<FromWorker>((resolve) => waiting.push({ wanted, resolve }));
@@ -106,7 +113,10 @@ test('a run is answered with all its buffers and the time of each stage', async 
   const message = await answer(1);
   assert(message.type === 'result');
   const field = message.result as Field;
-  assert.deepEqual([field.imageWidth, field.layers.length, field.layers[0]!.id, field.layers[0]!.sitesSaturated, field.layers[0]!.saturated], [20, 1, 4, true, false]);
+  assert.deepEqual(
+    [field.imageWidth, field.layers.length, field.layers[0]!.id, field.layers[0]!.sitesSaturated, field.layers[0]!.saturated],
+    [20, 1, 4, true, false],
+  );
   assert.deepEqual(field.stats.ms, { sites: 8, cells: 8, selection: 8, shape: 8, mesh: 8, total: 40 });
 });
 
@@ -114,7 +124,10 @@ test('the script says that it runs before it has its wasm, and answers pings wit
   const { host, said } = setUp(() => new Promise(() => {}));
   host.receive({ type: 'start', client: 1, id: 1, request: request(1, 1) });
   host.receive({ type: 'ping' });
-  assert.deepEqual(said.map(({ at: _, ...message }) => message), [{ type: 'started' }, { type: 'pong', heard: 2 }]);
+  assert.deepEqual(
+    said.map(({ at: _, ...message }) => message),
+    [{ type: 'started' }, { type: 'pong', heard: 2 }],
+  );
 });
 
 test('messages are read between slices of bounded length', async () => {
@@ -140,7 +153,10 @@ test('progress is told for runs of more than 200 ms, and not for shorter ones', 
   assert(reports[0]! >= PROGRESS_AFTER_MS && reports[0]! < PROGRESS_AFTER_MS + 20, `the first after ${reports[0]} ms`);
   assert(reports.length >= 4 && reports.length <= 6, `${reports.length} reports in 300 ms`);
   const fractions = said.filter((message) => message.type === 'progress').map(({ progress }) => progress.fraction);
-  assert.deepEqual(fractions, [...fractions].sort((a, b) => a - b));
+  assert.deepEqual(
+    fractions,
+    [...fractions].sort((a, b) => a - b),
+  );
 });
 
 test('a superseded run that ends soon is delivered, then the newest runs; those between never start', async () => {
@@ -149,7 +165,14 @@ test('a superseded run that ends soon is delivered, then the newest runs; those 
   after(20, () => start(2, request(2, 10)));
   after(30, () => start(3, request(3, 10)));
   await answer(3);
-  assert.deepEqual(said.filter(({ type }) => type !== 'started' && type !== 'ready').map((message) => [message.type, 'id' in message && message.id]), [['dropped', 2], ['result', 1], ['result', 3]]);
+  assert.deepEqual(
+    said.filter(({ type }) => type !== 'started' && type !== 'ready').map((message) => [message.type, 'id' in message && message.id]),
+    [
+      ['dropped', 2],
+      ['result', 1],
+      ['result', 3],
+    ],
+  );
 });
 
 test('a superseded run that goes on is dropped when patience ends', async () => {
@@ -191,7 +214,10 @@ test('a drag faster than its runs is never starved, whatever a run costs', async
       last = at;
     }
     const ids = said.flatMap((message) => (message.type === 'result' ? [message.id] : []));
-    assert.deepEqual(ids, [...ids].sort((a, b) => a - b));
+    assert.deepEqual(
+      ids,
+      [...ids].sort((a, b) => a - b),
+    );
   }
 });
 
@@ -225,7 +251,10 @@ test('a refused request is told with its key and bounds, and the next one runs',
   start(1, request(1, 10, 50));
   const message = await answer(1);
   assert(message.type === 'rejected');
-  assert.deepEqual({ ...message.error }, { name: 'OverBudget', message: 'too much', key: 'imageWidth', layer: undefined, value: 200, min: 0, max: 50, words: undefined });
+  assert.deepEqual(
+    { ...message.error },
+    { name: 'OverBudget', message: 'too much', key: 'imageWidth', layer: undefined, value: 200, min: 0, max: 50, words: undefined },
+  );
   start(2, request(2, 2));
   assert.equal((await answer(2)).type, 'result');
 });
@@ -312,7 +341,10 @@ test('a newer request, a cancel and a refusal of one client leave the run of ano
   after(90, () => host.receive({ type: 'cancel', client: 2, id: 2 }));
   after(130, () => start(3, request(4, 10, 50), 2));
   const answers = await Promise.all([answer(1, 1), answer(1, 2), answer(2, 2), answer(3, 2)]);
-  assert.deepEqual(answers.map(({ type }) => type), ['result', 'dropped', 'dropped', 'rejected']);
+  assert.deepEqual(
+    answers.map(({ type }) => type),
+    ['result', 'dropped', 'dropped', 'rejected'],
+  );
   assert.equal(said.filter((message) => 'client' in message && message.client === 1 && message.type !== 'progress').length, 1);
   assert.equal(FakeGenerator.all.length, made + 2, 'each client has a cache of its own, and keeps it');
 });

@@ -10,7 +10,15 @@ import type { FieldJob } from '../../www/rocks/client.ts';
 import type { ClientOptions } from '../../www/generator/worker-client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
 import { GRACE_MS, SILENCE_MS, START_MS } from '../../www/generator/pool-worker.ts';
-import type { FailedMessage, FromLoop, FromWorker, PongMessage, ReadyMessage, StartedMessage, StartMessage } from '../../www/generator/protocol.ts';
+import type {
+  FailedMessage,
+  FromLoop,
+  FromWorker,
+  PongMessage,
+  ReadyMessage,
+  StartedMessage,
+  StartMessage,
+} from '../../www/generator/protocol.ts';
 import { defaultParams } from '../../www/rocks/request.ts';
 import { SilentWorker } from './fake-worker.ts';
 
@@ -103,7 +111,10 @@ test('a field comes with the parameters it was asked with, also when a newer req
   worker().finishes(a);
   worker().finishes(b);
   await done;
-  assert.deepEqual(given, [[a, first], [b, second]]);
+  assert.deepEqual(given, [
+    [a, first],
+    [b, second],
+  ]);
   client.dispose();
 });
 
@@ -119,7 +130,10 @@ test('the latest request wins: the ones before it reject as aborted, and are sho
   worker().says({ type: 'dropped', id: b! });
   worker().finishes(c!);
   assert.equal((await third).stats.rocks, c);
-  assert.deepEqual(shown, [[a, true], [c, false]]);
+  assert.deepEqual(shown, [
+    [a, true],
+    [c, false],
+  ]);
   client.dispose();
 });
 
@@ -508,7 +522,10 @@ test('a missing worker script, a blocked worker and missing wasm are readable er
   const { client, workers, worker } = setUp();
   const missing = client.generate(params(1));
   worker().dies();
-  await assert.rejects(missing, (error: Error) => isNamed('WorkerUnavailable')(error) && /its file is missing, or blocked/.test(error.message));
+  await assert.rejects(
+    missing,
+    (error: Error) => isNamed('WorkerUnavailable')(error) && /its file is missing, or blocked/.test(error.message),
+  );
   const noWasm = client.generate(params(2));
   worker().says({ type: 'failed', error: { name: 'WasmUnavailable', message: 'generator_bg.wasm: 404' } });
   await assert.rejects(noWasm, isNamed('WasmUnavailable'));
@@ -521,7 +538,10 @@ test('a missing worker script, a blocked worker and missing wasm are readable er
       throw new DOMException('refused by policy', 'SecurityError');
     },
   });
-  await assert.rejects(blocked.client.generate(params(1)), (error: Error) => isNamed('WorkerUnavailable')(error) && /refused by policy/.test(error.message));
+  await assert.rejects(
+    blocked.client.generate(params(1)),
+    (error: Error) => isNamed('WorkerUnavailable')(error) && /refused by policy/.test(error.message),
+  );
   await assert.rejects(blocked.client.freshSeed(), isNamed('WorkerUnavailable'));
 });
 

@@ -29,7 +29,12 @@ function inPx({ layers, notation, imageWidth }: Params): Layer[] {
   const unit = imageWidth / 100;
   return layers.map((layer) => {
     const radius = layer.radius * unit;
-    return { ...layer, radius, taper: layer.taper.map((c) => c * unit) as Layer['taper'], height: layer.height.map((c) => c * radius) as Layer['height'] };
+    return {
+      ...layer,
+      radius,
+      taper: layer.taper.map((c) => c * unit) as Layer['taper'],
+      height: layer.height.map((c) => c * radius) as Layer['height'],
+    };
   });
 }
 
@@ -90,7 +95,12 @@ test('a notation in which a value has no room says so', () => {
 
 test('random fields are legal, and bounded in number', () => {
   for (let seed = 0; seed < 500; seed += 1) {
-    for (const base of [defaultParams(), presetParams('conference-fig1'), { ...defaultParams(), imageWidth: 8192, imageHeight: 8192 }, { ...defaultParams(), imageWidth: 1, imageHeight: 16 }]) {
+    for (const base of [
+      defaultParams(),
+      presetParams('conference-fig1'),
+      { ...defaultParams(), imageWidth: 8192, imageHeight: 8192 },
+      { ...defaultParams(), imageWidth: 1, imageHeight: 16 },
+    ]) {
       const params = randomParams(base, { seed: seed * 8_589_934, preset: 'journal-fig1' });
       assert.deepEqual(resolveParams(params), params);
       assert.ok(params.layers.length >= 1 && params.layers.length <= 4);
@@ -102,7 +112,9 @@ test('random fields are legal, and bounded in number', () => {
 
 test('a random field keeps the wear and the look of what it was drawn from', () => {
   const base = presetParams('lava-field');
-  for (const [preset, seed] of (['lava-field', 'journal-fig1'] as const).flatMap((name) => Array.from({ length: 25 }, (_, index) => [name, index] as const))) {
+  for (const [preset, seed] of (['lava-field', 'journal-fig1'] as const).flatMap((name) =>
+    Array.from({ length: 25 }, (_, index) => [name, index] as const),
+  )) {
     const { layers, ...field } = randomParams(base, { seed, preset });
     assert.deepEqual([field.border, field.ground, field.sunElevation], [base.border, base.ground, base.sunElevation]);
     for (const [index, { material, weathering, detail, cellCount }] of layers.entries()) {
@@ -116,7 +128,10 @@ test('layers come and go, with ids that are never taken over', async () => {
   const page = store();
   page.removeItem(1);
   page.duplicateLayer(0);
-  assert.deepEqual(page.params.layers.map(({ id }) => id), [0, 3, 2]);
+  assert.deepEqual(
+    page.params.layers.map(({ id }) => id),
+    [0, 3, 2],
+  );
   while (page.params.layers.length < MAX_LAYERS) await page.addLayer();
   await page.addLayer();
   page.duplicateLayer(0);
@@ -157,7 +172,7 @@ test('the colour follows the preset until one is chosen that is not its own', ()
   assert.equal(page.color, 'layer');
   page.setColor('layer');
   page.undo();
-  assert.equal(page.color, 'natural', 'the preset\'s own is no choice');
+  assert.equal(page.color, 'natural', "the preset's own is no choice");
   page.setColor('plain');
   page.choosePreset('scree');
   assert.equal(page.color, 'plain');
@@ -181,8 +196,15 @@ test('the embed code is safe HTML', () => {
 });
 
 test('a script to embed is known beside the panel on a server, and nowhere that a bundler put it', () => {
-  assert.match(embedCode('rock-field', '', panelAddress('https://example.org/a/panel-7GQ2XW3B.js')!), /"https:\/\/example\.org\/a\/cdn\.js"/);
-  for (const address of ['https://example.org/assets/panel-7GQ2XW3B-a1b2.js', 'file:///home/me/node_modules/rock-field/dist/panel-7GQ2XW3B.js']) assert.equal(panelAddress(address), null);
+  assert.match(
+    embedCode('rock-field', '', panelAddress('https://example.org/a/panel-7GQ2XW3B.js')!),
+    /"https:\/\/example\.org\/a\/cdn\.js"/,
+  );
+  for (const address of [
+    'https://example.org/assets/panel-7GQ2XW3B-a1b2.js',
+    'file:///home/me/node_modules/rock-field/dist/panel-7GQ2XW3B.js',
+  ])
+    assert.equal(panelAddress(address), null);
 });
 
 test('a store on the history of an element makes its steps there, and sees those of others', () => {

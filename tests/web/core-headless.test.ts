@@ -110,9 +110,18 @@ async function refusal(answer: () => Response | Promise<Response>): Promise<stri
 
 test('wasm that is missing, a page instead of wasm, or no network is said in words', async () => {
   assert.match(await refusal(() => new Response('', { status: 404 })), /generator_bg\.wasm could not be fetched: the server answered 404/);
-  assert.match(await refusal(() => new Response('<!doctype html>', { headers: { 'Content-Type': 'text/html' } })), /generator_bg\.wasm is not a wasm file: the server sent text\/html/);
-  assert.match(await refusal(() => Promise.reject(new TypeError('Failed to fetch'))), /generator_bg\.wasm could not be fetched; check the connection/);
-  assert.equal(await refusal(() => new Response(Uint8Array.of(0, 97, 115, 109), { headers: { 'Content-Type': 'application/octet-stream' } })), '');
+  assert.match(
+    await refusal(() => new Response('<!doctype html>', { headers: { 'Content-Type': 'text/html' } })),
+    /generator_bg\.wasm is not a wasm file: the server sent text\/html/,
+  );
+  assert.match(
+    await refusal(() => Promise.reject(new TypeError('Failed to fetch'))),
+    /generator_bg\.wasm could not be fetched; check the connection/,
+  );
+  assert.equal(
+    await refusal(() => new Response(Uint8Array.of(0, 97, 115, 109), { headers: { 'Content-Type': 'application/octet-stream' } })),
+    '',
+  );
 });
 
 /** An answer whose body is what the test writes. */
@@ -140,7 +149,10 @@ test('a wasm file that stops arriving is a named error; one that arrives slowly 
       init?.signal?.addEventListener('abort', () => pipe.error(init.signal?.reason));
       return response;
     };
-    const loading = loadGenerator(fakeGlue().glue, new URL('https://example.org/generator_bg.wasm')).then(() => '', (error: Error) => `${error.name} ${error.message}`);
+    const loading = loadGenerator(fakeGlue().glue, new URL('https://example.org/generator_bg.wasm')).then(
+      () => '',
+      (error: Error) => `${error.name} ${error.message}`,
+    );
     await tick(0);
     for (const byte of [0, 97, 115, 109]) {
       pipe.enqueue(Uint8Array.of(byte));
@@ -153,7 +165,7 @@ test('a wasm file that stops arriving is a named error; one that arrives slowly 
   }
 });
 
-test('a connection that breaks and a file that does not compile are told apart, in our words; the engine\'s are the cause', async () => {
+test("a connection that breaks and a file that does not compile are told apart, in our words; the engine's are the cause", async () => {
   const { response, pipe } = flowing();
   const broken = refusal(() => response);
   pipe.enqueue(Uint8Array.of(0, 97));
@@ -161,8 +173,15 @@ test('a connection that breaks and a file that does not compile are told apart, 
   assert.match(await broken, /^generator_bg\.wasm could not be fetched; check the connection$/);
   const engine = new WebAssembly.CompileError('expected 10 bytes at offset 8');
   const damaged = { ...fakeGlue().glue, default: () => Promise.reject(engine) };
-  await assert.rejects(loadGenerator(damaged, new ArrayBuffer(8)), (error: Error) => error.cause === engine && error.name === 'WasmUnavailable' && /damaged/.test(error.message) && !error.message.includes('offset'));
-  const forbidden = { ...fakeGlue().glue, default: () => Promise.reject(new WebAssembly.CompileError('violates the Content Security Policy')) };
+  await assert.rejects(
+    loadGenerator(damaged, new ArrayBuffer(8)),
+    (error: Error) =>
+      error.cause === engine && error.name === 'WasmUnavailable' && /damaged/.test(error.message) && !error.message.includes('offset'),
+  );
+  const forbidden = {
+    ...fakeGlue().glue,
+    default: () => Promise.reject(new WebAssembly.CompileError('violates the Content Security Policy')),
+  };
   await assert.rejects(loadGenerator(forbidden, new ArrayBuffer(8)), /'wasm-unsafe-eval'/);
 });
 

@@ -30,7 +30,10 @@ function checkField(field: Field): void {
   for (let k = 0; k < rocks; k += 1) {
     const own = field.indices.subarray(field.rockStarts[k], field.rockStarts[k + 1]);
     const [from, to] = [field.vertexStarts[k]!, field.vertexStarts[k + 1]!];
-    assert(own.every((index) => index >= from && index < to), `rock ${k} uses another's vertices`);
+    assert(
+      own.every((index) => index >= from && index < to),
+      `rock ${k} uses another's vertices`,
+    );
     const n = (to - from) / 2;
     assert.equal(own.length, 3 * (3 * n - 2));
   }
@@ -50,8 +53,18 @@ test('Fig. 1 has some 3,100 rocks of some 49,000 triangles that cover 84 % of th
   assert(Math.abs(field.stats.rocks - 3100) < 5 * 36, `${field.stats.rocks} rocks`);
   assert(Math.abs(field.stats.triangles - 48_938) < 5 * 577, `${field.stats.triangles} triangles`);
   assert(Math.abs(field.stats.coveredFraction - 0.84) < 5 * 0.0023, `${field.stats.coveredFraction} covered`);
-  assert.deepEqual(field.layers.map(({ id, radius, targetSites }) => [id, radius, targetSites]), [[0, 90, 115], [1, 30, 1038], [2, 10, 9345]]);
-  assert.deepEqual(field.layers.map(({ saturated }) => saturated), [false, false, true]);
+  assert.deepEqual(
+    field.layers.map(({ id, radius, targetSites }) => [id, radius, targetSites]),
+    [
+      [0, 90, 115],
+      [1, 30, 1038],
+      [2, 10, 9345],
+    ],
+  );
+  assert.deepEqual(
+    field.layers.map(({ saturated }) => saturated),
+    [false, false, true],
+  );
   const { total, ...stages } = field.stats.ms;
   for (const [stage, ms] of Object.entries(stages)) assert(ms > 0, `${stage} took no time`);
   assert(total >= Object.values(stages).reduce((a, b) => a + b, 0));
@@ -72,7 +85,10 @@ test('an edit re-runs from the first stage it touches: the times of the stages b
   const g = await createGenerator();
   const { layers } = presets['journal-fig1'];
   await g.generate({ seed: 1 });
-  const { stats } = await g.generate({ seed: 1, layers: layers.map((layer: { height: number[] }) => ({ ...layer, height: layer.height.map((h) => h * 1.25) })) });
+  const { stats } = await g.generate({
+    seed: 1,
+    layers: layers.map((layer: { height: number[] }) => ({ ...layer, height: layer.height.map((h) => h * 1.25) })),
+  });
   assert.deepEqual([stats.ms.sites, stats.ms.cells, stats.ms.selection, stats.ms.shape], [0, 0, 0, 0]);
   assert(stats.ms.mesh > 0);
   g.dispose();
@@ -118,7 +134,14 @@ test('degenerate requests have a field', async () => {
     { imageWidth: 64, imageHeight: 64, layers: [{ radius: 8192 }] },
     { imageWidth: 64, imageHeight: 64, layers: [{ radius: 1 }] },
     { imageWidth: 64, imageHeight: 64, layers: [{ areaFraction: 0 }] },
-    { imageWidth: 64, imageHeight: 64, layers: [{ radius: 5, areaFraction: 1 }, { radius: 5, areaFraction: 1 }] },
+    {
+      imageWidth: 64,
+      imageHeight: 64,
+      layers: [
+        { radius: 5, areaFraction: 1 },
+        { radius: 5, areaFraction: 1 },
+      ],
+    },
     { imageWidth: 64, imageHeight: 64, layers: [{ radius: 9, taper: [-500, -500, -500] as const }] },
   ]) {
     checkField(await g.generate(request));
@@ -130,16 +153,22 @@ test('a run can be aborted between slices, tells its progress, and the next one 
   const g = await createGenerator();
   const controller = new AbortController();
   const fractions: number[] = [];
-  const run = g.generate({ imageWidth: 4096, imageHeight: 4096, seed: 9 }, {
-    signal: controller.signal,
-    onProgress: ({ fraction }: { fraction: number }) => {
-      fractions.push(fraction);
-      if (fractions.length === 3) controller.abort();
+  const run = g.generate(
+    { imageWidth: 4096, imageHeight: 4096, seed: 9 },
+    {
+      signal: controller.signal,
+      onProgress: ({ fraction }: { fraction: number }) => {
+        fractions.push(fraction);
+        if (fractions.length === 3) controller.abort();
+      },
     },
-  });
+  );
   await assert.rejects(run, { name: 'AbortError' });
   assert.equal(fractions.length, 3);
-  assert.deepEqual(fractions, [...fractions].sort((a, b) => a - b));
+  assert.deepEqual(
+    fractions,
+    [...fractions].sort((a, b) => a - b),
+  );
   checkField(await g.generate({ imageWidth: 300, imageHeight: 200 }));
   g.dispose();
 });
@@ -147,8 +176,16 @@ test('a run can be aborted between slices, tells its progress, and the next one 
 test('calls made at once are all answered, in turn, each with its own field', async () => {
   const g = await createGenerator();
   const side = (n: number) => ({ imageWidth: 100 * n, imageHeight: 100 });
-  const fields: Field[] = await Promise.all([g.generate(side(1)), g.generate({ seed: -1 }).catch(() => null), g.generate(side(2)), g.generate(side(3))]);
-  assert.deepEqual(fields.map((field) => field?.imageWidth), [100, undefined, 200, 300]);
+  const fields: Field[] = await Promise.all([
+    g.generate(side(1)),
+    g.generate({ seed: -1 }).catch(() => null),
+    g.generate(side(2)),
+    g.generate(side(3)),
+  ]);
+  assert.deepEqual(
+    fields.map((field) => field?.imageWidth),
+    [100, undefined, 200, 300],
+  );
   g.dispose();
 });
 
@@ -172,7 +209,10 @@ test('fresh seeds are whole, in range and not always the same', async () => {
 });
 
 test('presets are complete requests and cannot be changed', async () => {
-  assert.deepEqual(Object.keys(presets), PRESETS.map(({ name }) => name));
+  assert.deepEqual(
+    Object.keys(presets),
+    PRESETS.map(({ name }) => name),
+  );
   for (const [name, params] of Object.entries(presets)) assert.deepEqual(params, presetParams(name));
   assert.throws(() => {
     presets['journal-fig1'].layers[0].radius = 1;
@@ -183,7 +223,10 @@ test('presets are complete requests and cannot be changed', async () => {
 test('the schema is plain JSON and has a property for every key of a request', () => {
   assert.deepEqual(JSON.parse(JSON.stringify(schema)), schema);
   assert.deepEqual(Object.keys(schema.properties), ['preset', ...Object.keys(presetParams('journal-fig1'))]);
-  for (const [branch, name] of [['then', 'conference-fig1'], ['else', 'journal-fig1']] as const) {
+  for (const [branch, name] of [
+    ['then', 'conference-fig1'],
+    ['else', 'journal-fig1'],
+  ] as const) {
     const { properties } = schema[branch].properties.layers.items;
     assert.deepEqual(Object.keys(properties).sort(), Object.keys(presetParams(name).layers[0]!).sort());
   }

@@ -17,14 +17,20 @@ function read(file) {
 
 /** The text files under the folders and files given, relative to the root; this test itself is left out. */
 function textFiles(...places) {
-  const files = places.flatMap((place) => (TEXT.test(place) ? [place] : readdirSync(path.join(root, place), { recursive: true }).map((name) => path.join(place, name))));
+  const files = places.flatMap((place) =>
+    TEXT.test(place) ? [place] : readdirSync(path.join(root, place), { recursive: true }).map((name) => path.join(place, name)),
+  );
   return files.filter((file) => TEXT.test(file) && !file.includes('node_modules') && path.basename(file) !== 'decisions.test.mjs');
 }
 
 /** The numbers of the decisions that a text cites: in comments of Rust and WGSL any, elsewhere those after the word. */
 function cited(file, content) {
-  const comments = /\.(rs|wgsl)$/.test(file) ? [...content.matchAll(/\/\/.*$/gm)].flatMap(([line]) => line.match(/\b[AK]\d{1,2}\b/g) ?? []) : [];
-  const named = [...content.matchAll(/\bdecisions?(?:\.md)? (\[?[A-K]\d+\b.{0,60})/g)].flatMap(([, words]) => words.match(/\b[A-K]\d+\b/g) ?? []);
+  const comments = /\.(rs|wgsl)$/.test(file)
+    ? [...content.matchAll(/\/\/.*$/gm)].flatMap(([line]) => line.match(/\b[AK]\d{1,2}\b/g) ?? [])
+    : [];
+  const named = [...content.matchAll(/\bdecisions?(?:\.md)? (\[?[A-K]\d+\b.{0,60})/g)].flatMap(
+    ([, words]) => words.match(/\b[A-K]\d+\b/g) ?? [],
+  );
   return [...comments, ...named];
 }
 
@@ -53,6 +59,12 @@ test('decisions have anchors named after them, each once, and links within the p
   const ids = new Set(headings.map(({ id }) => id));
   assert.equal(ids.size, headings.length);
   const links = [...text.matchAll(/\]\(#([^)]+)\)/g)].map(([, id]) => id);
-  assert.deepEqual(links.filter((id) => !ids.has(id)), []);
-  assert.deepEqual([...ids].filter((id) => !links.includes(id)), []);
+  assert.deepEqual(
+    links.filter((id) => !ids.has(id)),
+    [],
+  );
+  assert.deepEqual(
+    [...ids].filter((id) => !links.includes(id)),
+    [],
+  );
 });

@@ -22,9 +22,16 @@ test('a member without an example is noticed, and an example of something that i
 });
 
 test('the manifest lists every attribute, and the parameters as attributes and as properties', async () => {
-  const [{ declarations: [declaration] }] = (await manifest()).modules;
+  const [
+    {
+      declarations: [declaration],
+    },
+  ] = (await manifest()).modules;
   const attributes = declaration.attributes.map(({ name }) => name);
-  assert.deepEqual(ATTRIBUTES.filter((name) => !attributes.includes(name)), []);
+  assert.deepEqual(
+    ATTRIBUTES.filter((name) => !attributes.includes(name)),
+    [],
+  );
   assert.equal(new Set(attributes).size, attributes.length);
   const properties = new Map(declaration.members.map((member) => [member.name, member]));
   for (const [name, spec] of [...FIELD_ATTRIBUTES, ...LAYER_ATTRIBUTES]) {

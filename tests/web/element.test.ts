@@ -20,7 +20,18 @@ function read(given: Record<string, string>): AttributeState {
 }
 
 const DEFAULTS = {
-  params: defaultParams(), preset: PRESETS[0].name, view: '3d', color: null, camera: null, orbit: null, quality: 'auto', theme: 'auto', interaction: 'cooperative', loading: 'eager', metresPerPixel: 0.01, notices: [],
+  params: defaultParams(),
+  preset: PRESETS[0].name,
+  view: '3d',
+  color: null,
+  camera: null,
+  orbit: null,
+  quality: 'auto',
+  theme: 'auto',
+  interaction: 'cooperative',
+  loading: 'eager',
+  metresPerPixel: 0.01,
+  notices: [],
 };
 
 test('absent attributes are the defaults, without a word', () => {
@@ -33,14 +44,27 @@ test('every preset, view and colour can be named', () => {
   for (const color of ['layer', 'rock', 'plain', 'natural']) assert.deepEqual(read({ color }), { ...DEFAULTS, color });
 });
 
-test('an explicit colour is kept, the preset\'s own too; without one, or with a malformed one, it is the preset\'s', () => {
-  assert.deepEqual([read({ preset: 'riverbed' }).color, read({ preset: 'riverbed', color: 'natural' }).color, read({ color: 'layer' }).color], [null, 'natural', 'layer']);
+test("an explicit colour is kept, the preset's own too; without one, or with a malformed one, it is the preset's", () => {
+  assert.deepEqual(
+    [read({ preset: 'riverbed' }).color, read({ preset: 'riverbed', color: 'natural' }).color, read({ color: 'layer' }).color],
+    [null, 'natural', 'layer'],
+  );
   assert.match(read({ preset: 'riverbed', color: 'Natural' }).notices[0]!.message, /using natural/);
-  assert.deepEqual(PRESETS.map(({ name }) => presetColor(ROCKS, name)), PRESETS.map((preset) => ('natural' in preset ? 'natural' : 'layer')));
+  assert.deepEqual(
+    PRESETS.map(({ name }) => presetColor(ROCKS, name)),
+    PRESETS.map((preset) => ('natural' in preset ? 'natural' : 'layer')),
+  );
 });
 
 test('a seed is any whole number of 32 bits', () => {
-  for (const [text, seed] of [['0', 0], ['7', 7], [' 42 ', 42], ['4294967295', 4294967295], ['+5', 5], ['-0', 0]] as const) {
+  for (const [text, seed] of [
+    ['0', 0],
+    ['7', 7],
+    [' 42 ', 42],
+    ['4294967295', 4294967295],
+    ['+5', 5],
+    ['-0', 0],
+  ] as const) {
     const { params, notices } = read({ seed: text });
     assert.deepEqual([params.seed, notices], [seed, []], text);
   }
@@ -107,7 +131,10 @@ test('src fills everything, and every other attribute but the preset replaces wh
 });
 
 test('every row of the table has an attribute, which replaces what the preset says and nothing else', () => {
-  assert.deepEqual(read({ packing: '0.5', darts: 'attempts', 'image-height': '300' }), { ...DEFAULTS, params: { ...defaultParams(), packing: 0.5, darts: 'attempts', imageHeight: 300 } });
+  assert.deepEqual(read({ packing: '0.5', darts: 'attempts', 'image-height': '300' }), {
+    ...DEFAULTS,
+    params: { ...defaultParams(), packing: 0.5, darts: 'attempts', imageHeight: 300 },
+  });
   const [a, b] = defaultParams().layers as [Layer, Layer, Layer];
   const state = read({ radius: '40, 20', 'taper-rock': '1 2', 'cell-count': '- 7' });
   const wanted = [
@@ -119,18 +146,29 @@ test('every row of the table has an attribute, which replaces what the preset sa
   assert.equal(read({ radius: '1 2 3 4' }).params.layers.length, 4);
 });
 
-test('a choice of a layer is a list of words; a word that is none is the preset\'s, with one notice that names it', () => {
+test("a choice of a layer is a list of words; a word that is none is the preset's, with one notice that names it", () => {
   const materials = (given: Record<string, string>) => read(given).params.layers.map(({ material }) => material);
   assert.deepEqual(materials({ material: 'granite slate, basalt' }), ['granite', 'slate', 'basalt']);
   assert.deepEqual(materials({ material: 'granite Slate x', preset: 'lava-field' }), ['granite', 'basalt', 'basalt']);
-  assert.deepEqual(read({ material: 'granite Slate x' }).notices.map(({ attribute }) => attribute), ['material']);
+  assert.deepEqual(
+    read({ material: 'granite Slate x' }).notices.map(({ attribute }) => attribute),
+    ['material'],
+  );
   assert.deepEqual(read({ material: '' }).params.layers, []);
 });
 
 test('a list of another length than the first is left out, with one notice that names it', () => {
   const { params, notices } = read({ radius: '50 20', 'area-fraction': '0.1 0.2 0.3' });
-  assert.deepEqual(params.layers.map(({ radius, areaFraction }) => [radius, areaFraction]), defaultParams().layers.slice(0, 2).map(({ areaFraction }, k) => [[50, 20][k], areaFraction]));
-  assert.deepEqual(notices.map(({ attribute }) => attribute), ['area-fraction']);
+  assert.deepEqual(
+    params.layers.map(({ radius, areaFraction }) => [radius, areaFraction]),
+    defaultParams()
+      .layers.slice(0, 2)
+      .map(({ areaFraction }, k) => [[50, 20][k], areaFraction]),
+  );
+  assert.deepEqual(
+    notices.map(({ attribute }) => attribute),
+    ['area-fraction'],
+  );
 });
 
 test('src may be parameters as JSON', () => {
@@ -152,7 +190,11 @@ test('every row is either of the rocks or of the look, and an edit of it is of t
     const [before, after] = [presetParams('riverbed'), presetParams('riverbed')];
     const [owner, old] = spec.scope === 'field' ? [after, before] : [after.layers[1]!, before.layers[1]!];
     const others = spec.kind === 'choice' ? spec.choices.map(({ value }) => value) : [spec.min, spec.max];
-    writeValue(owner, spec, others.find((value) => value !== readValue(old, spec)));
+    writeValue(
+      owner,
+      spec,
+      others.find((value) => value !== readValue(old, spec)),
+    );
     const isSeen = spec.stage === 'look';
     assert.deepEqual([same(ROCKS, before, after, isMade), same(ROCKS, before, after, isLook)], [isSeen, !isSeen], spec.url);
     assert.equal(JSON.stringify(lookOf(before)) === JSON.stringify(lookOf(after)), !isSeen, spec.url);
@@ -170,8 +212,18 @@ test('layers of other ids, or another number, are other rocks', () => {
 test('the look is every row of it, with the material of each layer by id', () => {
   const params = presetParams('lava-field');
   const { variation, wetness, moss, dust, ground, sunAzimuth, sunElevation } = params;
-  const place = (key: string, word: string) => (PARAMS as readonly ParamSpec[]).find((row) => row.key === key)!.choices.findIndex(({ value }) => value === word);
-  assert.deepEqual(lookOf(params), { variation, wetness, moss, dust, ground: place('ground', ground), sunAzimuth, sunElevation, layers: params.layers.map(({ id }) => ({ id, material: place('material', 'basalt') })) });
+  const place = (key: string, word: string) =>
+    (PARAMS as readonly ParamSpec[]).find((row) => row.key === key)!.choices.findIndex(({ value }) => value === word);
+  assert.deepEqual(lookOf(params), {
+    variation,
+    wetness,
+    moss,
+    dust,
+    ground: place('ground', ground),
+    sunAzimuth,
+    sunElevation,
+    layers: params.layers.map(({ id }) => ({ id, material: place('material', 'basalt') })),
+  });
 });
 
 test('an orbit looks at the middle of the field from where it says', () => {
@@ -188,7 +240,8 @@ test('what a field shows is a sentence in the language of the page', () => {
   // A square cell of 100 px, selected, beside a larger one that is not.
   const cellVertices = Float32Array.of(0, 0, 100, 0, 100, 100, 0, 100, 0, 0, 300, 0, 300, 300, 0, 300);
   const layer = { cellStarts: Uint32Array.of(0, 4, 8), cellVertices, selected: Uint32Array.of(0) };
-  const field = (rocks: number) => ({ layers: [layer, layer, { ...layer, selected: new Uint32Array() }], stats: { rocks, coveredFraction: 0.844 } }) as unknown as Field;
+  const field = (rocks: number) =>
+    ({ layers: [layer, layer, { ...layer, selected: new Uint32Array() }], stats: { rocks, coveredFraction: 0.844 } }) as unknown as Field;
   assert.equal(describeField(field(3100), 0.01, 'en'), '3,100 rocks in two sizes, largest 1.1 m, 84% covered');
   assert.equal(describeField(field(3100), 0.001, 'ja'), '2種類の大きさの岩3,100個、最大11 cm、被覆率84%');
   assert.equal(describeField(field(0), 0.01, 'en'), 'No rocks');

@@ -8,7 +8,11 @@ import { decodePng } from '../engines/png.mjs';
 import { differences, faults, statistics } from '../engines/statistics.mjs';
 
 const WHITE = [255, 255, 255];
-const STONE = [[176, 108, 90], [198, 165, 106], [112, 138, 155]];
+const STONE = [
+  [176, 108, 90],
+  [198, 165, 106],
+  [112, 138, 155],
+];
 const SKY = [200, 209, 217];
 
 /** A PNG file of these rows of bytes, each written as it stands behind the number of its filter. */
@@ -20,7 +24,13 @@ function png({ width, height, color, depth = 8, interlaced = 0 }, rows) {
   const packed = deflateSync(Buffer.concat(rows.map((row) => Buffer.from(row))));
   const half = packed.length >> 1;
   // Browsers write many IDAT chunks, and others between.
-  const chunks = [['IHDR', header], ['tEXt', Buffer.from('a\0b')], ['IDAT', packed.subarray(0, half)], ['IDAT', packed.subarray(half)], ['IEND', Buffer.alloc(0)]];
+  const chunks = [
+    ['IHDR', header],
+    ['tEXt', Buffer.from('a\0b')],
+    ['IDAT', packed.subarray(0, half)],
+    ['IDAT', packed.subarray(half)],
+    ['IEND', Buffer.alloc(0)],
+  ];
   return Buffer.concat([Buffer.from('\x89PNG\r\n\x1a\n', 'latin1'), ...chunks.map(([type, body]) => chunk(type, body))]);
 }
 
@@ -32,14 +42,19 @@ function chunk(type, body) {
 }
 
 test('every filter of PNG is undone, at the borders too', () => {
-  const pixels = [[10, 200, 30, 250, 7, 99], [12, 190, 40, 3, 8, 255], [0, 255, 128, 64, 32, 16]];
+  const pixels = [
+    [10, 200, 30, 250, 7, 99],
+    [12, 190, 40, 3, 8, 255],
+    [0, 255, 128, 64, 32, 16],
+  ];
   // The definitions of the specification, once more and forwards.
   const guesses = [
     () => 0,
     (a) => a,
     (_a, b) => b,
     (a, b) => Math.floor((a + b) / 2),
-    (a, b, c) => [a, b, c].map((value) => [Math.abs(a + b - c - value), value]).reduce((best, next) => (next[0] < best[0] ? next : best))[1],
+    (a, b, c) =>
+      [a, b, c].map((value) => [Math.abs(a + b - c - value), value]).reduce((best, next) => (next[0] < best[0] ? next : best))[1],
   ];
   for (const color of [2, 6]) {
     const channels = color === 2 ? 3 : 4;
@@ -74,7 +89,14 @@ function painting(shift = (color) => color) {
     for (let column = 0; column < 40; column += 1) {
       const band = [SKY, ...STONE][Math.floor(row / 10)];
       const shade = band === SKY ? 1 : 0.6 + column / 100;
-      data.set(shift(band.map((value) => Math.round(value * shade)), row, column), 3 * ((row + 2) * side + column + 2));
+      data.set(
+        shift(
+          band.map((value) => Math.round(value * shade)),
+          row,
+          column,
+        ),
+        3 * ((row + 2) * side + column + 2),
+      );
     }
   }
   return { width: side, height: side, channels: 3, data };
@@ -86,7 +108,10 @@ const seen = (shift) => statistics(painting(shift), BOX, WHITE);
 test('layers are told apart by hue in light and shade, and the sky is none', () => {
   const { covered, layers, quarters } = seen();
   assert.equal(covered, 1);
-  assert.deepEqual(layers.map(({ share }) => share), [0.25, 0.25, 0.25]);
+  assert.deepEqual(
+    layers.map(({ share }) => share),
+    [0.25, 0.25, 0.25],
+  );
   assert(Math.abs(layers[0].mean[0] - 176 * 0.795) < 1);
   assert(quarters[0][2] > quarters[2][0], 'sky above, stone below');
 });
@@ -130,7 +155,11 @@ test('answers of Firefox find their questions, however the bytes arrive', async 
   assert.equal(Number(length), Buffer.byteLength(rest.join(':')));
   assert.deepEqual(JSON.parse(rest.join(':')), [0, 1, 'WebDriver:ExecuteScript', { script: '"岩"' }]);
   const frame = (message) => `${Buffer.byteLength(JSON.stringify(message))}:${JSON.stringify(message)}`;
-  const bytes = Buffer.from(frame({ marionetteProtocol: 3 }) + frame([1, 2, { error: 'timeout', message: 'too late' }, null]) + frame([1, 1, null, { value: '岩' }]));
+  const bytes = Buffer.from(
+    frame({ marionetteProtocol: 3 }) +
+      frame([1, 2, { error: 'timeout', message: 'too late' }, null]) +
+      frame([1, 1, null, { value: '岩' }]),
+  );
   for (const byte of bytes) socket.emit('data', Buffer.from([byte]));
   await assert.rejects(second, /timeout: too late/);
   assert.deepEqual(await first, { value: '岩' });

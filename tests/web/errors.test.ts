@@ -17,36 +17,53 @@ const NAMES = Object.keys(ERRORS);
 /** The texts of all files of a folder whose name ends so, without comments. */
 function sources(folder: string, extension: string): string[] {
   const root = fileURLToPath(new URL(`../../${folder}`, import.meta.url));
-  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter((name) => name.endsWith(extension) && !name.endsWith('error-list.ts'));
+  const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter(
+    (name) => name.endsWith(extension) && !name.endsWith('error-list.ts'),
+  );
   return files.map((name) => readFileSync(`${root}/${name}`, 'utf8').replaceAll(/^\s*(\/\/|\/?\*).*$/gm, ''));
 }
 
 /** Names that Rust gives: the words of every `fn code`. */
 function rustNames(): string[] {
-  return sources('src', '.rs').flatMap((text) => [...text.matchAll(/fn code\(&self\) -> &'static str \{([\s\S]*?)\n {4}\}/g)].flatMap(([, body = '']) => [...body.matchAll(/=> "(\w+)"/g)].map(([, name = '']) => name)));
+  return sources('src', '.rs').flatMap((text) =>
+    [...text.matchAll(/fn code\(&self\) -> &'static str \{([\s\S]*?)\n {4}\}/g)].flatMap(([, body = '']) =>
+      [...body.matchAll(/=> "(\w+)"/g)].map(([, name = '']) => name),
+    ),
+  );
 }
 
 /** Names that TypeScript gives: of an error in the making, or passed to a function that makes one. */
 function scriptNames(): string[] {
   const texts = sources('www', '.ts');
-  return texts.flatMap((text) => [...text.matchAll(/\bname: '([A-Z]\w+)',\s*(?:key|message|layer)\b|\brefused\('(\w+)'/g)].map(([, name, other]) => name ?? other ?? ''));
+  return texts.flatMap((text) =>
+    [...text.matchAll(/\bname: '([A-Z]\w+)',\s*(?:key|message|layer)\b|\brefused\('(\w+)'/g)].map(([, name, other]) => name ?? other ?? ''),
+  );
 }
 
 test('every error of Rust is in the list', () => {
   const names = rustNames();
   assert.ok(names.includes('OverBudget') && names.includes('LogNoArea') && names.includes('NoAdapter'), 'the search finds none');
-  assert.deepEqual(names.filter((name) => !NAMES.includes(name)), []);
+  assert.deepEqual(
+    names.filter((name) => !NAMES.includes(name)),
+    [],
+  );
 });
 
 test('every error of TypeScript is in the list', () => {
   const names = scriptNames();
   assert.ok(names.includes('WrongType') && names.includes('NotConnected') && names.includes('LogFileBroken'), 'the search finds none');
-  assert.deepEqual(names.filter((name) => !NAMES.includes(name)), []);
+  assert.deepEqual(
+    names.filter((name) => !NAMES.includes(name)),
+    [],
+  );
 });
 
 test('every error of the list is thrown somewhere', () => {
   const thrown = new Set([...rustNames(), ...scriptNames()]);
-  assert.deepEqual(NAMES.filter((name) => !thrown.has(name)), []);
+  assert.deepEqual(
+    NAMES.filter((name) => !thrown.has(name)),
+    [],
+  );
 });
 
 test('every error and notice says its message, its cause and what helps', () => {
@@ -62,7 +79,8 @@ test('every error and notice says its message, its cause and what helps', () => 
 /** Sentences about values that are not allowed, by their names, with `{…}` for what differs. */
 function valueSentences(): { en: [string, string][]; ja: [string, string][] } {
   const codes = Object.keys(NOTICES) as Notice['code'][];
-  const blank = (code: Notice['code']) => ({ code, text: '', key: '{key}', given: '{given}', used: '{used}', min: '{min}', max: '{max}' }) as unknown as Notice;
+  const blank = (code: Notice['code']) =>
+    ({ code, text: '', key: '{key}', given: '{given}', used: '{used}', min: '{min}', max: '{max}' }) as unknown as Notice;
   const range = { name: 'OutOfRange', message: '', value: 0, min: '{min}', max: '{max}' } as unknown as Parameters<typeof errorText>[1];
   return {
     en: [
@@ -80,7 +98,8 @@ test('bounds are told in one form: "must be between … and …", "may … at mo
   const bounded = en.filter(([, text]) => /\{m(in|ax)\}/.test(text));
   assert.ok(bounded.length >= 6, 'there are fewer than there were');
   for (const [name, text] of bounded) {
-    if (name !== 'OverBudget' && name !== 'FieldTooLarge') assert.match(text, /must be (\S+ )*between \{min\} and \{max\}|may (be|have) at most \{max\}/, name);
+    if (name !== 'OverBudget' && name !== 'FieldTooLarge')
+      assert.match(text, /must be (\S+ )*between \{min\} and \{max\}|may (be|have) at most \{max\}/, name);
   }
   for (const [name, text] of ja) if (text.includes('{min}')) assert.match(text, /\{min\} 〜 \{max\} の範囲で指定してください/, name);
 });
@@ -88,14 +107,21 @@ test('bounds are told in one form: "must be between … and …", "may … at mo
 test('what is taken instead is told in one form: "using …" or "showing …", and the same in Japanese', () => {
   const { en, ja } = valueSentences();
   for (const [name, text] of en) if (text.includes('{used}')) assert.match(text, /\b(using|showing|reading|ignoring)\b/, name);
-  for (const [name, text] of ja) if (/\{used\}.*[。]$/.test(text)) assert.match(text, /(を使います|を表示しています|として読み込みました|だけを読み込みました)。$/, name);
+  for (const [name, text] of ja)
+    if (/\{used\}.*[。]$/.test(text))
+      assert.match(text, /(を使います|を表示しています|として読み込みました|だけを読み込みました)。$/, name);
 });
 
 test('no message says "has to", or tells a fallback in the passive', () => {
-  const literals = [...sources('www', '.ts'), ...sources('src', '.rs')].flatMap((text) => text.match(/'(?:[^'\\\n]|\\.)*'|"(?:[^"\\\n]|\\.)*"|`[^`]*`/g) ?? []);
+  const literals = [...sources('www', '.ts'), ...sources('src', '.rs')].flatMap(
+    (text) => text.match(/'(?:[^'\\\n]|\\.)*'|"(?:[^"\\\n]|\\.)*"|`[^`]*`/g) ?? [],
+  );
   assert.ok(literals.length > 1000, 'the search finds none');
   const messages = [...literals, ...Object.values(ERRORS).map(({ message }) => message)];
-  assert.deepEqual(messages.filter((text) => /\bha(s|ve) to (be|lie)\b|; .{0,40}\b(is|are) used\b|\bis no (whole )?number\b|\bis none of\b/.test(text)), []);
+  assert.deepEqual(
+    messages.filter((text) => /\bha(s|ve) to (be|lie)\b|; .{0,40}\b(is|are) used\b|\bis no (whole )?number\b|\bis none of\b/.test(text)),
+    [],
+  );
 });
 
 /** A message as it is with anything in the place of what differs. */
@@ -116,11 +142,17 @@ test('what is thrown for a bad request has the message of the list', () => {
     ['DuplicateLayerId', { layers: [{ id: 1 }, { id: 1 }] }],
     ['MalformedRequest', 5],
   ];
-  for (const [name, request] of bad) assert.throws(() => resolveParams(request as object), { name, message: patternOf(ERRORS[name].message) }, JSON.stringify(request));
+  for (const [name, request] of bad)
+    assert.throws(() => resolveParams(request as object), { name, message: patternOf(ERRORS[name].message) }, JSON.stringify(request));
 });
 
 test('what Rust says of a parameter has the message of the list', () => {
-  const texts = sources('src', '.rs').flatMap((text) => [...text.matchAll(/Error::(\w+) \{[^}]*\} => \("((?:[^"\\]|\\.)*)"/g)].map(([, name = '', message = '']) => [name, message.replaceAll('\\"', '"')] as const));
+  const texts = sources('src', '.rs').flatMap((text) =>
+    [...text.matchAll(/Error::(\w+) \{[^}]*\} => \("((?:[^"\\]|\\.)*)"/g)].map(
+      ([, name = '', message = '']) => [name, message.replaceAll('\\"', '"')] as const,
+    ),
+  );
   const found = new Map(texts);
-  for (const name of ['OutOfRange', 'NotAnInteger', 'TooManyLayers', 'DuplicateLayerId'] as const) assert.match(found.get(name) ?? '', patternOf(ERRORS[name].message), name);
+  for (const name of ['OutOfRange', 'NotAnInteger', 'TooManyLayers', 'DuplicateLayerId'] as const)
+    assert.match(found.get(name) ?? '', patternOf(ERRORS[name].message), name);
 });

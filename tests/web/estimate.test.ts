@@ -33,5 +33,8 @@ test('the other rule is offered where the thesis’s takes long, and nowhere els
   assert.equal(isSlowThesis({ ...slow, secondsLeft: 3 }, params), false);
   assert.equal(isSlowThesis({ stage: 'collide', fraction: 0.3 }, params), false);
   assert.equal(isSlowThesis(slow, { ...params, collisions: 'pressed' }), false);
-  assert.deepEqual([timeLeft(slow, 'en'), timeLeft({ ...slow, secondsLeft: 34 }, 'en'), timeLeft(slow, 'ja')], ['1.7 minutes', '30 seconds', '1.7 分']);
+  assert.deepEqual(
+    [timeLeft(slow, 'en'), timeLeft({ ...slow, secondsLeft: 34 }, 'en'), timeLeft(slow, 'ja')],
+    ['1.7 minutes', '30 seconds', '1.7 分'],
+  );
 });

@@ -12,9 +12,59 @@ import { fuzz } from './fuzz.ts';
 import type { Random } from './fuzz.ts';
 
 const WORDS = [
-  '&', '=', ',', '#', '?', '%', '%26', '%3D', '%25', '&amp;', '-', '+', '.', ' ', '\u200b', '\ufeff', ')', '>', '*', '"', '”', '、', '１', '[]', '{}', 'null', 'NaN', 'Infinity',
-  '1e309', '-1e309', '1e-400', '-0', '0x10', '9007199254740993', '4294967296', '-1', '0.5', '1'.repeat(310), 'v=1', 'preset=moraine', 'seed=3', 'ground=v%3D1', 'camera=1,1,1,1,1,1', 'id=0,1',
-  'utm_source=x', 'fbclid=y', '__proto__=1', 'constructor=1', 'toString', '\u0000', '\ud800', 'https://example.org/', '../',
+  '&',
+  '=',
+  ',',
+  '#',
+  '?',
+  '%',
+  '%26',
+  '%3D',
+  '%25',
+  '&amp;',
+  '-',
+  '+',
+  '.',
+  ' ',
+  '\u200b',
+  '\ufeff',
+  ')',
+  '>',
+  '*',
+  '"',
+  '”',
+  '、',
+  '１',
+  '[]',
+  '{}',
+  'null',
+  'NaN',
+  'Infinity',
+  '1e309',
+  '-1e309',
+  '1e-400',
+  '-0',
+  '0x10',
+  '9007199254740993',
+  '4294967296',
+  '-1',
+  '0.5',
+  '1'.repeat(310),
+  'v=1',
+  'preset=moraine',
+  'seed=3',
+  'ground=v%3D1',
+  'camera=1,1,1,1,1,1',
+  'id=0,1',
+  'utm_source=x',
+  'fbclid=y',
+  '__proto__=1',
+  'constructor=1',
+  'toString',
+  '\u0000',
+  '\ud800',
+  'https://example.org/',
+  '../',
 ];
 const LINKS = [
   'v=1&preset=riverbed&seed=7',
@@ -25,7 +75,13 @@ const LINKS = [
 ];
 const WOOD_EAR_LINKS = [
   'v=1&preset=fallen-log&seed=4',
-  encodeWoodEarLink({ params: { ...WOOD_EARS.presetParams('wet-colony'), ground: 'v=1&preset=moraine&seed=3' }, preset: 'wet-colony', view: '3d', color: null, camera: { azimuth: 1, elevation: 1, distance: 300, target: [1, 2, 3] } }),
+  encodeWoodEarLink({
+    params: { ...WOOD_EARS.presetParams('wet-colony'), ground: 'v=1&preset=moraine&seed=3' },
+    preset: 'wet-colony',
+    view: '3d',
+    color: null,
+    camera: { azimuth: 1, elevation: 1, distance: 300, target: [1, 2, 3] },
+  }),
   'v=1&preset=fallen-log&ground=v=1&preset=moraine&seed=3',
   ...LINKS,
 ];
@@ -62,7 +118,14 @@ fuzz({
 
 /** Attributes as a list of `name=value`, a line each. */
 function attributes(random: Random, names: readonly string[], links: readonly string[]): string {
-  const value = () => random.pick([random.pick(WORDS), random.mutatedText(random.pick(links), WORDS), random.mutatedText('90 30, 10', WORDS), random.mutatedText('45deg 55deg 120%', WORDS), random.mutatedText('{"seed":7,"layers":[{"radius":30}]}', WORDS)]);
+  const value = () =>
+    random.pick([
+      random.pick(WORDS),
+      random.mutatedText(random.pick(links), WORDS),
+      random.mutatedText('90 30, 10', WORDS),
+      random.mutatedText('45deg 55deg 120%', WORDS),
+      random.mutatedText('{"seed":7,"layers":[{"radius":30}]}', WORDS),
+    ]);
   return random.several(4, () => `${random.pick(names)}=${value().replaceAll('\n', ' ')}`).join('\n');
 }
 
@@ -73,7 +136,13 @@ function getter(text: string): (name: string) => string | null {
 
 for (const [element, names, links, read, table] of [
   ['rocks', [...ATTRIBUTES], LINKS, readAttributes, ROCKS],
-  ['a log', ['src', 'preset', 'bases', 'ground', 'camera-orbit', 'color', ...WOOD_EAR_ATTRIBUTES.keys()], WOOD_EAR_LINKS, readWoodEarAttributes, WOOD_EARS],
+  [
+    'a log',
+    ['src', 'preset', 'bases', 'ground', 'camera-orbit', 'color', ...WOOD_EAR_ATTRIBUTES.keys()],
+    WOOD_EAR_LINKS,
+    readWoodEarAttributes,
+    WOOD_EARS,
+  ],
 ] as const) {
   fuzz({
     name: `any attributes give ${element} that can be generated`,
@@ -95,9 +164,30 @@ const JSONS = [
   '{"preset":"fallen-log","log":{"length":200},"bases":[{"position":[0,0,20],"range":null}],"ground":""}',
   '{"log":{"positions":[0,0,0,1,0,0,0,1,0],"indices":[0,1,2]}}',
 ];
-const TOKENS = ['null', 'true', '-1', '1e999', '"x"', '[]', '{}', '[1,2,3]', ',', ':', '"__proto__":{"seed":1}', '"seed":', '"layers":', '"bases":[null]', '"log":', '"toString":1', '\\u0000'];
+const TOKENS = [
+  'null',
+  'true',
+  '-1',
+  '1e999',
+  '"x"',
+  '[]',
+  '{}',
+  '[1,2,3]',
+  ',',
+  ':',
+  '"__proto__":{"seed":1}',
+  '"seed":',
+  '"layers":',
+  '"bases":[null]',
+  '"log":',
+  '"toString":1',
+  '\\u0000',
+];
 
-for (const [what, resolve] of [['rocks', resolveParams], ['a log', (request: object) => WOOD_EARS.resolve(request)]] as const) {
+for (const [what, resolve] of [
+  ['rocks', resolveParams],
+  ['a log', (request: object) => WOOD_EARS.resolve(request)],
+] as const) {
   fuzz({
     name: `any JSON is parameters of ${what}, or an error of ours`,
     cases: 4000,

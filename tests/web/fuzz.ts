@@ -33,7 +33,9 @@ export function fuzz<Input extends string | Uint8Array>({ name, cases, make, che
       if (thrown === undefined) continue;
       const smallest = await reduced(input, async (smaller) => (await failureOf(check, smaller)) !== undefined);
       const reason = (await failureOf(check, smallest)) ?? thrown;
-      throw new AssertionError({ message: `${name}: not for input ${count} of seed ${firstSeed}, made smaller:\n${printed(smallest)}\n${reason instanceof Error ? reason.stack : String(reason)}` });
+      throw new AssertionError({
+        message: `${name}: not for input ${count} of seed ${firstSeed}, made smaller:\n${printed(smallest)}\n${reason instanceof Error ? reason.stack : String(reason)}`,
+      });
     }
     t.diagnostic(`${count} inputs from seed ${firstSeed}`);
   });
@@ -70,7 +72,9 @@ function without<Input extends string | Uint8Array>(input: Input, from: number, 
 
 /** An expression that gives the input again. */
 function printed(input: string | Uint8Array): string {
-  return typeof input === 'string' ? JSON.stringify(input) : `Uint8Array.from(Buffer.from('${Buffer.from(input).toString('base64')}', 'base64'))`;
+  return typeof input === 'string'
+    ? JSON.stringify(input)
+    : `Uint8Array.from(Buffer.from('${Buffer.from(input).toString('base64')}', 'base64'))`;
 }
 
 /** Numbers from a seed, and what is made of them. */
@@ -111,7 +115,14 @@ export class Random {
       const from = this.integer(result.length + 1);
       const piece = result.slice(from, from + this.integer(12));
       const rest = result.slice(from + piece.length);
-      const instead = this.pick(['', piece + piece, this.pick(words), piece + this.pick(words), String.fromCharCode(this.integer(0x3000)), piece.toUpperCase()]);
+      const instead = this.pick([
+        '',
+        piece + piece,
+        this.pick(words),
+        piece + this.pick(words),
+        String.fromCharCode(this.integer(0x3000)),
+        piece.toUpperCase(),
+      ]);
       result = result.slice(0, from) + instead + rest;
     }
     return result;

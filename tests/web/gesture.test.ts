@@ -10,7 +10,14 @@ function tap(fingers: Fingers, x: number, y: number, time: number): boolean {
 }
 
 test('one finger: nothing is said for the first 10 px, then upright is the page, sideways the picture', () => {
-  for (const [dx, dy, meaning] of [[0, 12, 'page'], [0, -12, 'page'], [8, 12, 'page'], [10, 10, 'page'], [12, 8, 'drag'], [-12, 0, 'drag']] as const) {
+  for (const [dx, dy, meaning] of [
+    [0, 12, 'page'],
+    [0, -12, 'page'],
+    [8, 12, 'page'],
+    [10, 10, 'page'],
+    [12, 8, 'drag'],
+    [-12, 0, 'drag'],
+  ] as const) {
     const fingers = new Fingers();
     assert.equal(fingers.down(1, 100, 100, 0), 'wait');
     assert.equal(fingers.move(1, 100 + dx / 2, 100 + dy / 2), 'wait');
@@ -33,7 +40,12 @@ test('what one finger means is decided once', () => {
 });
 
 test('a tap, then a drag: the picture in every direction, and the page is held from the first touch on', () => {
-  for (const [dx, dy] of [[0, 40], [0, -40], [40, 0], [-20, 30]] as const) {
+  for (const [dx, dy] of [
+    [0, 40],
+    [0, -40],
+    [40, 0],
+    [-20, 30],
+  ] as const) {
     const fingers = new Fingers();
     assert.equal(tap(fingers, 100, 100, 0), false);
     assert.equal(fingers.down(1, 110, 95, 300), 'wait');
@@ -73,7 +85,10 @@ test('too late, too far, too long or moved: no tap went before', () => {
 
 test('two taps are a double tap, three are not two of them, four are', () => {
   const fingers = new Fingers();
-  assert.deepEqual([0, 200, 400, 600].map((time) => tap(fingers, 100, 100, time)), [false, true, false, true]);
+  assert.deepEqual(
+    [0, 200, 400, 600].map((time) => tap(fingers, 100, 100, time)),
+    [false, true, false, true],
+  );
   assert.equal(tap(new Fingers(), 100, 100, 0), false);
 });
 

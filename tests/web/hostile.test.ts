@@ -18,10 +18,34 @@ import { ROCKS } from '../../www/rocks/table.ts';
 import { readWoodEarAttributes } from '../../www/wood-ear/attributes.ts';
 import { WOOD_EARS } from '../../www/wood-ear/table.ts';
 
-const throwing = { toString() { throw new Error('no text'); }, toJSON() { throw new Error('no JSON'); } };
+const throwing = {
+  toString() {
+    throw new Error('no text');
+  },
+  toJSON() {
+    throw new Error('no JSON');
+  },
+};
 const circular: Record<string, unknown> = {};
 circular['self'] = circular;
-const NOTHING_EXPECTED: readonly unknown[] = [Object.create(null), throwing, circular, Symbol('s'), 10n, () => 1, /x/, new Date(NaN), new Map(), Object.create(null, { seed: { get() { return 1; } } })];
+const NOTHING_EXPECTED: readonly unknown[] = [
+  Object.create(null),
+  throwing,
+  circular,
+  Symbol('s'),
+  10n,
+  () => 1,
+  /x/,
+  new Date(NaN),
+  new Map(),
+  Object.create(null, {
+    seed: {
+      get() {
+        return 1;
+      },
+    },
+  }),
+];
 
 const isOurs = (thrown: unknown): boolean => {
   // By its names: the built package has a class of its own.
@@ -57,8 +81,14 @@ test('holes in a list are what is missing, and are named', () => {
 });
 
 test('what is missing is called missing', () => {
-  assert.throws(() => WOOD_EARS.resolve({ log: { positions: [] } as never }), { name: 'WrongType', message: /^indices\b.* is missing; it must be a list/ });
-  assert.throws(() => resolveParams({ layers: [{ taper: new Array(3) as [number, number, number] }] }), { name: 'WrongType', message: /is missing; it must be a number$/ });
+  assert.throws(() => WOOD_EARS.resolve({ log: { positions: [] } as never }), {
+    name: 'WrongType',
+    message: /^indices\b.* is missing; it must be a list/,
+  });
+  assert.throws(() => resolveParams({ layers: [{ taper: new Array(3) as [number, number, number] }] }), {
+    name: 'WrongType',
+    message: /is missing; it must be a number$/,
+  });
 });
 
 test('typed arrays are lists of numbers', () => {
@@ -66,19 +96,40 @@ test('typed arrays are lists of numbers', () => {
   assert.deepEqual(resolveParams({ layers: [{ taper }] }).layers[0]?.taper, [1, 2, 3]);
   const position = Float64Array.of(1, 2, 30) as unknown as [number, number, number];
   assert.deepEqual(WOOD_EARS.resolve({ bases: [{ position }] }).bases[0]?.position, [1, 2, 30]);
-  assert.deepEqual(checkCamera({ azimuth: 0, elevation: 1, distance: 9, target: Float32Array.of(1, 2, 3) }), { azimuth: 0, elevation: 1, distance: 9, target: [1, 2, 3] });
+  assert.deepEqual(checkCamera({ azimuth: 0, elevation: 1, distance: 9, target: Float32Array.of(1, 2, 3) }), {
+    azimuth: 0,
+    elevation: 1,
+    distance: 9,
+    target: [1, 2, 3],
+  });
   assert.throws(() => resolveParams({ layers: [{ taper: new DataView(new ArrayBuffer(3)) as never }] }), { name: 'WrongType' });
   assert.throws(() => resolveParams({ layers: [{ taper: BigInt64Array.of(1n, 2n, 3n) as never }] }), { name: 'WrongType' });
 });
 
 test('a property of an element that is a list takes typed arrays, and holds numbers', () => {
   const properties = new RowProperties(ROCKS, ROCKS.itemRows);
-  const element = { params: presetParams('journal-fig1') } as unknown as HTMLElement & { params: Params; radius: unknown; taperRock: unknown };
+  const element = { params: presetParams('journal-fig1') } as unknown as HTMLElement & {
+    params: Params;
+    radius: unknown;
+    taperRock: unknown;
+  };
   properties.define(element);
   element.radius = Float32Array.of(40, 20);
   element.taperRock = Uint8Array.of(1, 2);
-  assert.deepEqual(element.params.layers.map(({ radius, taper }) => [radius, taper[1]]), [[40, 1], [20, 2]]);
-  assert.deepEqual([element.radius, element.taperRock], [[40, 20], [1, 2]]);
+  assert.deepEqual(
+    element.params.layers.map(({ radius, taper }) => [radius, taper[1]]),
+    [
+      [40, 1],
+      [20, 2],
+    ],
+  );
+  assert.deepEqual(
+    [element.radius, element.taperRock],
+    [
+      [40, 20],
+      [1, 2],
+    ],
+  );
   assert.throws(() => (element.radius = new DataView(new ArrayBuffer(8))), { name: 'WrongType', key: 'radius' });
   assert.deepEqual(element.radius, [40, 20]);
 });
@@ -86,13 +137,29 @@ test('a property of an element that is a list takes typed arrays, and holds numb
 test('options of both generators name themselves, and nothing runs', async () => {
   const [rocks, ears] = [await createGenerator(), await createWoodEarGenerator()];
   const small = { imageWidth: 64, imageHeight: 64 };
-  for (const [key, value] of [['signal', 5], ['signal', null], ['signal', {}], ['onProgress', 5], ['onProgress', 'x'], ['maxBytes', NaN], ['maxBytes', -1], ['maxBytes', '9'], ['maxBytes', Object.create(null)]] as const) {
+  for (const [key, value] of [
+    ['signal', 5],
+    ['signal', null],
+    ['signal', {}],
+    ['onProgress', 5],
+    ['onProgress', 'x'],
+    ['maxBytes', NaN],
+    ['maxBytes', -1],
+    ['maxBytes', '9'],
+    ['maxBytes', Object.create(null)],
+  ] as const) {
     const options = { [key]: value };
-    for (const run of [() => rocks.generate(small, options), () => generate(small, options), () => ears.generate({}, options), () => growWoodEar({}, options)]) {
+    for (const run of [
+      () => rocks.generate(small, options),
+      () => generate(small, options),
+      () => ears.generate({}, options),
+      () => growWoodEar({}, options),
+    ]) {
       await assert.rejects(run, (thrown: RockFieldError) => isOurs(thrown) && thrown.key === key, `${key} ${typeof value}`);
     }
   }
-  for (const options of [null, 5, 'x', []]) await assert.rejects(rocks.generate(small, options as never), { name: 'WrongType', key: 'options' });
+  for (const options of [null, 5, 'x', []])
+    await assert.rejects(rocks.generate(small, options as never), { name: 'WrongType', key: 'options' });
   assert.ok((await rocks.generate(small, { maxBytes: Infinity })).stats.rocks >= 0);
   rocks.dispose();
   ears.dispose();
@@ -104,37 +171,75 @@ test('a camera from code is whole and within its bounds', () => {
   assert.equal(checkCamera(null), null);
   assert.equal(checkCamera(undefined), null);
   const wrong: [string, object][] = [
-    ['target', { azimuth: 0 }], ['azimuth', { ...good, azimuth: undefined }], ['azimuth', { ...good, azimuth: NaN }], ['elevation', { ...good, elevation: Infinity }],
-    ['distance', { ...good, distance: -5 }], ['distance', { ...good, distance: 0 }], ['distance', { ...good, distance: 1e9 }], ['distance', { ...good, distance: '9' }],
-    ['target', { ...good, target: [1, 2] }], ['target', { ...good, target: [1, NaN, 3] }], ['target', { ...good, target: new Array(3) }], ['camera', []],
+    ['target', { azimuth: 0 }],
+    ['azimuth', { ...good, azimuth: undefined }],
+    ['azimuth', { ...good, azimuth: NaN }],
+    ['elevation', { ...good, elevation: Infinity }],
+    ['distance', { ...good, distance: -5 }],
+    ['distance', { ...good, distance: 0 }],
+    ['distance', { ...good, distance: 1e9 }],
+    ['distance', { ...good, distance: '9' }],
+    ['target', { ...good, target: [1, 2] }],
+    ['target', { ...good, target: [1, NaN, 3] }],
+    ['target', { ...good, target: new Array(3) }],
+    ['camera', []],
   ];
-  for (const [key, camera] of wrong) assert.throws(() => checkCamera(camera), (thrown: RockFieldError) => isOurs(thrown) && thrown.key === key, JSON.stringify(camera));
+  for (const [key, camera] of wrong)
+    assert.throws(
+      () => checkCamera(camera),
+      (thrown: RockFieldError) => isOurs(thrown) && thrown.key === key,
+      JSON.stringify(camera),
+    );
   assert.throws(() => checkCamera({ ...good, distance: -5 }), { name: 'OutOfRange', value: -5, min: 0.1, max: 1e6 });
 });
 
 test('an orbit of 310 digits is none', () => {
   const digits = '1'.repeat(310);
-  for (const orbit of [`${digits}deg auto auto`, `auto ${digits}rad auto`, `auto auto ${digits}px`, `auto auto ${digits}%`, `${'1'.repeat(30)}deg auto auto`]) {
+  for (const orbit of [
+    `${digits}deg auto auto`,
+    `auto ${digits}rad auto`,
+    `auto auto ${digits}px`,
+    `auto auto ${digits}%`,
+    `${'1'.repeat(30)}deg auto auto`,
+  ]) {
     assert.equal(parseOrbit(orbit), null);
     const { notices } = readAttributes((name) => (name === 'camera-orbit' ? orbit : null));
-    assert.deepEqual(notices.map(({ attribute }) => attribute), ['camera-orbit']);
+    assert.deepEqual(
+      notices.map(({ attribute }) => attribute),
+      ['camera-orbit'],
+    );
   }
   assert.ok(parseOrbit('45deg 55deg 120%') && parseOrbit('-720deg auto 3m'));
 });
 
-test('an attribute of layers without one readable value leaves the preset\'s own layers, with one notice', () => {
+test("an attribute of layers without one readable value leaves the preset's own layers, with one notice", () => {
   for (const preset of ['journal-fig1', 'riverbed'] as const) {
-    for (const [name, value] of [['radius', 'foo'], ['radius', ''], ['area-fraction', 'x y'], ['material', 'cheese'], ['taper-base', 'NaN'], ['cell-count', 'none']]) {
+    for (const [name, value] of [
+      ['radius', 'foo'],
+      ['radius', ''],
+      ['area-fraction', 'x y'],
+      ['material', 'cheese'],
+      ['taper-base', 'NaN'],
+      ['cell-count', 'none'],
+    ]) {
       const { params, notices } = readAttributes((attribute) => ({ preset, [name!]: value! })[attribute] ?? null);
       if (value === '') continue; // none at all
       assert.deepEqual(params, presetParams(preset), `${name}="${value}"`);
-      assert.deepEqual(notices.map(({ attribute }) => attribute), [name]);
+      assert.deepEqual(
+        notices.map(({ attribute }) => attribute),
+        [name],
+      );
     }
   }
 });
 
 test('JSON in src that is wrong leaves the preset it names, with one notice', () => {
-  for (const src of ['{"preset":"moraine","layers":[{"radius":"foo"}]}', '{"preset":"moraine","seed":-1}', '{"preset":"moraine","packing":{"toString":1}}', '{"preset":"moraine","layers":[null]}']) {
+  for (const src of [
+    '{"preset":"moraine","layers":[{"radius":"foo"}]}',
+    '{"preset":"moraine","seed":-1}',
+    '{"preset":"moraine","packing":{"toString":1}}',
+    '{"preset":"moraine","layers":[null]}',
+  ]) {
     const { params, preset, notices } = readAttributes((name) => (name === 'src' ? src : null));
     assert.deepEqual([params, preset], [presetParams('moraine'), 'moraine'], src);
     assert.equal(notices.length, 1);
@@ -142,5 +247,6 @@ test('JSON in src that is wrong leaves the preset it names, with one notice', ()
   }
   const log = readWoodEarAttributes((name) => (name === 'src' ? '{"preset":"wet-colony","moisture":"foo"}' : null));
   assert.deepEqual([log.params, log.preset, log.notices.length], [WOOD_EARS.presetParams('wet-colony'), 'wet-colony', 1]);
-  for (const src of ['{', '{"preset":5}', '{"preset":"nope"}']) assert.deepEqual(readAttributes((name) => (name === 'src' ? src : null)).params, presetParams('journal-fig1'));
+  for (const src of ['{', '{"preset":5}', '{"preset":"nope"}'])
+    assert.deepEqual(readAttributes((name) => (name === 'src' ? src : null)).params, presetParams('journal-fig1'));
 });

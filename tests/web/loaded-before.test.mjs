@@ -5,7 +5,12 @@ import { filesBefore } from '../../scripts/loaded-before.mjs';
 /** A graph as the bundler's metafile tells it: file → files imported at once, files imported later. */
 function graph(files) {
   const records = (paths, kind) => paths.map((path) => ({ path, kind }));
-  return Object.fromEntries(Object.entries(files).map(([file, [atOnce, later = []]]) => [file, { imports: [...records(atOnce, 'import-statement'), ...records(later, 'dynamic-import')] }]));
+  return Object.fromEntries(
+    Object.entries(files).map(([file, [atOnce, later = []]]) => [
+      file,
+      { imports: [...records(atOnce, 'import-statement'), ...records(later, 'dynamic-import')] },
+    ]),
+  );
 }
 
 test('what is loaded before a later file is what all entries that lead to it import at once', () => {

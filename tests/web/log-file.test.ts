@@ -19,7 +19,10 @@ function volume({ positions: p, indices }: LogMesh): number {
   let sum = 0;
   for (let i = 0; i < indices.length; i += 3) {
     const [a, b, c] = [0, 1, 2].map((k) => 3 * indices[i + k]!) as [number, number, number];
-    sum += p[a]! * (p[b + 1]! * p[c + 2]! - p[b + 2]! * p[c + 1]!) + p[a + 1]! * (p[b + 2]! * p[c]! - p[b]! * p[c + 2]!) + p[a + 2]! * (p[b]! * p[c + 1]! - p[b + 1]! * p[c]!);
+    sum +=
+      p[a]! * (p[b + 1]! * p[c + 2]! - p[b + 2]! * p[c + 1]!) +
+      p[a + 1]! * (p[b + 2]! * p[c]! - p[b]! * p[c + 2]!) +
+      p[a + 2]! * (p[b]! * p[c + 1]! - p[b + 1]! * p[c]!);
   }
   return sum;
 }
@@ -33,7 +36,8 @@ function sides({ positions }: LogMesh): number[] {
 
 /** Triangles as places, however vertices are numbered and wherever a triangle begins. */
 function triangles({ positions, indices }: LogMesh): string[] {
-  const place = (vertex: number) => [...positions.subarray(3 * vertex, 3 * vertex + 3)].map((value) => value.toFixed(2).replace(/^-0\.00$/, '0.00')).join(' ');
+  const place = (vertex: number) =>
+    [...positions.subarray(3 * vertex, 3 * vertex + 3)].map((value) => value.toFixed(2).replace(/^-0\.00$/, '0.00')).join(' ');
   const all: string[] = [];
   for (let i = 0; i < indices.length; i += 3) {
     const corners = [0, 1, 2].map((k) => place(indices[i + k]!));
@@ -61,7 +65,10 @@ test('a mirrored node leaves its surface facing outwards', async () => {
 test('edges and points before faces are left out', async () => {
   const { positions, indices } = await meshOf(stored('F02-line-before-faces.obj'));
   assert.deepEqual([positions.length / 3, indices.length / 3], [6, 4]);
-  assert.deepEqual(triangles({ positions, indices }), triangles(await meshOf(given('without.obj', (await stored('F02-line-before-faces.obj').text()).replace('l 1 2', '')))));
+  assert.deepEqual(
+    triangles({ positions, indices }),
+    triangles(await meshOf(given('without.obj', (await stored('F02-line-before-faces.obj').text()).replace('l 1 2', '')))),
+  );
 });
 
 test('triangles without an area are no log', async () => {
@@ -78,7 +85,10 @@ test('large coordinates keep their shape: they are centred before they are round
 
 test('a vertex that no triangle uses decides neither size nor direction', async () => {
   const [length, width, height] = sides(await meshOf(stored('F05-unused-vertex.glb')));
-  assert.deepEqual([length, width, height].map((side) => Math.round(side!)), [120, 20, 30]);
+  assert.deepEqual(
+    [length, width, height].map((side) => Math.round(side!)),
+    [120, 20, 30],
+  );
 });
 
 test('a triangle without area decides neither size nor direction', async () => {
@@ -97,7 +107,10 @@ for (const name of ['F06-external-image.glb', 'F06-required-texture-extension.gl
 
 for (const name of ['F07-comment-after-face.obj', 'F09-usemtl-without-name.obj', 'F10-cr-only.obj']) {
   test(`${name}: is read as if it were spelled the usual way`, async () => {
-    assert.deepEqual(triangles(await meshOf(stored(name))), triangles(await meshOf(given('usual.obj', 'v 0 0 0\nv 100 0 0\nv 100 30 10\nv 0 30 10\nf 1 2 3 4\n'))));
+    assert.deepEqual(
+      triangles(await meshOf(stored(name))),
+      triangles(await meshOf(given('usual.obj', 'v 0 0 0\nv 100 0 0\nv 100 30 10\nv 0 30 10\nf 1 2 3 4\n'))),
+    );
   });
 }
 
@@ -127,7 +140,7 @@ const QUAD = 'v 0 0 0\nv 100 0 0\nv 100 30 10\nv 0 30 10\n';
 test('OBJ: spellings of one mesh give one mesh', async () => {
   const usual = triangles(await meshOf(given('usual.obj', `${QUAD}f 1 2 3 4\n`)));
   const utf16 = (text: string, isBig: boolean, mark: boolean) => {
-    const codes = [...(mark ? '\ufeff' : '') + text].map((char) => char.charCodeAt(0));
+    const codes = [...((mark ? '\ufeff' : '') + text)].map((char) => char.charCodeAt(0));
     return Uint8Array.from(codes.flatMap((code) => (isBig ? [code >> 8, code & 255] : [code & 255, code >> 8])));
   };
   const spellings: Record<string, BlobPart> = {
@@ -176,7 +189,11 @@ test('OBJ: what cannot be meant is refused with its line', async () => {
 
 test('a face of any number of corners becomes triangles that cover it once, whatever its shape', async () => {
   const ring = (count: number, radius: (k: number) => number) =>
-    Array.from({ length: count }, (_, k) => `v ${(radius(k) * Math.cos((2 * Math.PI * k) / count)).toFixed(6)} 0 ${(-radius(k) * Math.sin((2 * Math.PI * k) / count)).toFixed(6)}`).join('\n');
+    Array.from(
+      { length: count },
+      (_, k) =>
+        `v ${(radius(k) * Math.cos((2 * Math.PI * k) / count)).toFixed(6)} 0 ${(-radius(k) * Math.sin((2 * Math.PI * k) / count)).toFixed(6)}`,
+    ).join('\n');
   const face = (count: number) => `\nf ${Array.from({ length: count }, (_, k) => k + 1).join(' ')}\n`;
   const area = ({ positions: p, indices }: LogMesh) => {
     let [signed, unsigned] = [0, 0];
@@ -188,7 +205,12 @@ test('a face of any number of corners becomes triangles that cover it once, what
     }
     return { signed, unsigned };
   };
-  for (const [count, radius] of [[4, (k: number) => (k === 0 ? 10 : 50)], [12, (k: number) => (k % 2 ? 20 : 60)], [500, (k: number) => (k % 2 ? 60 : 61)], [60, () => 60]] as const) {
+  for (const [count, radius] of [
+    [4, (k: number) => (k === 0 ? 10 : 50)],
+    [12, (k: number) => (k % 2 ? 20 : 60)],
+    [500, (k: number) => (k % 2 ? 60 : 61)],
+    [60, () => 60],
+  ] as const) {
     const mesh = await meshOf(given('face.obj', ring(count, radius) + face(count)));
     const { signed, unsigned } = area(mesh);
     assert.ok(Math.abs(Math.abs(signed) - unsigned) < 1e-3 * unsigned, `${count} corners: ${signed} of ${unsigned}`);
@@ -208,7 +230,8 @@ test('more vertices than a log may have are refused with both numbers, and many 
   const grid = (columns: number, rows: number) => {
     const lines: string[] = [];
     for (let x = 0; x < columns; x += 1) for (let y = 0; y < rows; y += 1) lines.push(`v ${x} ${y} ${(x * y) % 7}`);
-    for (let x = 0; x + 1 < columns; x += 1) for (let y = 0; y + 1 < rows; y += 1) lines.push(`f ${x * rows + y + 1} ${(x + 1) * rows + y + 1} ${(x + 1) * rows + y + 2}`);
+    for (let x = 0; x + 1 < columns; x += 1)
+      for (let y = 0; y + 1 < rows; y += 1) lines.push(`f ${x * rows + y + 1} ${(x + 1) * rows + y + 1} ${(x + 1) * rows + y + 2}`);
     return lines.join('\n');
   };
   const { name, value, max, message } = await refusal(given('grid.obj', grid(700, 300)));
@@ -241,12 +264,15 @@ interface Json {
 
 function glbOf(json: Json, binary = new Uint8Array()): Uint8Array<ArrayBuffer> {
   const text = new TextEncoder().encode(JSON.stringify(json));
-  const padded = (bytes: Uint8Array, fill: number) => Uint8Array.from([...bytes, ...Array<number>((4 - (bytes.length % 4)) % 4).fill(fill)]);
+  const padded = (bytes: Uint8Array, fill: number) =>
+    Uint8Array.from([...bytes, ...Array<number>((4 - (bytes.length % 4)) % 4).fill(fill)]);
   const [description, body] = [padded(text, 32), padded(binary, 0)];
   const head = (...values: number[]) => new Uint8Array(Uint32Array.from(values).buffer);
   const length = 12 + 8 + description.length + (body.length > 0 ? 8 + body.length : 0);
   return Uint8Array.from([
-    ...head(0x4654_6c67, 2, length), ...head(description.length, 0x4e4f_534a), ...description,
+    ...head(0x4654_6c67, 2, length),
+    ...head(description.length, 0x4e4f_534a),
+    ...description,
     ...(body.length > 0 ? [...head(body.length, 0x004e_4942), ...body] : []),
   ]);
 }
@@ -271,8 +297,28 @@ test('what a GLB file promises is compared with what it holds before anything is
     [{ accessors: [{ ...view, count: 1e7 }] }, 'LogFileBroken', /accessors\[0\] has 10000000 elements/],
     [{ accessors: [{ ...view, count: 100 }] }, 'LogFileBroken', /accessors\[0\] has 100 elements/],
     [{ accessors: [{ componentType: 5126, type: 'VEC3', count: 9e8 }] }, 'LogTooLarge', /900000000/],
-    [{ accessors: [{ ...view, count: 3, sparse: { count: 1e7, indices: { bufferView: 0, componentType: 5121 }, values: { bufferView: 0 } } }] }, 'LogFileBroken', /accessors\[0\]\.sparse\.indices/],
-    [{ accessors: [{ ...view, count: 3, sparse: { count: 1, indices: { bufferView: 0, componentType: 5125, byteOffset: 12 }, values: { bufferView: 0 } } }] }, 'LogFileBroken', /name element \d+ of 3/],
+    [
+      {
+        accessors: [
+          { ...view, count: 3, sparse: { count: 1e7, indices: { bufferView: 0, componentType: 5121 }, values: { bufferView: 0 } } },
+        ],
+      },
+      'LogFileBroken',
+      /accessors\[0\]\.sparse\.indices/,
+    ],
+    [
+      {
+        accessors: [
+          {
+            ...view,
+            count: 3,
+            sparse: { count: 1, indices: { bufferView: 0, componentType: 5125, byteOffset: 12 }, values: { bufferView: 0 } },
+          },
+        ],
+      },
+      'LogFileBroken',
+      /name element \d+ of 3/,
+    ],
     [{ accessors: [{ ...view, count: -1 }] }, 'LogFileBroken', /count of accessors\[0\]/],
     [{ accessors: [{ ...view, count: 3, byteOffset: 40 }] }, 'LogFileBroken', /accessors\[0\]/],
     [{ accessors: [{ ...view, count: 3, componentType: 5125 }] }, 'LogFileBroken', /does not fit/],
@@ -283,8 +329,32 @@ test('what a GLB file promises is compared with what it holds before anything is
     [{ nodes: [{ mesh: 7 }] }, 'LogFileBroken', /no meshes\[7\]/],
     [{ nodes: [{ mesh: 0, scale: [1, 1] }] }, 'LogFileBroken', /scale of nodes\[0\]/],
     [{ scenes: 3 }, 'LogFileBroken', /scenes is not a list/],
-    [{ bufferViews: [{ buffer: 0, byteLength: 48, extensions: { EXT_meshopt_compression: { buffer: 0, byteLength: 48, byteStride: 256, count: 1e7, mode: 'ATTRIBUTES' } } }] }, 'LogFileTooLarge', /unpacks to/],
-    [{ bufferViews: [{ buffer: 0, byteLength: 48, extensions: { EXT_meshopt_compression: { buffer: 0, byteLength: 48, byteStride: 12, count: 3, mode: 'ATTRIBUTES' } } }] }, 'LogFileBroken', /cannot be unpacked/],
+    [
+      {
+        bufferViews: [
+          {
+            buffer: 0,
+            byteLength: 48,
+            extensions: { EXT_meshopt_compression: { buffer: 0, byteLength: 48, byteStride: 256, count: 1e7, mode: 'ATTRIBUTES' } },
+          },
+        ],
+      },
+      'LogFileTooLarge',
+      /unpacks to/,
+    ],
+    [
+      {
+        bufferViews: [
+          {
+            buffer: 0,
+            byteLength: 48,
+            extensions: { EXT_meshopt_compression: { buffer: 0, byteLength: 48, byteStride: 12, count: 3, mode: 'ATTRIBUTES' } },
+          },
+        ],
+      },
+      'LogFileBroken',
+      /cannot be unpacked/,
+    ],
   ];
   for (const [changes, expected, words] of cases) {
     const { name, message, words: said } = await refusal(given('log.glb', glbOf(scene(changes), bytes)));
@@ -295,15 +365,40 @@ test('what a GLB file promises is compared with what it holds before anything is
   // As many nodes as there are may show one mesh.
   const nodes = Array.from({ length: 1000 }, () => ({ mesh: 0 }));
   const primitives = Array.from({ length: 1000 }, () => ({ attributes: { POSITION: 0 } }));
-  assert.equal((await refusal(given('many.glb', glbOf(scene({ nodes, scenes: [{ nodes: nodes.map((_, k) => k) }], meshes: [{ primitives }] }), bytes)))).name, 'LogTooLarge');
+  assert.equal(
+    (
+      await refusal(
+        given('many.glb', glbOf(scene({ nodes, scenes: [{ nodes: nodes.map((_, k) => k) }], meshes: [{ primitives }] }), bytes)),
+      )
+    ).name,
+    'LogTooLarge',
+  );
 });
 
 test('geometry that cannot be read is refused with the true reason and what helps', async () => {
   const cases: [string, Json, RegExp][] = [
-    ['draco.glb', { accessors: [{ componentType: 5126, count: 3, type: 'VEC3' }], meshes: [{ primitives: [{ attributes: { POSITION: 0 }, extensions: { KHR_draco_mesh_compression: { bufferView: 0, attributes: { POSITION: 0 } } } }] }], extensionsRequired: ['KHR_draco_mesh_compression'] }, /Draco; save it without, or with meshopt/],
+    [
+      'draco.glb',
+      {
+        accessors: [{ componentType: 5126, count: 3, type: 'VEC3' }],
+        meshes: [
+          {
+            primitives: [
+              { attributes: { POSITION: 0 }, extensions: { KHR_draco_mesh_compression: { bufferView: 0, attributes: { POSITION: 0 } } } },
+            ],
+          },
+        ],
+        extensionsRequired: ['KHR_draco_mesh_compression'],
+      },
+      /Draco; save it without, or with meshopt/,
+    ],
     ['beside.glb', { buffers: [{ byteLength: 48, uri: 'scene.bin' }] }, /another file, scene\.bin; save it as one GLB file/],
     ['old.glb', { asset: { version: '1.0' } }, /glTF 1\.0; save it as glTF 2\.0/],
-    ['coded.glb', { bufferViews: [{ buffer: 0, byteLength: 48, extensions: { ACME_packed: {} } }], extensionsRequired: ['ACME_packed'] }, /extension ACME_packed/],
+    [
+      'coded.glb',
+      { bufferViews: [{ buffer: 0, byteLength: 48, extensions: { ACME_packed: {} } }], extensionsRequired: ['ACME_packed'] },
+      /extension ACME_packed/,
+    ],
   ];
   for (const [file, changes, words] of cases) {
     const { name, message } = await refusal(given(file, glbOf(scene(changes), bytes)));
@@ -328,9 +423,13 @@ test('positions packed by meshopt are read, under both names', async () => {
       accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' }],
       bufferViews: [{ buffer: 1, byteLength: 48, extensions: { [name]: extension } }],
       buffers: [{ byteLength: packed.length }, { byteLength: 48, extensions: { [name]: { fallback: true } } }],
-      extensionsUsed: [name], extensionsRequired: [name],
+      extensionsUsed: [name],
+      extensionsRequired: [name],
     });
-    assert.deepEqual(triangles(await meshOf(given('packed.glb', glbOf(json, packed)))), triangles(await meshOf(given('log.glb', glbOf(scene(), bytes)))));
+    assert.deepEqual(
+      triangles(await meshOf(given('packed.glb', glbOf(json, packed)))),
+      triangles(await meshOf(given('log.glb', glbOf(scene(), bytes)))),
+    );
   }
 });
 
@@ -338,11 +437,17 @@ test('a skinned mesh ignores its node’s transform, a hidden node is not read, 
   const plain = triangles(await meshOf(given('log.glb', glbOf(scene(), bytes))));
   const skinned = scene({ nodes: [{ mesh: 0, skin: 0, scale: [1, -1, 3] }], skins: [{ joints: [0] }] });
   assert.deepEqual(triangles(await meshOf(given('skin.glb', glbOf(skinned, bytes)))), plain);
-  const hidden = scene({ nodes: [{ mesh: 0 }, { mesh: 0, scale: [9, 9, 9], extensions: { KHR_node_visibility: { visible: false } } }], scenes: [{ nodes: [0, 1] }] });
+  const hidden = scene({
+    nodes: [{ mesh: 0 }, { mesh: 0, scale: [9, 9, 9], extensions: { KHR_node_visibility: { visible: false } } }],
+    scenes: [{ nodes: [0, 1] }],
+  });
   assert.deepEqual(triangles(await meshOf(given('hidden.glb', glbOf(hidden, bytes)))), plain);
   const instanced = scene({
     nodes: [{ mesh: 0, extensions: { EXT_mesh_gpu_instancing: { attributes: { TRANSLATION: 1 } } } }],
-    accessors: [{ bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' }, { bufferView: 0, componentType: 5126, count: 2, type: 'VEC3' }],
+    accessors: [
+      { bufferView: 0, componentType: 5126, count: 3, type: 'VEC3' },
+      { bufferView: 0, componentType: 5126, count: 2, type: 'VEC3' },
+    ],
   });
   assert.equal((await meshOf(given('instances.glb', glbOf(instanced, bytes)))).indices.length / 3, 2);
 });
@@ -367,17 +472,55 @@ test('random scenes are read as glTF-Transform reads them: nested and mirrored t
     const buffer = document.createBuffer();
     const primitive = (): Primitive => {
       const count = 6 + Math.floor(random() * 20);
-      const [type, isNormalized, full] = pick([[Float32Array, false, 1], [Int16Array, true, 30_000], [Int8Array, true, 120], [Uint16Array, true, 60_000], [Uint8Array, false, 200]] as const);
-      const values = type.from({ length: 3 * count }, () => (type === Uint16Array || type === Uint8Array ? random() : 2 * random() - 1) * full);
-      const position = document.createAccessor().setType('VEC3').setArray(values as Float32Array).setNormalized(isNormalized).setBuffer(buffer).setSparse(random() < 0.2);
-      const made = document.createPrimitive().setAttribute('POSITION', position).setMode(pick([4, 4, 5, 6, 1]) as 4);
-      if (random() < 0.5) made.setAttribute('NORMAL', document.createAccessor().setType('VEC3').setArray(new Float32Array(3 * count)).setBuffer(buffer));
-      if (random() < 0.7) made.setIndices(document.createAccessor().setType('SCALAR').setArray(pick([Uint8Array, Uint16Array, Uint32Array]).from({ length: 9 + 3 * Math.floor(random() * 9) }, () => random() * count)).setBuffer(buffer));
+      const [type, isNormalized, full] = pick([
+        [Float32Array, false, 1],
+        [Int16Array, true, 30_000],
+        [Int8Array, true, 120],
+        [Uint16Array, true, 60_000],
+        [Uint8Array, false, 200],
+      ] as const);
+      const values = type.from(
+        { length: 3 * count },
+        () => (type === Uint16Array || type === Uint8Array ? random() : 2 * random() - 1) * full,
+      );
+      const position = document
+        .createAccessor()
+        .setType('VEC3')
+        .setArray(values as Float32Array)
+        .setNormalized(isNormalized)
+        .setBuffer(buffer)
+        .setSparse(random() < 0.2);
+      const made = document
+        .createPrimitive()
+        .setAttribute('POSITION', position)
+        .setMode(pick([4, 4, 5, 6, 1]) as 4);
+      if (random() < 0.5)
+        made.setAttribute(
+          'NORMAL',
+          document
+            .createAccessor()
+            .setType('VEC3')
+            .setArray(new Float32Array(3 * count))
+            .setBuffer(buffer),
+        );
+      if (random() < 0.7)
+        made.setIndices(
+          document
+            .createAccessor()
+            .setType('SCALAR')
+            .setArray(
+              pick([Uint8Array, Uint16Array, Uint32Array]).from({ length: 9 + 3 * Math.floor(random() * 9) }, () => random() * count),
+            )
+            .setBuffer(buffer),
+        );
       return made;
     };
     const meshes = [0, 1].map(() => [primitive(), primitive()].reduce((mesh, each) => mesh.addPrimitive(each), document.createMesh()));
     const node = (depth: number): Node => {
-      const made = document.createNode().setTranslation([random(), random(), random()]).setScale([pick([1, -1, 2]), pick([1, -0.5]), pick([1, 3, -1])]);
+      const made = document
+        .createNode()
+        .setTranslation([random(), random(), random()])
+        .setScale([pick([1, -1, 2]), pick([1, -0.5]), pick([1, 3, -1])]);
       const [x, y, z, w] = [random() - 0.5, random() - 0.5, random() - 0.5, random()];
       const norm = Math.hypot(x, y, z, w);
       made.setRotation([x / norm, y / norm, z / norm, w / norm]);
@@ -413,9 +556,12 @@ async function oracle(file: Uint8Array): Promise<string | null> {
         vertices.push(`v ${row(0)} ${row(1)} ${row(2)}`);
       }
       const indices = [...(primitive.getIndices()?.getArray() ?? Array.from({ length: position.getCount() }, (_, i) => i))];
-      const add = (a: number, b: number, c: number) => faces.push(det < 0 ? `f ${base + a + 1} ${base + c + 1} ${base + b + 1}` : `f ${base + a + 1} ${base + b + 1} ${base + c + 1}`);
+      const add = (a: number, b: number, c: number) =>
+        faces.push(det < 0 ? `f ${base + a + 1} ${base + c + 1} ${base + b + 1}` : `f ${base + a + 1} ${base + b + 1} ${base + c + 1}`);
       if (mode === 4) for (let i = 0; i + 2 < indices.length; i += 3) add(indices[i]!, indices[i + 1]!, indices[i + 2]!);
-      if (mode === 5) for (let i = 0; i + 2 < indices.length; i += 1) i % 2 ? add(indices[i]!, indices[i + 2]!, indices[i + 1]!) : add(indices[i]!, indices[i + 1]!, indices[i + 2]!);
+      if (mode === 5)
+        for (let i = 0; i + 2 < indices.length; i += 1)
+          i % 2 ? add(indices[i]!, indices[i + 2]!, indices[i + 1]!) : add(indices[i]!, indices[i + 1]!, indices[i + 2]!);
       if (mode === 6) for (let i = 1; i + 1 < indices.length; i += 1) add(indices[i]!, indices[i + 1]!, indices[0]!);
     }
   });

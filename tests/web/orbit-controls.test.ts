@@ -50,9 +50,12 @@ function setUp(interaction?: Interaction, isPlan = false) {
     stage.dispatchEvent(event);
     return event.defaultPrevented;
   };
-  const wheel = (fields: object = {}, after = 10) => send('wheel', { deltaX: 0, deltaY: 100, deltaMode: 0, clientX: 200, clientY: 150, ...fields }, after);
-  const pointer = (pointerType: string) => (type: string, clientX: number, clientY: number, fields: object = {}, after = 10) =>
-    send(`pointer${type}`, { pointerType, pointerId: 1, buttons: 1, clientX, clientY, ...fields }, after);
+  const wheel = (fields: object = {}, after = 10) =>
+    send('wheel', { deltaX: 0, deltaY: 100, deltaMode: 0, clientX: 200, clientY: 150, ...fields }, after);
+  const pointer =
+    (pointerType: string) =>
+    (type: string, clientX: number, clientY: number, fields: object = {}, after = 10) =>
+      send(`pointer${type}`, { pointerType, pointerId: 1, buttons: 1, clientX, clientY, ...fields }, after);
   const mouse = pointer('mouse');
   const finger = pointer('touch');
   /** A finger's move as the browser tells it; true when the page was held. */
@@ -71,7 +74,12 @@ function setUp(interaction?: Interaction, isPlan = false) {
 const MODES = ['cooperative', 'always'] as const;
 
 test('touch-action follows the interaction, and is given back', () => {
-  for (const [interaction, expected] of [[undefined, 'pan-y'], ['cooperative', 'pan-y'], ['always', 'none'], ['none', 'auto']] as const) {
+  for (const [interaction, expected] of [
+    [undefined, 'pan-y'],
+    ['cooperative', 'pan-y'],
+    ['always', 'none'],
+    ['none', 'auto'],
+  ] as const) {
     const { stage, controls } = setUp(interaction);
     assert.equal(stage.style.touchAction, expected);
     controls.dispose();
@@ -93,7 +101,12 @@ test('cooperative: the wheel scrolls the page until the picture has the focus', 
 });
 
 test('cooperative: the wheel zooms with ctrl or meta, no other key', () => {
-  for (const [key, zooms] of [['ctrlKey', true], ['metaKey', true], ['shiftKey', false], ['altKey', false]] as const) {
+  for (const [key, zooms] of [
+    ['ctrlKey', true],
+    ['metaKey', true],
+    ['shiftKey', false],
+    ['altKey', false],
+  ] as const) {
     const { seen, wheel } = setUp();
     assert.equal(wheel({ [key]: true }), zooms, key);
     assert.equal(seen.moves, zooms ? 1 : 0, key);
@@ -243,7 +256,10 @@ test('a double click frames all; the right button has no menu, the middle one no
   assert.equal(send('dblclick'), true);
   assert.equal(seen.framed, 1);
   assert.equal(send('contextmenu'), true);
-  assert.deepEqual([0, 1, 2].map((button) => send('mousedown', { button })), [false, true, false]);
+  assert.deepEqual(
+    [0, 1, 2].map((button) => send('mousedown', { button })),
+    [false, true, false],
+  );
 });
 
 test('keys move the camera as ever; Tab, Escape and shortcuts are the page’s', () => {
@@ -262,7 +278,15 @@ test('keys move the camera as ever; Tab, Escape and shortcuts are the page’s',
 
 test('none: nothing moves the camera and nothing is kept from the page', () => {
   const { stage, seen, send, wheel, mouse, finger, slide, tap } = setUp('none');
-  const kept = [wheel(), wheel({ ctrlKey: true }), send('keydown', { key: 'ArrowLeft' }), send('keydown', { key: 'f' }), send('dblclick'), send('contextmenu'), send('mousedown', { button: 1 })];
+  const kept = [
+    wheel(),
+    wheel({ ctrlKey: true }),
+    send('keydown', { key: 'ArrowLeft' }),
+    send('keydown', { key: 'f' }),
+    send('dblclick'),
+    send('contextmenu'),
+    send('mousedown', { button: 1 }),
+  ];
   mouse('down', 100, 100);
   mouse('move', 150, 100);
   mouse('up', 150, 100);
@@ -311,6 +335,9 @@ test('after dispose nothing is heard and no pointer is held', () => {
   controls.dispose();
   assert.equal(stage.captured.size, 0);
   mouse('move', 250, 150);
-  assert.deepEqual([slide(120, 100, { pointerId: 2 }), wheel(), send('keydown', { key: 'f' }), send('contextmenu')], [false, false, false, false]);
+  assert.deepEqual(
+    [slide(120, 100, { pointerId: 2 }), wheel(), send('keydown', { key: 'f' }), send('contextmenu')],
+    [false, false, false, false],
+  );
   assert.deepEqual([seen.moves, seen.framed], [0, 0]);
 });

@@ -30,6 +30,10 @@ test('what the renderer refuses is an error of the list, with its name where it 
     ['a string', 'RendererFailed', 'the picture could not be made: a string'],
   ];
   for (const [thrown, name, message] of cases) {
-    await assert.rejects(takePicture(refusing(thrown), [10, 10], CAMERA, {}), (error: unknown) => error instanceof RockFieldError && error.name === name && error.message === message, name);
+    await assert.rejects(
+      takePicture(refusing(thrown), [10, 10], CAMERA, {}),
+      (error: unknown) => error instanceof RockFieldError && error.name === name && error.message === message,
+      name,
+    );
   }
 });

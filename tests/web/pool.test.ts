@@ -65,7 +65,10 @@ function fallSilent(timers: TestContext['mock']['timers']): void {
 
 /** What a promise came to, in a word. */
 function outcome(answer: Promise<Field>): Promise<string> {
-  return answer.then(() => 'field', (error: Error) => error.name);
+  return answer.then(
+    () => 'field',
+    (error: Error) => error.name,
+  );
 }
 
 test('twenty-four clients share at most four workers, evenly', (t) => {
@@ -73,11 +76,22 @@ test('twenty-four clients share at most four workers, evenly', (t) => {
   const all = clients(24);
   assert.equal(workers.length, 0, 'made before anything was asked for');
   all.forEach((client, seed) => void outcome(client.generate(params(seed))));
-  assert.deepEqual(workers.map(({ starts }) => new Set(starts.map(({ client }) => client)).size), [6, 6, 6, 6]);
+  assert.deepEqual(
+    workers.map(({ starts }) => new Set(starts.map(({ client }) => client)).size),
+    [6, 6, 6, 6],
+  );
 });
 
 test('there is one worker at least, and one core is left to the page', (t) => {
-  for (const [cores, wanted] of [[0, 1], [1, 1], [2, 1], [3, 2], [4, 3], [5, 4], [64, 4]] as const) {
+  for (const [cores, wanted] of [
+    [0, 1],
+    [1, 1],
+    [2, 1],
+    [3, 2],
+    [4, 3],
+    [5, 4],
+    [64, 4],
+  ] as const) {
     const { workers, clients } = setUp(t, cores);
     clients(8).forEach((client) => void outcome(client.generate(params(1))));
     assert.equal(workers.length, wanted, `with ${cores} cores`);
@@ -92,7 +106,9 @@ test('a client stays with its worker, and the next one goes where there are fewe
   all[1]!.dispose();
   all[0]!.generate(params(10)).catch(() => {});
   workers[0]!.start(10);
-  client().generate(params(11)).catch(() => {});
+  client()
+    .generate(params(11))
+    .catch(() => {});
   workers[1]!.start(11);
 });
 
@@ -163,8 +179,15 @@ for (const [how, die] of [
     workers[0]!.says({ type: 'ready' });
     workers[0]!.finishes(workers[0]!.start(2));
     die(workers[0]!, page);
-    assert.deepEqual(workers.map(({ ended }) => ended), [true, false]);
-    assert.deepEqual(workers[1]!.starts.map(({ request }) => request.params[0]), [0, 1], 'what was answered is not run again');
+    assert.deepEqual(
+      workers.map(({ ended }) => ended),
+      [true, false],
+    );
+    assert.deepEqual(
+      workers[1]!.starts.map(({ request }) => request.params[0]),
+      [0, 1],
+      'what was answered is not run again',
+    );
     workers[1]!.says({ type: 'ready' });
     for (const start of workers[1]!.starts) workers[1]!.finishes(start);
     assert.deepEqual(await Promise.all(answers), ['field', 'field', 'field']);
@@ -224,7 +247,10 @@ test("two clients of one worker do not see each other's results, and cancelling 
   worker!.finishes(second);
   assert(a!.busy && !b!.busy);
   worker!.finishes(first);
-  assert.deepEqual((await Promise.all(answers)).map(({ stats }) => stats.rocks), [first.client, second.client]);
+  assert.deepEqual(
+    (await Promise.all(answers)).map(({ stats }) => stats.rocks),
+    [first.client, second.client],
+  );
   assert.equal(workers.length, 1);
 });
 
@@ -239,7 +265,11 @@ test('a cancel that is not answered in time does not end a worker that others sh
   assert(!workers[0]!.ended);
   fallSilent(timers);
   assert(workers[0]!.ended);
-  assert.deepEqual(workers[1]!.starts.map(({ request }) => request.params[0]), [2], 'what was cancelled is not run again');
+  assert.deepEqual(
+    workers[1]!.starts.map(({ request }) => request.params[0]),
+    [2],
+    'what was cancelled is not run again',
+  );
   workers[1]!.finishes(workers[1]!.start(2));
   assert.equal(await other, 'field');
 });

@@ -79,7 +79,10 @@ class MortalWorker extends SilentWorker {
 
   #grow({ client, id, request }: Addressed<StartMessage>): void {
     const seed = request.params[0];
-    setTimeout(() => !this.#isDead && !this.ended && this.tells({ type: 'result', client, id, result: { stats: { rocks: seed } } as Field }), this.#slow);
+    setTimeout(
+      () => !this.#isDead && !this.ended && this.tells({ type: 'result', client, id, result: { stats: { rocks: seed } } as Field }),
+      this.#slow,
+    );
   }
 
   #die(way: Way): void {
@@ -88,8 +91,13 @@ class MortalWorker extends SilentWorker {
     this.#isDeaf = true;
     if (way === 'throws') this.dies('Uncaught Error: oh');
     if (way === 'answers what nobody can read') this.onmessageerror?.(new MessageEvent('messageerror'));
-    if (way === 'has no wasm') this.tells({ type: 'failed', error: { name: 'WasmUnavailable', message: 'generator_bg.wasm could not be fetched: the server answered 404' } });
-    if (way === 'traps' && starting) this.tells({ type: 'crashed', client: starting.client, id: this.#lastId, error: { name: 'Internal', message: 'unreachable' } });
+    if (way === 'has no wasm')
+      this.tells({
+        type: 'failed',
+        error: { name: 'WasmUnavailable', message: 'generator_bg.wasm could not be fetched: the server answered 404' },
+      });
+    if (way === 'traps' && starting)
+      this.tells({ type: 'crashed', client: starting.client, id: this.#lastId, error: { name: 'Internal', message: 'unreachable' } });
   }
 }
 
@@ -108,7 +116,10 @@ test(`workers that die at ${MOMENTS} random moments: every run ends with its fie
   for (let moment = 0; moment < MOMENTS; moment += 1) {
     const random = mulberry32(STORED_SEED + moment);
     // A second and a third may die as well.
-    const fates = Array.from({ length: 1 + Math.floor(3 * random()) }, (): Fate => ({ way: WAYS[Math.floor(WAYS.length * random())]!, at: 3000 * random() ** 2 }));
+    const fates = Array.from(
+      { length: 1 + Math.floor(3 * random()) },
+      (): Fate => ({ way: WAYS[Math.floor(WAYS.length * random())]!, at: 3000 * random() ** 2 }),
+    );
     let now = 0;
     const mortal = [...fates];
     const spawn = () => new MortalWorker(random, mortal.shift());
@@ -119,15 +130,16 @@ test(`workers that die at ${MOMENTS} random moments: every run ends with its fie
     const ask = (client: GeneratorClient, seed: number): Promise<string> => {
       const asked = now;
       open += 1;
-      const name = (error: unknown): string => (error instanceof RockFieldError || error instanceof DOMException ? error.name : `unnamed: ${String(error)}`);
-      return client.generate({ ...defaultParams(), seed }).then(
-        (field) => (field.stats.rocks === seed ? 'field' : `another's field`),
-        name,
-      ).finally(() => {
-        open -= 1;
-        longest = Math.max(longest, now - asked);
-        assert.ok(now - asked <= PATIENCE_MS, `${now - asked} ms; ${context}`);
-      });
+      const name = (error: unknown): string =>
+        error instanceof RockFieldError || error instanceof DOMException ? error.name : `unnamed: ${String(error)}`;
+      return client
+        .generate({ ...defaultParams(), seed })
+        .then((field) => (field.stats.rocks === seed ? 'field' : `another's field`), name)
+        .finally(() => {
+          open -= 1;
+          longest = Math.max(longest, now - asked);
+          assert.ok(now - asked <= PATIENCE_MS, `${now - asked} ms; ${context}`);
+        });
     };
     const pass = async (until: () => boolean, most: number): Promise<void> => {
       for (const end = now + most; now < end && !until(); now += STEP_MS) {
@@ -156,5 +168,8 @@ test(`workers that die at ${MOMENTS} random moments: every run ends with its fie
   }
   t.diagnostic(`${JSON.stringify(Object.fromEntries(outcomes))}, longest ${longest} ms`);
   const named = ['AbortError', 'Internal', 'WasmUnavailable', 'WorkerLost', 'WorkerUnavailable', 'field'];
-  assert.deepEqual([...outcomes.keys()].filter((name) => !named.includes(name)), []);
+  assert.deepEqual(
+    [...outcomes.keys()].filter((name) => !named.includes(name)),
+    [],
+  );
 });

@@ -66,22 +66,38 @@ test('every natural colony is varied around itself: again and again no farther a
 
 test('a natural ground is varied alike in the other notation', () => {
   for (const seed of SEEDS) {
-    const [px, relative] = (['px', 'relative'] as const).map((notation) => randomParams({ ...presetParams('moraine'), notation }, { seed, preset: 'moraine' }));
+    const [px, relative] = (['px', 'relative'] as const).map((notation) =>
+      randomParams({ ...presetParams('moraine'), notation }, { seed, preset: 'moraine' }),
+    );
     const unit = px!.imageWidth / 100;
     for (const [k, layer] of px!.layers.entries()) {
       const other = relative!.layers[k]!;
-      assert.ok(Math.abs((other.radius * unit) / layer.radius - 1) < 0.08 && Math.abs((other.height[0] * other.radius * unit) / layer.height[0] - 1) < 0.2, `${seed} ${k}: ${other.radius * unit} ${layer.radius} ${other.height[0] * other.radius * unit} ${layer.height[0]}`);
+      assert.ok(
+        Math.abs((other.radius * unit) / layer.radius - 1) < 0.08 &&
+          Math.abs((other.height[0] * other.radius * unit) / layer.height[0] - 1) < 0.2,
+        `${seed} ${k}: ${other.radius * unit} ${layer.radius} ${other.height[0] * other.radius * unit} ${layer.height[0]}`,
+      );
     }
   }
 });
 
 for (const preset of ['moraine', 'journal-fig1'] as const satisfies readonly PresetName[]) {
   test(`${preset}: a locked radius is kept, and heights and tapers go with it`, () => {
-    const own = { ...presetParams(preset), layers: [{ ...presetParams(preset).layers[0]!, radius: 17 }, { ...presetParams(preset).layers[1]!, radius: 5 }] };
+    const own = {
+      ...presetParams(preset),
+      layers: [
+        { ...presetParams(preset).layers[0]!, radius: 17 },
+        { ...presetParams(preset).layers[1]!, radius: 5 },
+      ],
+    };
     for (const seed of SEEDS) {
       const { layers } = randomParams(own, { seed, preset, lock: ['radius'] });
-      assert.deepEqual(layers.map(({ radius }) => radius), [17, 5]);
-      for (const { radius, height } of layers) assert.ok(height[0] + height[1] + height[2] < 2 * radius, `no stalagmites: ${height} on ${radius}`);
+      assert.deepEqual(
+        layers.map(({ radius }) => radius),
+        [17, 5],
+      );
+      for (const { radius, height } of layers)
+        assert.ok(height[0] + height[1] + height[2] < 2 * radius, `no stalagmites: ${height} on ${radius}`);
     }
   });
 

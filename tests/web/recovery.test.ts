@@ -8,7 +8,8 @@ import type { ErrorInfo } from '../../www/base/errors.ts';
 import { CAUTIOUS_WAIT_MS, FIRST_WAIT_MS, Recovery } from '../../www/renderer/recovery.ts';
 import type { Refusal } from '../../www/renderer/load.ts';
 
-const refusals = (...messages: string[]): Refusal[] => messages.map((message, k) => ({ backend: k === 0 ? 'webgpu' : 'webgl', error: new Error(message) }));
+const refusals = (...messages: string[]): Refusal[] =>
+  messages.map((message, k) => ({ backend: k === 0 ? 'webgpu' : 'webgl', error: new Error(message) }));
 const ABSENT = refusals('no graphics adapter', 'no WebGL2 context');
 
 function setUp(t: TestContext, isBack: () => boolean | Promise<boolean> = () => false, arrived: () => number | null = () => null) {
@@ -21,15 +22,18 @@ function setUp(t: TestContext, isBack: () => boolean | Promise<boolean> = () => 
   });
   t.after(() => restore.forEach((undo) => undo()));
   const counts = { tries: 0, said: 0 };
-  const recovery: Recovery = new Recovery({
-    again: async () => {
-      counts.tries += 1;
-      const back = await isBack();
-      if (back) recovery.end();
-      return back;
+  const recovery: Recovery = new Recovery(
+    {
+      again: async () => {
+        counts.tries += 1;
+        const back = await isBack();
+        if (back) recovery.end();
+        return back;
+      },
+      said: () => (counts.said += 1),
     },
-    said: () => (counts.said += 1),
-  }, arrived);
+    arrived,
+  );
   const pass = async (ms: number) => {
     t.mock.timers.tick(ms);
     await settled();
@@ -55,7 +59,11 @@ test('3D is tried again at ever longer intervals, a minute at most', async (t) =
 test('while a try fetches the renderer, it is said how much of it has come, and no other try is offered', async (t) => {
   let arrived: number | null = null;
   let finish: (isBack: boolean) => void = () => {};
-  const { recovery, counts, pass } = setUp(t, () => new Promise((resolve) => (finish = resolve)), () => arrived);
+  const { recovery, counts, pass } = setUp(
+    t,
+    () => new Promise((resolve) => (finish = resolve)),
+    () => arrived,
+  );
   recovery.begin(ABSENT, 1, false);
   const reason = recovery.words('en');
   const said = () => [recovery.words('en'), recovery.words('ja'), recovery.canRetry];
@@ -125,7 +133,10 @@ test('once the picture is back nothing is tried or said any more', async (t) => 
 
 test('the words say what is true: no GPU, lost, lost often, busy, or files that did not arrive', (t) => {
   const { recovery } = setUp(t);
-  const unavailable: Refusal = { backend: 'webgl', error: new RockFieldError({ name: 'WasmUnavailable', message: 'renderer-webgl_bg.wasm could not be fetched: the server answered 404' }) };
+  const unavailable: Refusal = {
+    backend: 'webgl',
+    error: new RockFieldError({ name: 'WasmUnavailable', message: 'renderer-webgl_bg.wasm could not be fetched: the server answered 404' }),
+  };
   for (const [given, losses, isTooMany, wanted] of [
     [ABSENT, 0, false, /neither WebGPU nor WebGL2/],
     [refusals('this browser has no WebGPU', 'no WebGL2 context'), 0, false, /neither WebGPU nor WebGL2/],

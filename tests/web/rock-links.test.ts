@@ -6,7 +6,17 @@ import { presetColor } from '../../www/table/table.ts';
 import { MAX_LAYERS, PRESETS } from '../../www/rocks/params.ts';
 import type { ParamSpec } from '../../www/rocks/spec.ts';
 import type { Params, PresetName } from '../../www/rocks/params.ts';
-import { FIELD_ROWS, LAYER_ROWS, boundsOf, defaultLayer, defaultParams, presetParams, readValue, resolveParams, writeValue } from '../../www/rocks/request.ts';
+import {
+  FIELD_ROWS,
+  LAYER_ROWS,
+  boundsOf,
+  defaultLayer,
+  defaultParams,
+  presetParams,
+  readValue,
+  resolveParams,
+  writeValue,
+} from '../../www/rocks/request.ts';
 import { COLORS, MAX_LINK_LENGTH, VIEWS, decodeLink, encodeLink } from '../../www/rocks/link.ts';
 import type { NoticeCode } from '../../www/rocks/link.ts';
 
@@ -16,7 +26,10 @@ const FIRST: PresetName = PRESETS[0].name;
 function samples(spec: ParamSpec, notation: Params['notation']): unknown[] {
   if (spec.kind === 'choice') return spec.choices.map(({ value }) => value);
   const { min, max, slider } = boundsOf(spec, notation);
-  const numbers = spec.kind === 'real' ? [min, max, slider.min, slider.max, min + (max - min) / 3, min + (max - min) * 1e-9] : [min, max, min + 1, Math.floor(max / 3)];
+  const numbers =
+    spec.kind === 'real'
+      ? [min, max, slider.min, slider.max, min + (max - min) / 3, min + (max - min) * 1e-9]
+      : [min, max, min + 1, Math.floor(max / 3)];
   return spec.kind === 'optional-integer' ? [...numbers, null] : numbers;
 }
 
@@ -66,8 +79,15 @@ for (const spec of LAYER_ROWS) {
       const last = words.at(-1);
       for (const wrong of ['abc', '0', '', words[0]!.toUpperCase(), 'toString', '<b>']) {
         const { notices, params } = decodeLink(`#${spec.url}=${last},${encodeURIComponent(wrong)},${last}`);
-        assert.deepEqual(notices.map(({ code, key }) => [code, key]), [['unknown-choice', spec.url]], wrong);
-        assert.deepEqual(params.layers.map((layer) => readValue(layer, spec)), [last, words[0], last]);
+        assert.deepEqual(
+          notices.map(({ code, key }) => [code, key]),
+          [['unknown-choice', spec.url]],
+          wrong,
+        );
+        assert.deepEqual(
+          params.layers.map((layer) => readValue(layer, spec)),
+          [last, words[0], last],
+        );
       }
     });
     continue;
@@ -78,12 +98,20 @@ for (const spec of LAYER_ROWS) {
     const [a, b, c] = [min, max, max].map(String);
     for (const wrong of ['abc', 'NaN', 'Infinity', '', '0x10', '1e', '<b>']) {
       const read = decodeLink(`#${spec.url}=${a},${encodeURIComponent(wrong)},${c}`);
-      assert.deepEqual(read.notices.map(({ code, key }) => [code, key]), [['not-a-number', spec.url]], wrong);
+      assert.deepEqual(
+        read.notices.map(({ code, key }) => [code, key]),
+        [['not-a-number', spec.url]],
+        wrong,
+      );
       resolveParams(read.params);
     }
     for (const wrong of [max + 1, min - 1, 1e300, -1e300, '1e999']) {
       const read = decodeLink(`#${spec.url}=${a},${b},${wrong}`);
-      assert.deepEqual(read.notices.map(({ code, key }) => [code, key]), [['clamped', spec.url]], String(wrong));
+      assert.deepEqual(
+        read.notices.map(({ code, key }) => [code, key]),
+        [['clamped', spec.url]],
+        String(wrong),
+      );
       resolveParams(read.params);
     }
   });
@@ -132,7 +160,7 @@ test('view, colour and camera are in the link only when changed', () => {
   assert.equal(encodeLink(read), link);
 });
 
-test('a colour is in the link only when it is not the preset\'s own', () => {
+test("a colour is in the link only when it is not the preset's own", () => {
   for (const { name } of PRESETS) {
     const params = presetParams(name);
     for (const color of COLORS) {
@@ -149,7 +177,15 @@ test('a colour is in the link only when it is not the preset\'s own', () => {
 
 test('a link is found after #, after ?, in an address and on its own', () => {
   const link = 'v=1&preset=journal-fig12b&seed=7';
-  for (const text of [link, `#${link}`, `?${link}`, `https://example.org/rocks/?${link}`, `https://example.org/#${link}`, `./#${link}`, ` #${link} `]) {
+  for (const text of [
+    link,
+    `#${link}`,
+    `?${link}`,
+    `https://example.org/rocks/?${link}`,
+    `https://example.org/#${link}`,
+    `./#${link}`,
+    ` #${link} `,
+  ]) {
     const { preset, params, notices } = decodeLink(text);
     assert.deepEqual([preset, params.seed, notices], ['journal-fig12b', 7, []], text);
   }
@@ -200,7 +236,11 @@ test('a link of 200 kB is cut between two pairs', () => {
     assert.ok(notices.some(({ code }) => code === 'too-long'));
     assert.ok(notices.length <= 3);
   }
-  const honest = Array.from({ length: MAX_LAYERS }, (_, id) => ({ ...defaultLayer(4e9 + id, 'px'), radius: 1 + Math.PI * id, taper: [Math.E, Math.PI, 1 / 3] as [number, number, number] }));
+  const honest = Array.from({ length: MAX_LAYERS }, (_, id) => ({
+    ...defaultLayer(4e9 + id, 'px'),
+    radius: 1 + Math.PI * id,
+    taper: [Math.E, Math.PI, 1 / 3] as [number, number, number],
+  }));
   assert.ok(encodeLink({ params: { ...defaultParams(), layers: honest } }).length < MAX_LINK_LENGTH / 4);
 });
 

@@ -5,7 +5,20 @@ import { RockFieldError } from '../../www/base/errors.ts';
 import { MAX_LAYERS, PARAMS, PRESETS } from '../../www/rocks/params.ts';
 import type { ParamSpec } from '../../www/rocks/spec.ts';
 import type { Params } from '../../www/rocks/params.ts';
-import { boundsOf, clampParams, copyParams, defaultLayer, defaultParams, encodeParams, FIELD_ROWS, LAYER_ROWS, presetParams, readValue, resolveParams, writeValue } from '../../www/rocks/request.ts';
+import {
+  boundsOf,
+  clampParams,
+  copyParams,
+  defaultLayer,
+  defaultParams,
+  encodeParams,
+  FIELD_ROWS,
+  LAYER_ROWS,
+  presetParams,
+  readValue,
+  resolveParams,
+  writeValue,
+} from '../../www/rocks/request.ts';
 
 const NOTATIONS = ['px', 'relative'] as const;
 
@@ -66,7 +79,10 @@ test('the flat list is the field rows, the number of layers, then id and rows of
   assert.equal(flat[FIELD_ROWS.length + 1], 5);
   const layer = [...flat.slice(FIELD_ROWS.length + 2)];
   assert.deepEqual(layer.slice(0, 9), [30, 0.25, NaN, 0, 6, 2, 5, 5, 3]);
-  assert(layer.slice(9).every((value) => value === 0), 'wear that no paper has');
+  assert(
+    layer.slice(9).every((value) => value === 0),
+    'wear that no paper has',
+  );
 });
 
 test('a value just outside its bounds, NaN or not whole is refused with key, value and bounds', () => {
@@ -74,7 +90,12 @@ test('a value just outside its bounds, NaN or not whole is refused with key, val
     for (const spec of PARAMS as readonly ParamSpec[]) {
       if (spec.kind === 'choice') continue;
       const { min, max } = boundsOf(spec, notation);
-      const bad: [number, string][] = [[min - 1, 'OutOfRange'], [max + 1, 'OutOfRange'], [NaN, 'OutOfRange'], [Infinity, 'OutOfRange']];
+      const bad: [number, string][] = [
+        [min - 1, 'OutOfRange'],
+        [max + 1, 'OutOfRange'],
+        [NaN, 'OutOfRange'],
+        [Infinity, 'OutOfRange'],
+      ];
       if (spec.kind !== 'real') bad.push([min + 0.5, 'NotAnInteger']);
       for (const [value, name] of bad) {
         const params = paramsIn(notation);
@@ -99,14 +120,21 @@ test('a choice of a layer is a word of the table, in a request as in clamping', 
   params.layers[1]!.material = 'cheese' as 'slate';
   const { params: clamped, changes } = clampParams(params);
   assert.deepEqual(changes, [{ key: 'material', layer: 1, component: null, from: 'cheese', to: 'mixed' }]);
-  assert.deepEqual(clamped.layers.map(({ material }) => material), params.layers.map((_, index) => (index === 1 ? 'mixed' : 'basalt')));
+  assert.deepEqual(
+    clamped.layers.map(({ material }) => material),
+    params.layers.map((_, index) => (index === 1 ? 'mixed' : 'basalt')),
+  );
 });
 
 test('a natural preset is worn, and has what it says of the field', () => {
   for (const preset of PRESETS.filter((candidate) => 'natural' in candidate)) {
     const { layers, ...field } = presetParams(preset.name);
-    assert(layers.some(({ weathering, detail }) => weathering > 0 && detail > 0), preset.name);
-    for (const [key, value] of Object.entries(preset.fields)) assert.equal(field[key as keyof typeof field], value, `${preset.name} ${key}`);
+    assert(
+      layers.some(({ weathering, detail }) => weathering > 0 && detail > 0),
+      preset.name,
+    );
+    for (const [key, value] of Object.entries(preset.fields))
+      assert.equal(field[key as keyof typeof field], value, `${preset.name} ${key}`);
   }
 });
 
@@ -127,7 +155,10 @@ test('what is no value of the parameter at all is refused by name', () => {
   assert.equal(errorOf('journal-fig1').name, 'MalformedRequest');
   const tooMany = errorOf({ layers: Array.from({ length: MAX_LAYERS + 1 }, () => ({})) });
   assert.deepEqual([tooMany.name, tooMany.value, tooMany.max], ['TooManyLayers', MAX_LAYERS + 1, MAX_LAYERS]);
-  assert.deepEqual([errorOf({ layers: [{ id: 3 }, { id: 3 }] }).name, errorOf({ layers: [{ id: 3 }, { id: 3 }] }).value], ['DuplicateLayerId', 3]);
+  assert.deepEqual(
+    [errorOf({ layers: [{ id: 3 }, { id: 3 }] }).name, errorOf({ layers: [{ id: 3 }, { id: 3 }] }).value],
+    ['DuplicateLayerId', 3],
+  );
   assert.equal(errorOf({ layers: [{}, { id: 0 }] }).name, 'DuplicateLayerId');
 });
 
@@ -145,9 +176,15 @@ test('a preset fills everything and each key given replaces it', () => {
 });
 
 test('layers replace the whole list, with the defaults of the notation in force for what is missing', () => {
-  for (const [preset, notation] of [['journal-fig1', 'px'], ['conference-fig1', 'relative']] as const) {
+  for (const [preset, notation] of [
+    ['journal-fig1', 'px'],
+    ['conference-fig1', 'relative'],
+  ] as const) {
     const { layers } = resolveParams({ preset, layers: [{ radius: 12 }, { id: 9, cellCount: 4 }] });
-    assert.deepEqual(layers, [{ ...defaultLayer(0, notation), radius: 12 }, { ...defaultLayer(9, notation), cellCount: 4 }]);
+    assert.deepEqual(layers, [
+      { ...defaultLayer(0, notation), radius: 12 },
+      { ...defaultLayer(9, notation), cellCount: 4 },
+    ]);
   }
   assert.deepEqual(resolveParams({ layers: [] }).layers, []);
 });
@@ -167,14 +204,30 @@ test('all presets are legal and say what the papers print', () => {
   for (const { presets } of Object.values(data) as { presets: Record<string, Record<string, number[]>> }[]) {
     for (const [figure, row] of Object.entries(presets)) {
       const found = PRESETS.map(({ name }) => presetParams(name)).find(
-        ({ layers }, index) => PRESETS[index]!.name.endsWith(`-${figure}`) && layers.every(({ radius }, k) => radius === row['r']![k]) && layers.length === row['r']!.length,
+        ({ layers }, index) =>
+          PRESETS[index]!.name.endsWith(`-${figure}`) &&
+          layers.every(({ radius }, k) => radius === row['r']![k]) &&
+          layers.length === row['r']!.length,
       );
       assert(found, figure);
       assert.deepEqual(resolveParams(found), found);
-      assert.deepEqual(found.layers.map(({ areaFraction }) => areaFraction), row['A_s']);
-      for (const [part, index] of [['1', 0], ['2', 1], ['3', 2]] as const) {
-        assert.deepEqual(found.layers.map(({ taper }) => taper[index]), row[`c_w${part}`]);
-        assert.deepEqual(found.layers.map(({ height }) => height[index]), row[`c_h${part}`]);
+      assert.deepEqual(
+        found.layers.map(({ areaFraction }) => areaFraction),
+        row['A_s'],
+      );
+      for (const [part, index] of [
+        ['1', 0],
+        ['2', 1],
+        ['3', 2],
+      ] as const) {
+        assert.deepEqual(
+          found.layers.map(({ taper }) => taper[index]),
+          row[`c_w${part}`],
+        );
+        assert.deepEqual(
+          found.layers.map(({ height }) => height[index]),
+          row[`c_h${part}`],
+        );
       }
       checked += 1;
     }
@@ -209,7 +262,10 @@ test('clamping moves every number into its bounds, whatever it was, and lists it
 test('clamping makes surplus layers, repeated ids and missing lists legal', () => {
   const many = { ...defaultParams(), layers: Array.from({ length: MAX_LAYERS + 3 }, () => defaultLayer(2, 'px')) };
   const { params, changes } = clampParams(many);
-  assert.deepEqual(params.layers.map(({ id }) => id), [2, 0, 1, 3, 4, 5, 6, 7]);
+  assert.deepEqual(
+    params.layers.map(({ id }) => id),
+    [2, 0, 1, 3, 4, 5, 6, 7],
+  );
   assert(changes.some(({ key, from, to }) => key === 'layers' && from === MAX_LAYERS + 3 && to === MAX_LAYERS));
   assert.deepEqual(clampParams({ ...defaultParams(), layers: 'none' as unknown as [] }).params.layers, []);
   assert.deepEqual(clampParams({ ...defaultParams(), layers: [null as never] }).params.layers, [defaultLayer(0, 'px')]);

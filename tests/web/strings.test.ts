@@ -31,7 +31,10 @@ test('every string exists in both languages, with the same slots', () => {
 });
 
 test('every parameter has a label and a sentence in both languages', () => {
-  for (const [rows, docs] of [[PARAMS, PARAM_DOCS], [WOOD_EAR_PARAMS, WOOD_EAR_DOCS]] as const) {
+  for (const [rows, docs] of [
+    [PARAMS, PARAM_DOCS],
+    [WOOD_EAR_PARAMS, WOOD_EAR_DOCS],
+  ] as const) {
     for (const { url, label, choices } of rows) {
       for (const language of LANGUAGES) assert.ok(docs[url]?.[language], url);
       for (const words of [label, ...choices.map((choice) => choice.label)]) assert.ok(words && LABELS_JA[words], `${url}: ${words}`);
@@ -50,7 +53,20 @@ test('slots are filled, and no slot is left open', async () => {
   await loadJapanese();
   assert.equal(translate('en', 'layer', { n: 3 }), 'Layer 3');
   assert.equal(translate('ja', 'layer', { n: 3 }), '層 3');
-  const links = ['#v=2', '#preset=x', '#u=x', '#w=x', '#w=0', '#seed=1&seed=2', '#r=1&a=1,2', '#r=1,1,1,1,1,1,1,1,1', '#id=1,1,1', '#camera=x', '#zzz=1', `#${'x'.repeat(2e5)}`];
+  const links = [
+    '#v=2',
+    '#preset=x',
+    '#u=x',
+    '#w=x',
+    '#w=0',
+    '#seed=1&seed=2',
+    '#r=1&a=1,2',
+    '#r=1,1,1,1,1,1,1,1,1',
+    '#id=1,1,1',
+    '#camera=x',
+    '#zzz=1',
+    `#${'x'.repeat(2e5)}`,
+  ];
   const seen = new Set<string>();
   for (const notice of links.flatMap((link) => decodeLink(link).notices)) {
     seen.add(notice.code);
@@ -69,13 +85,20 @@ test('errors are put into words; an unknown one shows its own message', () => {
 });
 
 test('no sentence has two places', () => {
-  assert.deepEqual(Object.keys(LATER).filter((key) => key in STRINGS), []);
+  assert.deepEqual(
+    Object.keys(LATER).filter((key) => key in STRINGS),
+    [],
+  );
 });
 
 test('each preset has a name of its own in both languages', () => {
   for (const language of LANGUAGES) assert.equal(new Set(PRESETS.map((preset) => presetName(language, preset))).size, PRESETS.length);
-  assert.deepEqual([presetName('en', { name: 'riverbed' }), presetName('ja', { name: 'riverbed' }), presetName('en', { name: 'journal-fig12a' })], ['Riverbed', '河原', 'Journal (2011), Fig. 12 (a)']);
-  for (const preset of PRESETS) assert.notEqual(presetName('en', preset), presetName('ja', preset), `${preset.name} has no name in Japanese`);
+  assert.deepEqual(
+    [presetName('en', { name: 'riverbed' }), presetName('ja', { name: 'riverbed' }), presetName('en', { name: 'journal-fig12a' })],
+    ['Riverbed', '河原', 'Journal (2011), Fig. 12 (a)'],
+  );
+  for (const preset of PRESETS)
+    assert.notEqual(presetName('en', preset), presetName('ja', preset), `${preset.name} has no name in Japanese`);
 });
 
 test('each preset of a paper has a name of its own', () => {

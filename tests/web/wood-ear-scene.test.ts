@@ -40,12 +40,24 @@ test('what is edited comes back from a link: every row, bases more or fewer, the
     const preset = PRESETS[seed % PRESETS.length]!;
     let params = randomWoodEars(WOOD_EARS.presetParams(preset), { seed, preset });
     for (const row of WOOD_EARS.rows) {
-      const other = row.kind === 'choice' ? row.choices[seed % row.choices.length]!.value : Math.max(row.min, Math.min(row.max, (row.default ?? 0) + row.step * (seed % 3)));
+      const other =
+        row.kind === 'choice'
+          ? row.choices[seed % row.choices.length]!.value
+          : Math.max(row.min, Math.min(row.max, (row.default ?? 0) + row.step * (seed % 3)));
       if (seed % 4 === 0) params = WOOD_EARS.written(params, row, other);
     }
-    const bases = Array.from({ length: 1 + (seed % 16) }, (_, k) => ({ position: [k * 1.5, -10 - k, 20] as [number, number, number], range: k % 2 ? null : 20 + k }));
+    const bases = Array.from({ length: 1 + (seed % 16) }, (_, k) => ({
+      position: [k * 1.5, -10 - k, 20] as [number, number, number],
+      range: k % 2 ? null : 20 + k,
+    }));
     params = { ...params, bases, ground: seed % 3 === 0 ? '' : groundOf('shingle', seed) };
-    const state = { params, preset, view: 'wireframe' as const, color: 'plain' as const, camera: { azimuth: 1, elevation: 0.5, distance: 300, target: [1, 2, 3] as [number, number, number] } };
+    const state = {
+      params,
+      preset,
+      view: 'wireframe' as const,
+      color: 'plain' as const,
+      camera: { azimuth: 1, elevation: 0.5, distance: 300, target: [1, 2, 3] as [number, number, number] },
+    };
     const read = decodeWoodEarLink(`https://example.org/wood-ear.html#${encodeWoodEarLink(state)}`);
     assert.deepEqual(read.notices, []);
     assert.ok(same(WOOD_EARS, read.params, params));
@@ -67,7 +79,17 @@ test('what is wrong with a link is named, and the rest is read', () => {
 });
 
 test('no text makes reading throw', () => {
-  for (const text of ['', '#', '#ground', '#ground=%', '#ground=#ground=#ground=', `#ground=${'x'.repeat(1e5)}`, '#bx=,,,', '#bx=NaN&by=Infinity', '#br=-,-']) {
+  for (const text of [
+    '',
+    '#',
+    '#ground',
+    '#ground=%',
+    '#ground=#ground=#ground=',
+    `#ground=${'x'.repeat(1e5)}`,
+    '#bx=,,,',
+    '#bx=NaN&by=Infinity',
+    '#br=-,-',
+  ]) {
     const { params } = decodeWoodEarLink(text);
     assert.ok(flatColony(colonyRequest(params), 1).params.length > 0, text);
   }
@@ -79,10 +101,19 @@ const read = (given: Record<string, string>) => readWoodEarAttributes((name) => 
 
 test('attributes: every row by its name, bases as a list, a ground by name, link or none', () => {
   assert.deepEqual(read({}).params, WOOD_EARS.presetParams(PRESETS[0]!));
-  const { params, notices } = read({ preset: 'wet-colony', 'log-length': '120', collisions: 'thesis', bases: '0 -15 20, 60 -15 20 30', ground: 'shingle' });
+  const { params, notices } = read({
+    preset: 'wet-colony',
+    'log-length': '120',
+    collisions: 'thesis',
+    bases: '0 -15 20, 60 -15 20 30',
+    ground: 'shingle',
+  });
   assert.deepEqual(notices, []);
   assert.deepEqual([params.log.length, params.collisions, params.ground], [120, 'thesis', groundOf('shingle')]);
-  assert.deepEqual(params.bases, [{ position: [0, -15, 20], range: null }, { position: [60, -15, 20], range: 30 }]);
+  assert.deepEqual(params.bases, [
+    { position: [0, -15, 20], range: null },
+    { position: [60, -15, 20], range: 30 },
+  ]);
   assert.equal(read({ preset: 'wet-colony', ground: 'none' }).params.ground, '');
   assert.equal(read({ ground: '#preset=scree&seed=4' }).params.ground, 'v=1&preset=scree&seed=4');
 });
@@ -99,7 +130,11 @@ test('a malformed attribute is its default, or the nearest legal value, and exac
 test('what is assigned is checked: key, value and bounds are named', () => {
   const params = WOOD_EARS.presetParams('wet-colony');
   for (const row of WOOD_EARS.rows.filter(({ kind }) => kind !== 'choice')) {
-    assert.throws(() => WOOD_EARS.resolve(WOOD_EARS.written(params, row, row.max + 1)), ({ key, value, max }: RockFieldError) => key === row.key && value === row.max + 1 && max === row.max, propertyOf(row));
+    assert.throws(
+      () => WOOD_EARS.resolve(WOOD_EARS.written(params, row, row.max + 1)),
+      ({ key, value, max }: RockFieldError) => key === row.key && value === row.max + 1 && max === row.max,
+      propertyOf(row),
+    );
   }
   assert.throws(() => WOOD_EARS.resolve({ ...params, ground: 3 } as unknown as WoodEarSceneParams), { name: 'WrongType', key: 'ground' });
   assert.throws(() => WOOD_EARS.resolve({ ...params, bases: [] }), { name: 'OutOfRange', key: 'bases' });
@@ -117,13 +152,29 @@ test('parameters written by row are flat as those asked for in words', () => {
 function colonyOn(log: WoodEarLog, individuals: number): WoodEarColony {
   const none = { log: 0, spawn: 0, deform: 0, collide: 0, mesh: 0, total: 0 };
   return {
-    positions: new Float32Array(3), normals: new Float32Array(3), indices: new Uint32Array(3), individualStarts: new Uint32Array(2), vertexStarts: new Uint32Array(2),
-    foot: new Uint32Array(1), size: new Float32Array(1), base: new Uint8Array(1), log, bases: new Float64Array(3),
+    positions: new Float32Array(3),
+    normals: new Float32Array(3),
+    indices: new Uint32Array(3),
+    individualStarts: new Uint32Array(2),
+    vertexStarts: new Uint32Array(2),
+    foot: new Uint32Array(1),
+    size: new Float32Array(1),
+    base: new Uint8Array(1),
+    log,
+    bases: new Float64Array(3),
     stats: { individuals, triangles: 1, crossingPairs: 0, sweeps: 0, rounds: 0, keptMedian: 1, keptP10: 1, ms: none },
   };
 }
 
-const aLog = (): WoodEarLog => ({ positions: new Float32Array(9), normals: new Float32Array(9), indices: new Uint32Array(3), kinds: new Uint8Array(3), coords: new Float32Array(6), turned: false, scale: 1 });
+const aLog = (): WoodEarLog => ({
+  positions: new Float32Array(9),
+  normals: new Float32Array(9),
+  indices: new Uint32Array(3),
+  kinds: new Uint8Array(3),
+  coords: new Float32Array(6),
+  turned: false,
+  scale: 1,
+});
 
 test('a log crosses once, and again when it is another; its buffers stay with the worker', () => {
   const { pack } = woodEarLoop();
@@ -133,7 +184,10 @@ test('a log crosses once, and again when it is another; its buffers stay with th
     assert.ok(transfer.every((buffer) => buffer !== log.positions.buffer));
     return (result as WoodEarColony).log;
   });
-  assert.deepEqual(logs.map((log) => log !== null), [true, false, true, true]);
+  assert.deepEqual(
+    logs.map((log) => log !== null),
+    [true, false, true, true],
+  );
 });
 
 /** A host whose runs show a preview, then wait until they are told to end. */
@@ -164,7 +218,10 @@ function setUp() {
     (message) => said.push(message),
   );
   const start = (id: number) => host.receive({ type: 'start', client: 1, id, request: id });
-  const told = () => said.flatMap((message) => ('id' in message ? [`${message.type} ${message.id}${'result' in message ? ` ${String(message.result)}` : ''}`] : []));
+  const told = () =>
+    said.flatMap((message) =>
+      'id' in message ? [`${message.type} ${message.id}${'result' in message ? ` ${String(message.result)}` : ''}`] : [],
+    );
   const settle = () => new Promise((resolve) => setTimeout(resolve, 0));
   return { start, ends, told, settle };
 }
@@ -200,7 +257,11 @@ test('what a ray meets first is where it is seen', () => {
   const square = (y: number) => [-200, y, -200, 300, y, -200, 300, y, 300, -200, y, 300];
   const positions = Float32Array.from([...square(60), ...square(20)]);
   const indices = Uint32Array.of(0, 1, 2, 0, 2, 3, 4, 5, 6, 4, 6, 7);
-  for (const [x, y] of [[0, 0], [0.4, -0.3], [-0.7, 0.2]] as const) {
+  for (const [x, y] of [
+    [0, 0],
+    [0.4, -0.3],
+    [-0.7, 0.2],
+  ] as const) {
     const hit = firstHit(rayThrough(camera, x, y, 1.5), positions, indices);
     assert.ok(hit && Math.abs(hit[1] - 20) < 1e-3);
     const [px, py] = project(camera, hit, 1.5)!;
@@ -210,7 +271,10 @@ test('what a ray meets first is where it is seen', () => {
 });
 
 test('a subject is in the picture whole, whatever the picture’s shape', () => {
-  const [low, high] = [[-130, 100, 0], [140, 150, 40]] as [[number, number, number], [number, number, number]];
+  const [low, high] = [
+    [-130, 100, 0],
+    [140, 150, 40],
+  ] as [[number, number, number], [number, number, number]];
   for (const aspect of [0.4, 0.75, 1, 1.6, 3]) {
     const camera = subjectCamera({ low, high }, aspect);
     for (let corner = 0; corner < 8; corner += 1) {
@@ -231,7 +295,11 @@ async function glb(change: (positions: Float32Array) => void = () => {}): Promis
   const positions = Float32Array.of(0, 0, 0, 1.2, 0, 0, 1.2, 0.3, 0.1, 0, 0.3, 0.1, 1.2, 0.3, 0.1, 0, 0.3, 0.1, 0, 0, 0.2, 1.2, 0, 0.2);
   change(positions);
   const position = document.createAccessor().setType('VEC3').setArray(positions).setBuffer(buffer);
-  const indices = document.createAccessor().setType('SCALAR').setArray(Uint16Array.of(0, 1, 2, 0, 2, 3, 5, 4, 7, 5, 7, 6)).setBuffer(buffer);
+  const indices = document
+    .createAccessor()
+    .setType('SCALAR')
+    .setArray(Uint16Array.of(0, 1, 2, 0, 2, 3, 5, 4, 7, 5, 7, 6))
+    .setBuffer(buffer);
   const primitive = document.createPrimitive().setAttribute('POSITION', position).setIndices(indices);
   const node = document.createNode().setMesh(document.createMesh().addPrimitive(primitive)).setTranslation([5, 5, 5]);
   document.createScene().addChild(node);
@@ -245,7 +313,14 @@ test('a GLB file is in centimetres, z up, along x, centred, and whole across its
   assert.equal(mesh.indices.length / 3, 4);
   const axis = (k: number) => mesh.positions.filter((_, i) => i % 3 === k);
   const span = (k: number) => [Math.min(...axis(k)), Math.max(...axis(k))].map((value) => Math.round(value * 10) / 10);
-  assert.deepEqual([span(0), span(1), span(2)], [[-60, 60], [-10, 10], [-15, 15]]);
+  assert.deepEqual(
+    [span(0), span(1), span(2)],
+    [
+      [-60, 60],
+      [-10, 10],
+      [-15, 15],
+    ],
+  );
 });
 
 test('an OBJ file may have quads, negative indices, comments and no faces’ normals; one in other units is scaled, which is said', async () => {
@@ -284,6 +359,8 @@ test('whatever else a file is, it is refused by name and nothing hangs', async (
       state = (Math.imul(state, 1_103_515_245) + 12_345) >>> 0;
       bytes[state % bytes.length] = state >>> 24;
     }
-    await readLogFile(file('bent.glb', bytes)).catch((thrown: unknown) => assert.ok(thrown instanceof RockFieldError && thrown.name.startsWith('LogFile'), String(thrown)));
+    await readLogFile(file('bent.glb', bytes)).catch((thrown: unknown) =>
+      assert.ok(thrown instanceof RockFieldError && thrown.name.startsWith('LogFile'), String(thrown)),
+    );
   }
 });

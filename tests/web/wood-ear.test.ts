@@ -27,7 +27,10 @@ test('a preset is a complete request, and cannot be changed', async () => {
     woodEarPresets['fallen-log'].bases[0].range = 1;
   }, TypeError);
   assert.deepEqual(JSON.parse(JSON.stringify(woodEarSchema)), woodEarSchema);
-  assert.deepEqual(Object.keys(woodEarSchema.properties).sort(), ['base', 'preset', ...Object.keys(woodEarPresets['thesis-default'])].sort());
+  assert.deepEqual(
+    Object.keys(woodEarSchema.properties).sort(),
+    ['base', 'preset', ...Object.keys(woodEarPresets['thesis-default'])].sort(),
+  );
 });
 
 test('the preview comes before the colony, which it equals but for collisions', async () => {
@@ -64,16 +67,25 @@ test('every bad value is named, and the same generator goes on', async () => {
     [{ base: { range: 5 } }, { name: 'OutOfRange', key: 'range', layer: 0, value: 5 }],
     [{ bases: [] }, { name: 'OutOfRange', key: 'bases', value: 0, min: 1, max: 16 }],
     [{ bases: Array(17).fill({}) }, { name: 'OutOfRange', key: 'bases', value: 17 }],
-    [{ base: {}, bases: [{}] }, { name: 'MalformedRequest', key: 'base' }],
+    [
+      { base: {}, bases: [{}] },
+      { name: 'MalformedRequest', key: 'base' },
+    ],
     [{ log: { positions: [0, 0], indices: [] } }, { name: 'LogNotInThrees', key: 'log', value: 2 }],
     [{ log: { positions: box.positions, indices: [0, 1, 99] } }, { name: 'LogBadIndex', key: 'log', value: 99, min: 0, max: 7 }],
     [{ log: { positions: box.positions, indices: [0, 1, -1] } }, { name: 'LogBadIndex', key: 'log', value: -1, min: 0, max: 7 }],
     [{ log: { positions: box.positions, indices: [0, 1, 1.5] } }, { name: 'LogBadIndex', key: 'log', value: 1.5 }],
     [{ log: { positions: box.positions, indices: Float64Array.of(0, 1, 2 ** 32) } }, { name: 'LogBadIndex', key: 'log', value: 2 ** 32 }],
     [{ log: { positions: [0, NaN, 0], indices: [0, 0, 0] } }, { name: 'LogBadPosition', key: 'log', value: NaN, min: -10000, max: 10000 }],
-    [{ log: { positions: [0, 0, 0, 0, 0, 1e9], indices: [0, 0, 0] } }, { name: 'LogBadPosition', key: 'log', value: 1e9, min: -10000, max: 10000 }],
+    [
+      { log: { positions: [0, 0, 0, 0, 0, 1e9], indices: [0, 0, 0] } },
+      { name: 'LogBadPosition', key: 'log', value: 1e9, min: -10000, max: 10000 },
+    ],
     [{ log: { positions: [0, 0, 0], indices: [0, 0, 0] } }, { name: 'LogNoArea', key: 'log' }],
-    [{ log: { positions: new Float32Array(600_003), indices: [0, 0, 0] } }, { name: 'LogTooLarge', key: 'log', value: 200_001, max: 200_000 }],
+    [
+      { log: { positions: new Float32Array(600_003), indices: [0, 0, 0] } },
+      { name: 'LogTooLarge', key: 'log', value: 200_001, max: 200_000 },
+    ],
     [{ log: { positions: 'all', indices: [] } }, { name: 'WrongType', key: 'positions' }],
     [{ log: { positions: { length: 3 }, indices: [] } }, { name: 'WrongType', key: 'positions' }],
     [{ log: { positions: new DataView(new ArrayBuffer(12)), indices: [] } }, { name: 'WrongType', key: 'positions' }],
@@ -84,7 +96,8 @@ test('every bad value is named, and the same generator goes on', async () => {
   for (const [request, wanted, options] of refused) {
     await assert.rejects(g.generate(request, options), (error: Error & Record<string, unknown>) => {
       assert(error instanceof RockFieldError);
-      for (const [key, value] of Object.entries(wanted)) assert.deepEqual(error[key], value, `${Object.keys(request).join()}: ${error.name} ${key} (${error.message})`);
+      for (const [key, value] of Object.entries(wanted))
+        assert.deepEqual(error[key], value, `${Object.keys(request).join()}: ${error.name} ${key} (${error.message})`);
       return true;
     });
   }
@@ -97,7 +110,10 @@ test('a run can be aborted, and the next one is whole', async () => {
   const g = await createWoodEarGenerator();
   const before = await hashColony(await growWoodEar(small));
   const controller = new AbortController();
-  const run = g.generate({ preset: 'thesis-maximum', collisions: 'thesis' }, { signal: controller.signal, onProgress: () => controller.abort() });
+  const run = g.generate(
+    { preset: 'thesis-maximum', collisions: 'thesis' },
+    { signal: controller.signal, onProgress: () => controller.abort() },
+  );
   await assert.rejects(run, { name: 'AbortError' });
   assert.equal(await hashColony(await g.generate(small)), before);
   g.dispose();
@@ -118,8 +134,21 @@ test('a log of the user carries the colony, and goes again', async () => {
 
 test('numbers of a log are taken from every array of them', async () => {
   const hashes = [];
-  for (const positions of [box.positions, Float32Array.from(box.positions), Float64Array.from(box.positions), Int16Array.from(box.positions), Uint8Array.from(box.positions)]) {
-    for (const indices of [box.indices, Uint8Array.from(box.indices), Uint16Array.from(box.indices), Uint32Array.from(box.indices), Int32Array.from(box.indices), Float32Array.from(box.indices)]) {
+  for (const positions of [
+    box.positions,
+    Float32Array.from(box.positions),
+    Float64Array.from(box.positions),
+    Int16Array.from(box.positions),
+    Uint8Array.from(box.positions),
+  ]) {
+    for (const indices of [
+      box.indices,
+      Uint8Array.from(box.indices),
+      Uint16Array.from(box.indices),
+      Uint32Array.from(box.indices),
+      Int32Array.from(box.indices),
+      Float32Array.from(box.indices),
+    ]) {
       hashes.push(await hashColony(await growWoodEar({ density: 60, range: 20, log: { positions, indices } })));
     }
   }
@@ -141,8 +170,17 @@ test('a log in other units is scaled, one that is inside out is turned, and the 
   const request = { density: 100, range: 200, collisions: 'off' };
   const plain: WoodEarColony = await growWoodEar({ ...request, log: box });
   assert.deepEqual([plain.log.turned, plain.log.scale], [false, 1]);
-  for (const [unit, scale] of [[0.01, 500], [0.4, 12.5], [100, 0.05], [1e-9, 5e9], [1e5, 5e-5]] as const) {
-    const colony: WoodEarColony = await growWoodEar({ ...request, log: { positions: box.positions.map((value) => value * unit), indices: insideOut } });
+  for (const [unit, scale] of [
+    [0.01, 500],
+    [0.4, 12.5],
+    [100, 0.05],
+    [1e-9, 5e9],
+    [1e5, 5e-5],
+  ] as const) {
+    const colony: WoodEarColony = await growWoodEar({
+      ...request,
+      log: { positions: box.positions.map((value) => value * unit), indices: insideOut },
+    });
     assert.equal(colony.log.turned, true);
     assert.ok(Math.abs(colony.log.scale / scale - 1) < 1e-6, `${colony.log.scale} instead of ${scale}`);
     const xs = colony.log.positions.filter((_, k) => k % 3 === 0);
@@ -161,21 +199,33 @@ test('what is not counted yet is absent, and nothing is told that nobody counts'
   const colony: WoodEarColony = await growWoodEar(small, { onPreview: (shown: WoodEarColony) => (preview = shown) });
   assert.ok(preview && !('crossingPairs' in preview.stats));
   assert.equal(typeof colony.stats.crossingPairs, 'number');
-  assert.deepEqual(Object.keys(colony.stats).sort(), ['crossingPairs', 'individuals', 'keptMedian', 'keptP10', 'ms', 'rounds', 'sweeps', 'triangles']);
+  assert.deepEqual(Object.keys(colony.stats).sort(), [
+    'crossingPairs',
+    'individuals',
+    'keptMedian',
+    'keptP10',
+    'ms',
+    'rounds',
+    'sweeps',
+    'triangles',
+  ]);
   assert.deepEqual(Object.keys(colony.stats.ms).sort(), ['collide', 'deform', 'log', 'mesh', 'spawn', 'total']);
 });
 
 test('a run that takes minutes says so within its first seconds, and can be cancelled there', async () => {
   const controller = new AbortController();
   let told: number | undefined;
-  const run = growWoodEar({ preset: 'thesis-maximum', collisions: 'thesis', log: { length: 400, spacing: 1.5 } }, {
-    signal: controller.signal,
-    onProgress: ({ stage, secondsLeft }: { stage: string; secondsLeft?: number }) => {
-      if (stage !== 'collide' || secondsLeft === undefined) return;
-      told = secondsLeft;
-      controller.abort();
+  const run = growWoodEar(
+    { preset: 'thesis-maximum', collisions: 'thesis', log: { length: 400, spacing: 1.5 } },
+    {
+      signal: controller.signal,
+      onProgress: ({ stage, secondsLeft }: { stage: string; secondsLeft?: number }) => {
+        if (stage !== 'collide' || secondsLeft === undefined) return;
+        told = secondsLeft;
+        controller.abort();
+      },
     },
-  });
+  );
   await assert.rejects(run, { name: 'AbortError' });
   assert.ok(told! > 5, `${told}`);
 });

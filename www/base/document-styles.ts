@@ -2,7 +2,8 @@
 
 /** What a page without a browser (jsdom, happy-dom) lacks in part: there the elements do nothing, as on a server. */
 export const CAN_SHOW =
-  ['Worker', 'ResizeObserver', 'IntersectionObserver', 'matchMedia'].every((name) => name in globalThis) && 'replaceSync' in (globalThis.CSSStyleSheet?.prototype ?? {});
+  ['Worker', 'ResizeObserver', 'IntersectionObserver', 'matchMedia'].every((name) => name in globalThis) &&
+  'replaceSync' in (globalThis.CSSStyleSheet?.prototype ?? {});
 
 const sheets = new WeakMap<Document, Map<string, CSSStyleSheet>>();
 

@@ -36,7 +36,8 @@ export const ERRORS = /* @__PURE__ */ listed({
     group: 'request',
     message: '{key} is {value}; it must be between {min} and {max}',
     cause: 'A number outside its bounds, NaN, or a word that is not among the choices.',
-    remedy: 'Pass a value between `min` and `max` of the error, or one of the words in its message. [Attributes](attributes.html) lists all bounds.',
+    remedy:
+      'Pass a value between `min` and `max` of the error, or one of the words in its message. [Attributes](attributes.html) lists all bounds.',
   },
   NotAnInteger: {
     group: 'request',
@@ -83,8 +84,10 @@ export const ERRORS = /* @__PURE__ */ listed({
   OverBudget: {
     group: 'request',
     message: 'this field (or colony) would need about {value} MiB and the budget is {max} MiB; change {key}',
-    cause: 'The run would need more memory than `maxBytes`: 1.5 GiB by default, 512 MiB on small devices. The run ends before it takes that memory; stages that were finished before are kept.',
-    remedy: 'Change the parameter that the message names: larger radii and a smaller image need less. Where there is more memory, pass a larger `maxBytes` to `rock-field/core`.',
+    cause:
+      'The run would need more memory than `maxBytes`: 1.5 GiB by default, 512 MiB on small devices. The run ends before it takes that memory; stages that were finished before are kept.',
+    remedy:
+      'Change the parameter that the message names: larger radii and a smaller image need less. Where there is more memory, pass a larger `maxBytes` to `rock-field/core`.',
   },
 
   LogNotInThrees: {
@@ -138,7 +141,8 @@ export const ERRORS = /* @__PURE__ */ listed({
   LogFileUnsupported: {
     group: 'log',
     message: '{file} cannot be read: its geometry is compressed with Draco; save it without, or with meshopt',
-    cause: 'Geometry in a form that is not read: compressed with Draco, in a file beside the `.gltf`, glTF 1, or a ragged face of more than 10,000 corners.',
+    cause:
+      'Geometry in a form that is not read: compressed with Draco, in a file beside the `.gltf`, glTF 1, or a ragged face of more than 10,000 corners.',
     remedy: 'Do what the message says. Textures, materials and their extensions are never the reason.',
   },
   LogFileBroken: {
@@ -170,8 +174,10 @@ export const ERRORS = /* @__PURE__ */ listed({
   NoRenderer: {
     group: 'graphics',
     message: 'The rocks cannot be drawn here. {reasons}',
-    cause: 'Neither WebGPU nor WebGL2 nor a 2D canvas could be opened, or the renderer’s file did not arrive. The message says why for each.',
-    remedy: 'Check the connection, then press the button that tries again. Switch hardware acceleration on, and update browser and graphics driver.',
+    cause:
+      'Neither WebGPU nor WebGL2 nor a 2D canvas could be opened, or the renderer’s file did not arrive. The message says why for each.',
+    remedy:
+      'Check the connection, then press the button that tries again. Switch hardware acceleration on, and update browser and graphics driver.',
   },
   RendererFailed: {
     group: 'graphics',
@@ -182,8 +188,10 @@ export const ERRORS = /* @__PURE__ */ listed({
   DeviceLost: {
     group: 'graphics',
     message: 'the graphics device was lost {n} times: {reason}',
-    cause: 'The browser or the driver took the graphics device away, and gave none back at once, or took it several times in a row; a plan without 3D is shown.',
-    remedy: 'Wait: 3D is tried again from time to time, when the page is seen again, and by the button. It may help to close other pages that use the GPU.',
+    cause:
+      'The browser or the driver took the graphics device away, and gave none back at once, or took it several times in a row; a plan without 3D is shown.',
+    remedy:
+      'Wait: 3D is tried again from time to time, when the page is seen again, and by the button. It may help to close other pages that use the GPU.',
   },
   NoAdapter: {
     group: 'graphics',
@@ -205,8 +213,10 @@ export const ERRORS = /* @__PURE__ */ listed({
   },
   FieldTooLarge: {
     group: 'graphics',
-    message: 'the {buffer} of this field need {value} bytes in one buffer, this graphics device takes {max}: make the image smaller or the discs larger',
-    cause: 'A field with so many triangles that one of its buffers does not fit this graphics device. Part of the message of `RendererFailed`.',
+    message:
+      'the {buffer} of this field need {value} bytes in one buffer, this graphics device takes {max}: make the image smaller or the discs larger',
+    cause:
+      'A field with so many triangles that one of its buffers does not fit this graphics device. Part of the message of `RendererFailed`.',
     remedy: 'Make the image smaller or the radii larger.',
   },
   MalformedField: {
@@ -219,20 +229,26 @@ export const ERRORS = /* @__PURE__ */ listed({
   WasmUnavailable: {
     group: 'loading',
     message: 'the generator could not be loaded: {reason}',
-    cause: 'The `.wasm` file did not arrive, stopped arriving for 10 s, arrived damaged, or a policy forbids compiling it. The next run tries again.',
-    remedy: 'Look at the browser’s network panel; allow `wasm-unsafe-eval`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
+    cause:
+      'The `.wasm` file did not arrive, stopped arriving for 10 s, arrived damaged, or a policy forbids compiling it. The next run tries again.',
+    remedy:
+      'Look at the browser’s network panel; allow `wasm-unsafe-eval`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
   },
   ScriptUnavailable: {
     group: 'loading',
     message: 'a script could not be fetched',
-    cause: 'A part that is loaded when it is wanted is not on the server any more, since a newer version was put there while the page was open; or there is no network.',
-    remedy: 'Reload the page. On your own server, keep the files of the last version for a while: see [your own server](recipes.html#on-a-server-of-your-own).',
+    cause:
+      'A part that is loaded when it is wanted is not on the server any more, since a newer version was put there while the page was open; or there is no network.',
+    remedy:
+      'Reload the page. On your own server, keep the files of the last version for a while: see [your own server](recipes.html#on-a-server-of-your-own).',
   },
   WorkerUnavailable: {
     group: 'loading',
     message: 'the generator’s worker could not be started',
-    cause: 'The worker’s file is missing on the server, does not arrive, or does nothing; or a policy forbids workers. The next run tries again.',
-    remedy: 'Serve all files of the package together, and allow `worker-src`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
+    cause:
+      'The worker’s file is missing on the server, does not arrive, or does nothing; or a policy forbids workers. The next run tries again.',
+    remedy:
+      'Serve all files of the package together, and allow `worker-src`: see [strict policies](recipes.html#under-a-strict-content-security-policy).',
   },
 
   WorkerLost: {

@@ -66,7 +66,10 @@ export function isCoded(thrown: unknown): thrown is Error & ErrorInfo {
 /** A script that is fetched when it is wanted cannot be had; `cause` is what the browser threw. */
 export function scriptUnavailable(cause: unknown): RockFieldError {
   const reason = cause instanceof Error ? cause.message : String(cause);
-  return new RockFieldError({ name: 'ScriptUnavailable', message: `a script could not be fetched (${reason}); reload the page` }, { cause });
+  return new RockFieldError(
+    { name: 'ScriptUnavailable', message: `a script could not be fetched (${reason}); reload the page` },
+    { cause },
+  );
 }
 
 /** Whether the same may succeed at another time: what failed was no parameter, but a file or a worker. */

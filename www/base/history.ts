@@ -69,7 +69,10 @@ export class History<T> {
     const continues = label !== '' && label === this.#label && (this.#atHold !== undefined || now - this.#at <= MERGE_MS);
     // All of a drag is one edit, however many runs it takes.
     const isSameEdit = continues && !(label === CODE && this.#hasBegun);
-    this.#go({ past: continues ? past : [...past, present].slice(-MAX_STEPS), present: next, future: [], edit: isSameEdit ? edit : {} }, label);
+    this.#go(
+      { past: continues ? past : [...past, present].slice(-MAX_STEPS), present: next, future: [], edit: isSameEdit ? edit : {} },
+      label,
+    );
     this.#at = now;
   }
 

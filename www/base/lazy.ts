@@ -38,8 +38,9 @@ export async function lazily<Module>(load: () => Promise<Module>, isSaid = false
     let turns = TURNS;
     const late = new Promise<never>((_, reject) => {
       const turn = () => {
-        if (turns-- > 0) timer = setTimeout(turn, 100);
-        else reject('it does not arrive');
+        turns -= 1;
+        if (turns < 0) reject('it does not arrive');
+        else timer = setTimeout(turn, 100);
       };
       timer = setTimeout(turn, SCRIPT_MS);
     });

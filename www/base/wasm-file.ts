@@ -25,9 +25,17 @@ function begun(address: URL | string): Underway {
  * @param underway the request, where it was made before this code was loaded.
  * @throws {RockFieldError} `WasmUnavailable`, with the engine's own error as `cause`.
  */
-export async function startWasmFile<T>(address: URL | string, start: (source: Response | ArrayBuffer) => Promise<T>, underway: Underway = begun(address)): Promise<T> {
+export async function startWasmFile<T>(
+  address: URL | string,
+  start: (source: Response | ArrayBuffer) => Promise<T>,
+  underway: Underway = begun(address),
+): Promise<T> {
   const { stop, heard } = underway;
-  const name = String(address).replace(/[?#].*$/, '').split('/').pop() ?? '';
+  const name =
+    String(address)
+      .replace(/[?#].*$/, '')
+      .split('/')
+      .pop() ?? '';
   let timer: ReturnType<typeof setTimeout> | undefined;
   let bytes = 0;
   /** The connection broke or fell silent: whatever fails then is not the file's fault. */
@@ -69,11 +77,17 @@ export async function startWasmFile<T>(address: URL | string, start: (source: Re
     if (type.startsWith('application/wasm') && !(heard && isNarrow())) return await started(name, whole, start);
     const file = await whole.arrayBuffer();
     const magic = new Uint8Array(file, 0, Math.min(4, file.byteLength));
-    if (String.fromCharCode(...magic) !== '\0asm') throw unavailable(`${name} is not a wasm file: the server sent ${type || 'something without a type'} instead`);
+    if (String.fromCharCode(...magic) !== '\0asm')
+      throw unavailable(`${name} is not a wasm file: the server sent ${type || 'something without a type'} instead`);
     return await started(name, file, start);
   } catch (cause) {
     if (!broken) throw cause;
-    throw unavailable(stop.signal.aborted ? `${name} stopped arriving after ${bytes} bytes; check the connection` : `${name} could not be fetched; check the connection`, cause);
+    throw unavailable(
+      stop.signal.aborted
+        ? `${name} stopped arriving after ${bytes} bytes; check the connection`
+        : `${name} could not be fetched; check the connection`,
+      cause,
+    );
   } finally {
     clearTimeout(timer);
   }
@@ -85,7 +99,12 @@ export async function started<S, T>(name: string, source: S, start: (source: S) 
     return await start(source);
   } catch (cause) {
     const isForbidden = cause instanceof Error && /content security policy|unsafe-eval/i.test(cause.message);
-    throw unavailable(isForbidden ? `${name} may not be compiled: a Content-Security-Policy must allow 'wasm-unsafe-eval'` : `${name} could not be started: the file is damaged, or this browser is too old for it`, cause);
+    throw unavailable(
+      isForbidden
+        ? `${name} may not be compiled: a Content-Security-Policy must allow 'wasm-unsafe-eval'`
+        : `${name} could not be started: the file is damaged, or this browser is too old for it`,
+      cause,
+    );
   }
 }
 

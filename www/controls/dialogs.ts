@@ -46,14 +46,25 @@ export function showKeys<K extends Kind>(store: Store<K>, place: Place): void {
 }
 
 /** Copies and says so; or, the last way when the browser gives no clipboard, shows the text. */
-export async function copyOrShow<K extends Kind>(store: Store<K>, place: Place, text: string, done: LaterKey, heading: StringKey): Promise<void> {
+export async function copyOrShow<K extends Kind>(
+  store: Store<K>,
+  place: Place,
+  text: string,
+  done: LaterKey,
+  heading: StringKey,
+): Promise<void> {
   const said = [later(store.language, done), store.leftOut].filter(Boolean).join(store.language === 'ja' ? '。' : '. ');
   if (await copyText(text, place)) toast(place, said, store.leftOut ? LONG_TOAST_MS : TOAST_MS);
   else showText(store, place, store.text(heading), text);
 }
 
 function showText<K extends Kind>(store: Store<K>, place: Place, heading: string, text: string): void {
-  showDialog(store, place, heading, html`<p>${later(store.language, 'copyByHand')} ${store.leftOut}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`);
+  showDialog(
+    store,
+    place,
+    heading,
+    html`<p>${later(store.language, 'copyByHand')} ${store.leftOut}</p><textarea class="copy-text" readonly rows="6" .value=${text} aria-label=${heading}></textarea>`,
+  );
   place.querySelector<HTMLTextAreaElement>('.dialog .copy-text')?.select();
 }
 
@@ -88,7 +99,10 @@ function toast(place: Place, text: string, ms: number): void {
   line.textContent = text;
   line.classList.add('is-shown');
   clearTimeout(toastTimers.get(line));
-  toastTimers.set(line, setTimeout(() => line.classList.remove('is-shown'), ms));
+  toastTimers.set(
+    line,
+    setTimeout(() => line.classList.remove('is-shown'), ms),
+  );
 }
 
 function made<K extends 'dialog' | 'p'>(place: Place, name: K, className: string): HTMLElementTagNameMap[K] {

@@ -54,7 +54,11 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     const history = owner.history();
     const { view, theme, backend } = element;
     const result = owner.result();
-    this.#store = newStore({ ...history.present, view, color: owner.chosenColor(), camera: null, notices: [] }, { language: owner.language(), theme }, history);
+    this.#store = newStore(
+      { ...history.present, view, color: owner.chosenColor(), camera: null, notices: [] },
+      { language: owner.language(), theme },
+      history,
+    );
     this.#seen = this.#store.params;
     if (result) this.#store.showResult(result, !owner.isSettled());
     this.#store.setBackend(backend);
@@ -111,7 +115,8 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
 
   #listen(): void {
     const store = this.#store;
-    const on = <Event>(type: string, listener: (event: Event) => void) => this.#element.addEventListener(type, listener as EventListener, { signal: this.#listening.signal });
+    const on = <Event>(type: string, listener: (event: Event) => void) =>
+      this.#element.addEventListener(type, listener as EventListener, { signal: this.#listening.signal });
     const showBackend = () => store.setBackend(this.#element.backend);
     on('load', showBackend);
     on('restored', showBackend);
@@ -160,7 +165,17 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
         return other;
       },
       share: () => void copyOrShow(store, root(), element.shareURL(), 'copied', 'share'),
-      embed: script === null ? undefined : () => void copyOrShow(store, root(), embedCode(element.localName, new URL(element.shareURL()).hash.slice(1), script), 'embedCopied', 'embed'),
+      embed:
+        script === null
+          ? undefined
+          : () =>
+              void copyOrShow(
+                store,
+                root(),
+                embedCode(element.localName, new URL(element.shareURL()).hash.slice(1), script),
+                'embedCopied',
+                'embed',
+              ),
       close: this.#close,
       cancel: () => store.cancel(element),
     };

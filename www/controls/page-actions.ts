@@ -27,8 +27,10 @@ async function withFreshSeed<K extends Kind>({ store, element }: PageParts<K>, u
 export const pageActions = {
   freshSeed: <K extends Kind>(page: PageParts<K>) => withFreshSeed(page, (seed) => page.store.setSeed(seed)),
   randomise: <K extends Kind>(page: PageParts<K>) => withFreshSeed(page, (seed) => page.store.randomise(page.random, seed)),
-  share: <K extends Kind>({ store, link }: PageParts<K>) => copyOrShow(store, document.body, `${location.origin}${location.pathname}#${link()}`, 'copied', 'share'),
-  embed: <K extends Kind>({ store, element, link }: PageParts<K>) => copyOrShow(store, document.body, embedCode(element.localName, link(), location.href), 'embedCopied', 'embed'),
+  share: <K extends Kind>({ store, link }: PageParts<K>) =>
+    copyOrShow(store, document.body, `${location.origin}${location.pathname}#${link()}`, 'copied', 'share'),
+  embed: <K extends Kind>({ store, element, link }: PageParts<K>) =>
+    copyOrShow(store, document.body, embedCode(element.localName, link(), location.href), 'embedCopied', 'embed'),
   help: <K extends Kind>({ store }: PageParts<K>) => showKeys(store, document.body),
   fullScreen: async <K extends Kind>({ stage }: PageParts<K>) => {
     try {

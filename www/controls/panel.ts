@@ -22,7 +22,12 @@ import type { Problem, Store } from './store.ts';
 export type Later = typeof module;
 
 export abstract class Panel<K extends Kind> extends LitElement {
-  static override properties = { store: { attribute: false }, actions: { attribute: false }, isEmbedded: { attribute: false }, isOpen: { state: true } };
+  static override properties = {
+    store: { attribute: false },
+    actions: { attribute: false },
+    isEmbedded: { attribute: false },
+    isOpen: { state: true },
+  };
 
   declare store: Store<K>;
   declare actions: Actions<K>;
@@ -70,7 +75,8 @@ export abstract class Panel<K extends Kind> extends LitElement {
     const { problem } = this.store;
     if (problem && problem !== this.#seenProblem) this.#reveal();
     this.#seenProblem = problem;
-    if ((this.store.result || this.store.messages.length > 0) && !this.later) this.loadLater().catch((thrown: unknown) => console.warn(thrown));
+    if ((this.store.result || this.store.messages.length > 0) && !this.later)
+      this.loadLater().catch((thrown: unknown) => console.warn(thrown));
   }
 
   async loadLater(): Promise<Later> {

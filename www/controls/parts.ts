@@ -15,13 +15,11 @@ export function isDialogOpen(place: Place): boolean {
 
 /** `Taper base c_w1` with its symbol set as one: italic, the index below. A lone last letter is a symbol too. */
 export function mathText(text: string): (string | TemplateResult)[] {
-  return text
-    .split(/(\b[A-Za-z]_[a-z]\w*\b|(?<=\s)[A-Za-z]$)/)
-    .map((part, index) => {
-      if (index % 2 === 0) return part;
-      const [letter = '', below] = part.split('_');
-      return html`<var>${letter}${below === undefined ? '' : html`<sub>${below}</sub>`}</var>`;
-    });
+  return text.split(/(\b[A-Za-z]_[a-z]\w*\b|(?<=\s)[A-Za-z]$)/).map((part, index) => {
+    if (index % 2 === 0) return part;
+    const [letter = '', below] = part.split('_');
+    return html`<var>${letter}${below === undefined ? '' : html`<sub>${below}</sub>`}</var>`;
+  });
 }
 
 export interface IconButton {
@@ -57,7 +55,17 @@ export interface Segments<T extends string> {
 }
 
 /** A choice of a few: radio buttons that look like one. */
-export function segments<T extends string>({ name, label, hideLabel = false, help = '', options, value, action, problem, disabled = false }: Segments<T>): TemplateResult {
+export function segments<T extends string>({
+  name,
+  label,
+  hideLabel = false,
+  help = '',
+  options,
+  value,
+  action,
+  problem,
+  disabled = false,
+}: Segments<T>): TemplateResult {
   return html`
     <div
       class="control segments"

@@ -19,7 +19,8 @@ export function placeError<K extends Kind>(store: Store<K>, error: ErrorInfo, { 
   const ofItem = row ? undefined : table.itemRows.find((candidate) => candidate.key === key);
   // Without a value the control is not there.
   if (wish && wish.value !== null && (store.valueOf(wish.row, wish.item) ?? null) !== null) {
-    if (store.params === params) store.setProblem({ key: wish.row.key, item: wish.item, component: wish.row.component, text, refused: wish.value });
+    if (store.params === params)
+      store.setProblem({ key: wish.row.key, item: wish.item, component: wish.row.component, text, refused: wish.value });
   } else if ((isBack || (!row && !ofItem)) && !store.listKeys.includes(key)) store.say(text, true);
   else if (store.params === params) store.setProblem({ key, item: ofItem ? (layer ?? store.itemAtFault()) : null, component: null, text });
 }

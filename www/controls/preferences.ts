@@ -22,7 +22,10 @@ export function loadPreferences(): Preferences {
 export function savePreferences(preferences: Preferences): void {
   // What the browser says itself is not saved: it may say something else tomorrow.
   const isLanguageChosen = preferences.language !== pickLanguage(navigator.languages);
-  const chosen = { ...(isLanguageChosen && { language: preferences.language }), ...(preferences.theme !== 'auto' && { theme: preferences.theme }) };
+  const chosen = {
+    ...(isLanguageChosen && { language: preferences.language }),
+    ...(preferences.theme !== 'auto' && { theme: preferences.theme }),
+  };
   try {
     if (Object.keys(chosen).length > 0) localStorage.setItem(KEY, JSON.stringify(chosen));
     else localStorage.removeItem(KEY);

@@ -25,7 +25,12 @@ export interface PresetGroup {
 }
 
 /** Opens the list; what is chosen becomes the store's. `newElement` makes an element for the pictures; null: there are none. */
-export function choosePreset<K extends Kind>(store: Store<K>, place: Place, groups: readonly PresetGroup[], newElement: (() => GeneratorElement<K>) | null): void {
+export function choosePreset<K extends Kind>(
+  store: Store<K>,
+  place: Place,
+  groups: readonly PresetGroup[],
+  newElement: (() => GeneratorElement<K>) | null,
+): void {
   const option = (name: string, words: string, isPictured: boolean): TemplateResult => {
     const isChosen = name === store.preset;
     return html`
@@ -57,7 +62,8 @@ export function choosePreset<K extends Kind>(store: Store<K>, place: Place, grou
   const closed = new AbortController();
   dialog.addEventListener('close', () => closed.abort(), { once: true });
   if (newElement) {
-    const show = (name: string, picture: ImageBitmap) => dialog.querySelector<HTMLCanvasElement>(`[data-preset="${name}"] canvas`)?.getContext('2d')?.drawImage(picture, 0, 0);
+    const show = (name: string, picture: ImageBitmap) =>
+      dialog.querySelector<HTMLCanvasElement>(`[data-preset="${name}"] canvas`)?.getContext('2d')?.drawImage(picture, 0, 0);
     void drawPictures(store.table, newElement, dialog, show, closed.signal);
   }
 }

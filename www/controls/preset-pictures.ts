@@ -6,12 +6,26 @@ import type { Kind, Table } from '../table/table.ts';
 /** Device pixels: twice as many as on most screens. */
 export const PICTURE_SIZE = { width: 192, height: 128 };
 /** Composed events of an element in a shadow root are the host's too. */
-const EVENTS: Record<keyof ElementEventMap<string> | 'generate', true> = { load: true, progress: true, generate: true, error: true, 'camera-change': true, restored: true, notice: true };
+const EVENTS: Record<keyof ElementEventMap<string> | 'generate', true> = {
+  load: true,
+  progress: true,
+  generate: true,
+  error: true,
+  'camera-change': true,
+  restored: true,
+  notice: true,
+};
 
 const kept = new Map<string, ImageBitmap>();
 
 /** Shows the pictures that there are at once, and draws the others, in `place`, until `signal` is aborted. */
-export async function drawPictures<K extends Kind>(table: Table<K>, newElement: () => GeneratorElement<K>, place: HTMLElement, show: (name: string, picture: ImageBitmap) => void, signal: AbortSignal): Promise<void> {
+export async function drawPictures<K extends Kind>(
+  table: Table<K>,
+  newElement: () => GeneratorElement<K>,
+  place: HTMLElement,
+  show: (name: string, picture: ImageBitmap) => void,
+  signal: AbortSignal,
+): Promise<void> {
   for (const [name, picture] of kept) show(name, picture);
   const missing = table.presets.filter(({ name, natural }) => natural && !kept.has(name));
   if (missing.length === 0) return;
@@ -36,7 +50,14 @@ export async function drawPictures<K extends Kind>(table: Table<K>, newElement: 
 
 /** On the screen, since nothing is drawn that is not, but not to be seen, found or touched. */
 function unseen<K extends Kind>(element: GeneratorElement<K>): GeneratorElement<K> {
-  Object.assign(element.style, { position: 'fixed', inset: '0 auto auto 0', width: '96px', height: '64px', opacity: '0', pointerEvents: 'none' });
+  Object.assign(element.style, {
+    position: 'fixed',
+    inset: '0 auto auto 0',
+    width: '96px',
+    height: '64px',
+    opacity: '0',
+    pointerEvents: 'none',
+  });
   element.inert = true;
   element.ariaHidden = 'true';
   element.interaction = 'none';

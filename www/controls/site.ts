@@ -1,6 +1,9 @@
 /** The pages, one for each generator, and what each of them showed last in this tab of the browser. */
 
-export const PAGES = [{ name: 'scene-rocks', href: './' }, { name: 'scene-wood-ears', href: 'wood-ear.html' }] as const;
+export const PAGES = [
+  { name: 'scene-rocks', href: './' },
+  { name: 'scene-wood-ears', href: 'wood-ear.html' },
+] as const;
 
 /** What the log lies on is being edited on the page of rocks. */
 const GROUND = 'ground';

@@ -52,14 +52,16 @@ export class StageOverlay extends LitElement {
       </div>
       <div class="overlay-end">
         ${iconButton({ icon: 'frame', label: `${store.text('frameAll')} (F)`, action: actions.frameAll, kind: 'on-picture' })}
-        ${document.fullscreenEnabled
-          ? iconButton({
-              icon: isFull ? 'leaveFullScreen' : 'fullScreen',
-              label: store.text(isFull ? 'leaveFullScreen' : 'fullScreen'),
-              action: actions.toggleFullScreen,
-              kind: 'on-picture',
-            })
-          : nothing}
+        ${
+          document.fullscreenEnabled
+            ? iconButton({
+                icon: isFull ? 'leaveFullScreen' : 'fullScreen',
+                label: store.text(isFull ? 'leaveFullScreen' : 'fullScreen'),
+                action: actions.toggleFullScreen,
+                kind: 'on-picture',
+              })
+            : nothing
+        }
       </div>
       ${store.result ? html`<p class="summary" aria-hidden="true">${store.summary()}</p>` : nothing} ${progressLine(store, actions.cancel)}
     `;

@@ -126,7 +126,8 @@ export abstract class Store<K extends Kind> {
 
   /** Makes `params` the present; edits with one `label` that belong together are one step of undo. `wish`: where they were set. */
   edit(params: K['params'], label = '', preset = this.preset, wish: Wish | null = null): void {
-    if (preset !== this.preset || !same(this.table, params, this.params)) this.#history.record({ params, preset }, label, performance.now());
+    if (preset !== this.preset || !same(this.table, params, this.params))
+      this.#history.record({ params, preset }, label, performance.now());
     this.#wish = wish;
     this.wanted = this.#history.present;
     this.#moved();
@@ -177,7 +178,13 @@ export abstract class Store<K extends Kind> {
   /** Edits one row of the table, of item `item` for a row of items. */
   setParam(row: Row, item: number | null, value: number | string | null): void {
     const { table, params } = this;
-    const edited = item === null ? table.written(params, row, value) : table.withItems(params, table.items(params).map((old, index) => (index === item ? table.written(old, row, value) : old)));
+    const edited =
+      item === null
+        ? table.written(params, row, value)
+        : table.withItems(
+            params,
+            table.items(params).map((old, index) => (index === item ? table.written(old, row, value) : old)),
+          );
     this.edit(edited, `${row.url} ${item}`, this.preset, { row, item, value });
   }
 
@@ -374,7 +381,10 @@ export abstract class Store<K extends Kind> {
     if (!UNAVAILABLE.test(error.name)) this.wanted = null;
     this.setProgress(null);
     // In its own words where ours cannot be had.
-    await this.later.load().then(({ placeError }) => placeError(this, error, { params, isBack, wish }), () => this.say(() => error.message, true));
+    await this.later.load().then(
+      ({ placeError }) => placeError(this, error, { params, isBack, wish }),
+      () => this.say(() => error.message, true),
+    );
   }
 
   /** Stands before all messages. */

@@ -10,7 +10,10 @@ import type { Language, Words } from '../base/language.ts';
 export const LATER = {
   keepShape: { en: 'Keep height and taper when the radius changes', ja: '半径を変えても幅と高さを保つ' },
   stopBy: { en: 'Fill by', ja: '配置の基準' },
-  stopByHelp: { en: 'Grant cells until an area is filled, or until there is a number of rocks.', ja: '面積率に達するまで、または岩の個数に達するまでセルを割り当てます。' },
+  stopByHelp: {
+    en: 'Grant cells until an area is filled, or until there is a number of rocks.',
+    ja: '面積率に達するまで、または岩の個数に達するまでセルを割り当てます。',
+  },
   byArea: { en: 'Area', ja: '面積' },
   byCount: { en: 'Count', ja: '個数' },
   docsHelp: { en: 'How to put these rocks on a page of yours, with live examples.', ja: 'この岩を自分のページに埋め込む方法（英語）。' },
@@ -19,7 +22,10 @@ export const LATER = {
   natural: { en: 'Natural grounds', ja: '自然の地面' },
   copied: { en: 'Link copied', ja: 'リンクをコピーしました' },
   embedCopied: { en: 'Embed code copied', ja: '埋め込みコードをコピーしました' },
-  copyByHand: { en: 'The browser does not let this page copy. Copy the text here:', ja: 'ブラウザがコピーを許可していません。ここからコピーしてください：' },
+  copyByHand: {
+    en: 'The browser does not let this page copy. Copy the text here:',
+    ja: 'ブラウザがコピーを許可していません。ここからコピーしてください：',
+  },
   rocks: { en: 'Rocks', ja: '岩' },
   triangles: { en: 'Triangles', ja: '三角形' },
   covered: { en: 'Ground covered', ja: '被覆率' },
@@ -29,7 +35,10 @@ export const LATER = {
   reached: { en: 'Reached', ja: '達成' },
   sitesSaturated: { en: 'No free pixel was left', ja: '空き画素がなくなりました' },
   cellsSaturated: { en: 'Ran out of free cells', ja: '空きセルがなくなりました' },
-  saturatedKey: { en: '● saturated: no free pixel (sites) or no free cell (area) was left.', ja: '● 飽和：空き画素（母点）または空きセル（面積）がなくなりました。' },
+  saturatedKey: {
+    en: '● saturated: no free pixel (sites) or no free cell (area) was left.',
+    ja: '● 飽和：空き画素（母点）または空きセル（面積）がなくなりました。',
+  },
   saturated: { en: 'saturated', ja: '飽和' },
   time: { en: 'Time, ms', ja: '時間（ms）' },
   total: { en: 'Total', ja: '合計' },
@@ -53,8 +62,14 @@ export const LATER = {
   undoBy: { en: 'Ctrl + Z or ⌘ Z', ja: 'Ctrl + Z または ⌘ Z' },
   redoBy: { en: 'Shift + Ctrl + Z or Shift + ⌘ Z', ja: 'Shift + Ctrl + Z または Shift + ⌘ Z' },
   layLog: { en: 'Lay the log on these rocks', ja: 'この岩の上に丸太を置く' },
-  shapeClamped: { en: 'Some heights or tapers have reached their bounds. They come back with the radius.', ja: '一部の高さや幅が範囲の端に達しました。半径を戻すと元の値に戻ります。' },
-  notationClamped: { en: 'Some values are past the bounds of the new notation and were moved to them.', ja: '新しい単位系の範囲を超える値は、範囲の端に変更されました。' },
+  shapeClamped: {
+    en: 'Some heights or tapers have reached their bounds. They come back with the radius.',
+    ja: '一部の高さや幅が範囲の端に達しました。半径を戻すと元の値に戻ります。',
+  },
+  notationClamped: {
+    en: 'Some values are past the bounds of the new notation and were moved to them.',
+    ja: '新しい単位系の範囲を超える値は、範囲の端に変更されました。',
+  },
 } as const satisfies Record<string, Words>;
 
 export type LaterKey = keyof typeof LATER;

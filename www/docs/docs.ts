@@ -7,7 +7,8 @@ import type { KeepMessage } from '../pages/service-worker.ts';
 
 customElements.define('live-example', LiveExample);
 
-for (const figure of document.querySelectorAll('figure.code')) figure.append(copyButton(() => figure.querySelector('code')?.textContent ?? ''));
+for (const figure of document.querySelectorAll('figure.code'))
+  figure.append(copyButton(() => figure.querySelector('code')?.textContent ?? ''));
 
 for (const preset of document.querySelectorAll('.preset')) {
   const stage = preset.querySelector('.stage');

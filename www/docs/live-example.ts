@@ -55,7 +55,10 @@ export class LiveExample extends HTMLElement implements Kept {
     this.#message.setAttribute('role', 'status');
     const buttons = document.createElement('div');
     buttons.className = 'editor-buttons';
-    buttons.append(this.#resetButton(editor), copyButton(() => editor.value));
+    buttons.append(
+      this.#resetButton(editor),
+      copyButton(() => editor.value),
+    );
     this.querySelector('.editor-label')?.after(buttons);
     editor.after(this.#message);
     editor.addEventListener('input', () => this.#edited(editor));

@@ -83,7 +83,8 @@ export const ATTRIBUTE_NOTICE_HELP: Record<AttributeNoticeCode, NoticeHelp> = {
     remedy: 'Take a name from the [gallery](gallery.html).',
   },
   'not-json': {
-    cause: 'A `src` that begins with `{` and is not JSON: often single quotes, a comma after the last value, or quotes that the page’s template has escaped.',
+    cause:
+      'A `src` that begins with `{` and is not JSON: often single quotes, a comma after the last value, or quotes that the page’s template has escaped.',
     remedy: 'Check it with `JSON.parse`, or write a [link](concepts.html) instead.',
   },
   'bad-request': {
@@ -103,7 +104,8 @@ export const ATTRIBUTE_NOTICE_HELP: Record<AttributeNoticeCode, NoticeHelp> = {
     remedy: 'Leave the last ones out.',
   },
   'other-length': {
-    cause: 'Attributes that list different numbers of layers. The first list in the order of [Attributes](attributes.html) says how many there are.',
+    cause:
+      'Attributes that list different numbers of layers. The first list in the order of [Attributes](attributes.html) says how many there are.',
     remedy: 'Give every list a value for each layer: `radius="90 30" area-fraction="0.2 0.5"`.',
   },
   'no-bases': {

@@ -34,7 +34,18 @@ const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 const NONE = '-';
 
 /** Attributes of every element that are no parameters. */
-export const COMMON_ATTRIBUTES = ['src', 'preset', 'view', 'color', 'quality', 'camera-orbit', 'interaction', 'theme', 'loading', 'metres-per-pixel'] as const;
+export const COMMON_ATTRIBUTES = [
+  'src',
+  'preset',
+  'view',
+  'color',
+  'quality',
+  'camera-orbit',
+  'interaction',
+  'theme',
+  'loading',
+  'metres-per-pixel',
+] as const;
 
 export interface ElementAttributes<K extends Kind> extends Link<K> {
   /** Where the camera is while everything is framed; null: as it is framed by itself. */
@@ -95,7 +106,8 @@ export class AttributeReader<K extends Kind> {
 
   /** The same in a sentence that stands already. */
   say(attribute: string, message: string): void {
-    if (this.notices.every((notice) => notice.attribute !== attribute || attribute === 'src')) this.notices.push({ attribute, message: `${attribute}: ${message}` });
+    if (this.notices.every((notice) => notice.attribute !== attribute || attribute === 'src'))
+      this.notices.push({ attribute, message: `${attribute}: ${message}` });
   }
 
   /** `src` fills everything, and `preset` is then not looked at. */
@@ -143,7 +155,11 @@ export class AttributeReader<K extends Kind> {
       for (const [name, row] of attributes) {
         const given = this.get(name);
         if (given === null || (row.kind === 'choice') !== (kind === 'choice')) continue;
-        read = this.#table.written(read, row, this.one(name, given.trim(), row, this.#table.boundsOf(row, read), this.#table.read(read, row)));
+        read = this.#table.written(
+          read,
+          row,
+          this.one(name, given.trim(), row, this.#table.boundsOf(row, read), this.#table.read(read, row)),
+        );
       }
     }
     return read;
@@ -181,7 +197,13 @@ export class AttributeReader<K extends Kind> {
     const isNumber = NUMBER.test(given) && (isReal || Number.isInteger(Number(given)));
     const value = isNumber ? Math.min(max, Math.max(min, Number(given))) : fallback;
     if (!isNumber || value !== Number(given)) {
-      this.note(name, 'no-number', { given: quote(given), kind: isReal ? 'number' : 'whole number', min, max, used: value === null ? 'none' : String(value) });
+      this.note(name, 'no-number', {
+        given: quote(given),
+        kind: isReal ? 'number' : 'whole number',
+        min,
+        max,
+        used: value === null ? 'none' : String(value),
+      });
     }
     // Never −0.
     return typeof value === 'number' ? value + 0 : value;

@@ -56,7 +56,19 @@ function parameterAttributes({ rowAttributes, itemAttributes, ownAttributes }: A
 }
 
 /** Assigned before the element was defined, these would hide the accessors. */
-const PROPERTIES = ['params', 'view', 'color', 'quality', 'camera', 'theme', 'cameraOrbit', 'interaction', 'metresPerPixel', 'backend', 'controls'];
+const PROPERTIES = [
+  'params',
+  'view',
+  'color',
+  'quality',
+  'camera',
+  'theme',
+  'cameraOrbit',
+  'interaction',
+  'metresPerPixel',
+  'backend',
+  'controls',
+];
 
 /** Begins the steps of undo of an element, for a store that shares them; `onEdit` is called when the element has changed something. */
 export let historyOf: <K extends Kind>(element: GeneratorElement<K>, onEdit: () => void) => History<Edition<K>>;
@@ -178,7 +190,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
   }
 
   #setParams(params: K['params']): void {
-    const isDressed = this.#params !== null && this.#sameMade(this.#params, params) && !same(this.#definition.table, this.#params, params, isLook);
+    const isDressed =
+      this.#params !== null && this.#sameMade(this.#params, params) && !same(this.#definition.table, this.#params, params, isLook);
     const isShown = this.#shown === this.#made && this.#sameMade(params, this.#made);
     this.#params = params;
     if (isDressed) return;
@@ -223,7 +236,8 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
     const edition: Edition<K> = { params: this.#params, preset };
     const present = this.#history?.present;
     if (!present) this.#history = new History(edition);
-    else if (preset !== present.preset || !same(this.#definition.table, edition.params, present.params)) this.#history?.record(edition, label, performance.now());
+    else if (preset !== present.preset || !same(this.#definition.table, edition.params, present.params))
+      this.#history?.record(edition, label, performance.now());
     this.#settle();
     this.#tellEdit();
   }
@@ -463,7 +477,10 @@ export abstract class GeneratorElement<K extends Kind> extends SceneElement {
    *
    * @throws {RockFieldError} by the generator; `AbortError` when `signal` says so, or the run is cancelled.
    */
-  protected async adopt(change: (params: K['params']) => K['params'], { signal, taken }: { signal: AbortSignal; taken: () => void }): Promise<void> {
+  protected async adopt(
+    change: (params: K['params']) => K['params'],
+    { signal, taken }: { signal: AbortSignal; taken: () => void },
+  ): Promise<void> {
     for (;;) {
       signal.throwIfAborted();
       const candidate = { params: this.#definition.table.resolve(change(this.params)), taken };

@@ -11,10 +11,16 @@ import type { Draw, Kind } from '../table/table.ts';
  *
  * @throws {RockFieldError} `UnknownKey` for a name in `lock` that is no parameter.
  */
-export async function lockedDraw<K extends Kind>({ table, properties, list, random }: Pick<Definition<K, ControlledElement>, 'table' | 'properties' | 'list' | 'random'>, old: K['params'], freshSeed: () => Promise<number>, { preset, lock }: Required<Omit<Draw, 'seed'>>): Promise<K['params']> {
+export async function lockedDraw<K extends Kind>(
+  { table, properties, list, random }: Pick<Definition<K, ControlledElement>, 'table' | 'properties' | 'list' | 'random'>,
+  old: K['params'],
+  freshSeed: () => Promise<number>,
+  { preset, lock }: Required<Omit<Draw, 'seed'>>,
+): Promise<K['params']> {
   if (!Array.isArray(lock)) throw wrongType('lock', lock, 'a list of names');
   const stranger = lock.find((name) => name !== list && !properties.names.includes(name));
-  if (stranger !== undefined) throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${shown(stranger)}` });
+  if (stranger !== undefined)
+    throw new RockFieldError({ name: 'UnknownKey', key: stranger, message: `there is no parameter called ${shown(stranger)}` });
   let params = await random(old, { seed: await freshSeed(), preset, lock });
   if (lock.includes(list)) params = table.withItems(params, table.items(old));
   for (const name of lock) {
@@ -22,7 +28,11 @@ export async function lockedDraw<K extends Kind>({ table, properties, list, rand
     if (!row) continue;
     // Values of items can only be kept with as many items.
     if (!table.itemRows.includes(row)) params = table.written(params, row, table.read(old, row));
-    else params = table.withItems(params, table.items(old).map((item, index) => table.written(table.items(params)[index] ?? item, row, table.read(item, row))));
+    else
+      params = table.withItems(
+        params,
+        table.items(old).map((item, index) => table.written(table.items(params)[index] ?? item, row, table.read(item, row))),
+      );
   }
   return params;
 }

@@ -95,12 +95,19 @@ export class RowProperties<K extends Kind> {
     const table = this.#table;
     if (!isList(values)) {
       const name = propertyOf(row);
-      throw new RockFieldError({ name: 'WrongType', key: name, value: values, message: `${name} must be a list with a value for each ${row.scope}` });
+      throw new RockFieldError({
+        name: 'WrongType',
+        key: name,
+        value: values,
+        message: `${name} must be a list with a value for each ${row.scope}`,
+      });
     }
     const old = table.items(params);
     // One too many is refused like a million.
     const { length } = values;
-    const items = Array.from({ length: Math.min(length, table.itemCount.max + 1) }, (_, index) => table.written(old[index] ?? table.newItem(index, params), row, values[index]));
+    const items = Array.from({ length: Math.min(length, table.itemCount.max + 1) }, (_, index) =>
+      table.written(old[index] ?? table.newItem(index, params), row, values[index]),
+    );
     return table.withItems(params, items);
   }
 

@@ -21,7 +21,10 @@ export { woodEarPresets, woodEarSchema } from '../wood-ear/catalogue.ts';
 
 const realm = new Realm(glue, () => readFile(new URL('./generator_bg.wasm', import.meta.url)));
 // Fetched when a colony is first asked for.
-const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(() => import('../../pkg/wood-ear.js'), () => readFile(new URL('./wood-ear_bg.wasm', import.meta.url)));
+const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(
+  () => import('../../pkg/wood-ear.js'),
+  () => readFile(new URL('./wood-ear_bg.wasm', import.meta.url)),
+);
 
 /** A generator that keeps its stages between runs; free it with `dispose()`. */
 export function createGenerator(options?: GeneratorOptions): Promise<FieldGenerator> {

@@ -31,13 +31,23 @@ export type { Layer, Params, PresetName, Triple } from '../rocks/params.ts';
 export type { WoodEarColony, WoodEarLog, WoodEarStats, WoodEarTimes } from '../data/colony.ts';
 export type { WoodEarGenerator, WoodEarOptions } from '../wood-ear/headless.ts';
 export type { WoodEarStage } from '../wood-ear/session.ts';
-export type { WoodEarBase, WoodEarLogMesh, WoodEarLogShape, WoodEarParams, WoodEarPresetName, WoodEarRequest } from '../wood-ear/request.ts';
+export type {
+  WoodEarBase,
+  WoodEarLogMesh,
+  WoodEarLogShape,
+  WoodEarParams,
+  WoodEarPresetName,
+  WoodEarRequest,
+} from '../wood-ear/request.ts';
 
 // By name: a bundler's object of a whole module would put a helper into every script of the page.
 const glue: GeneratorGlue = { default: start, Generator, fresh_seed, memory_estimate, __wbg_reset_state };
 const realm = new Realm(glue, () => new URL('./generator_bg.wasm', import.meta.url));
 // Fetched when a colony is first asked for.
-const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(() => import('../../pkg/wood-ear.js'), () => new URL('./wood-ear_bg.wasm', import.meta.url));
+const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(
+  () => import('../../pkg/wood-ear.js'),
+  () => new URL('./wood-ear_bg.wasm', import.meta.url),
+);
 
 /** A generator that keeps its stages between runs; free it with `dispose()`. */
 export function createGenerator(options?: GeneratorOptions): Promise<FieldGenerator> {

@@ -7,9 +7,12 @@ import { RunLoop } from '../generator/loop.ts';
 import { loadGenerator } from '../generator/wasm.ts';
 import { listen } from '../generator/worker-scope.ts';
 
-listen((post) => new LoopHost(
-  // Bundlers copy the file when they see it in this literal form.
-  () => loadGenerator(glue, new URL('./generator_bg.wasm', import.meta.url)),
-  (module, postLoop) => new RunLoop(module, FIELD_LOOPS, postLoop),
-  post,
-));
+listen(
+  (post) =>
+    new LoopHost(
+      // Bundlers copy the file when they see it in this literal form.
+      () => loadGenerator(glue, new URL('./generator_bg.wasm', import.meta.url)),
+      (module, postLoop) => new RunLoop(module, FIELD_LOOPS, postLoop),
+      post,
+    ),
+);

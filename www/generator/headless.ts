@@ -59,7 +59,10 @@ export class Realm<Module> {
   soundInstance(): number {
     if (!this.#trapped) return this.#instance;
     if (!this.#glue?.__wbg_reset_state) {
-      throw new RockFieldError({ name: 'Internal', message: 'the generator failed before and cannot be started again here; reload the page or restart the process' });
+      throw new RockFieldError({
+        name: 'Internal',
+        message: 'the generator failed before and cannot be started again here; reload the page or restart the process',
+      });
     }
     this.#glue.__wbg_reset_state();
     this.#trapped = false;
@@ -83,7 +86,8 @@ interface HeadlessOptions<Result, Stage extends string> extends RunOptions<Resul
 function checkOptions<Result, Stage extends string>(options: HeadlessOptions<Result, Stage>) {
   const given = objectOf(options, 'options') as HeadlessOptions<Result, Stage>;
   const { signal, maxBytes = defaultMaxBytes() } = given;
-  if (signal !== undefined && typeof (signal as AbortSignal | null)?.throwIfAborted !== 'function') throw wrongType('signal', signal, 'an AbortSignal');
+  if (signal !== undefined && typeof (signal as AbortSignal | null)?.throwIfAborted !== 'function')
+    throw wrongType('signal', signal, 'an AbortSignal');
   for (const key of ['onProgress', 'onPreview'] as const) {
     if (given[key] !== undefined && typeof given[key] !== 'function') throw wrongType(key, given[key], 'a function');
   }

@@ -20,7 +20,11 @@ export class LoopHost<Module, Flat> {
   #loops = new Map<number, AnyLoop<Flat>>();
   #heard = 0;
 
-  constructor(load: () => Promise<Module>, newLoop: (module: Promise<Module>, post: (message: FromLoop, transfer?: Transferable[]) => void) => AnyLoop<Flat>, post: Post) {
+  constructor(
+    load: () => Promise<Module>,
+    newLoop: (module: Promise<Module>, post: (message: FromLoop, transfer?: Transferable[]) => void) => AnyLoop<Flat>,
+    post: Post,
+  ) {
     this.#newLoop = newLoop;
     this.#post = post;
     this.#post({ type: 'started' });

@@ -51,7 +51,11 @@ export class RunLoop<Module extends { fresh_seed(): number }, Flat, Result, Stag
   #patience = PATIENCE_MS;
   #closed = false;
 
-  constructor(module: Promise<Module>, craft: LoopCraft<Module, Flat, Result, Stage>, post: (message: FromLoop, transfer?: Transferable[]) => void) {
+  constructor(
+    module: Promise<Module>,
+    craft: LoopCraft<Module, Flat, Result, Stage>,
+    post: (message: FromLoop, transfer?: Transferable[]) => void,
+  ) {
     this.#module = module;
     this.#craft = craft;
     this.#post = post;

@@ -229,6 +229,8 @@ export class PoolWorker {
 
 function workerUnavailable(detail: string | undefined): RockFieldError {
   // Browsers tell pages no more of a script than that it could not be had.
-  const reason = detail ? `: ${detail}` : '; its file is missing, or blocked by a Content-Security-Policy or by Cross-Origin-Embedder-Policy, which it must be served with too';
+  const reason = detail
+    ? `: ${detail}`
+    : '; its file is missing, or blocked by a Content-Security-Policy or by Cross-Origin-Embedder-Policy, which it must be served with too';
   return new RockFieldError({ name: 'WorkerUnavailable', message: `the generator's worker could not be started${reason}` });
 }

@@ -146,6 +146,18 @@ export interface PongMessage {
 }
 
 /** What one client is told. */
-export type FromLoop<Result = unknown, Stage extends string = string> = ProgressMessage<Stage> | ResultMessage<Result> | PreviewMessage<Result> | RejectedMessage | DroppedMessage | CrashedMessage | SeedReply;
+export type FromLoop<Result = unknown, Stage extends string = string> =
+  | ProgressMessage<Stage>
+  | ResultMessage<Result>
+  | PreviewMessage<Result>
+  | RejectedMessage
+  | DroppedMessage
+  | CrashedMessage
+  | SeedReply;
 
-export type FromWorker<Result = unknown, Stage extends string = string> = Addressed<FromLoop<Result, Stage>> | StartedMessage | ReadyMessage | FailedMessage | PongMessage;
+export type FromWorker<Result = unknown, Stage extends string = string> =
+  | Addressed<FromLoop<Result, Stage>>
+  | StartedMessage
+  | ReadyMessage
+  | FailedMessage
+  | PongMessage;

@@ -43,7 +43,10 @@ export class Runs<Request, Result, Stage extends string> {
   /** Runs of parameters that are not taken yet: their failure is nobody's but the caller's. */
   readonly #attempts = new WeakSet<Promise<Result>>();
 
-  constructor(host: RunsHost<Request, Result, Stage>, newClient: (options: { onResult: OnResult<Request, Result> }) => RunClient<Request, Result, Stage>) {
+  constructor(
+    host: RunsHost<Request, Result, Stage>,
+    newClient: (options: { onResult: OnResult<Request, Result> }) => RunClient<Request, Result, Stage>,
+  ) {
     this.#host = host;
     this.#newClient = newClient;
   }

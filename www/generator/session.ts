@@ -76,7 +76,12 @@ export class Session<Raw extends RawSteps, Flat, Result, Stage extends string> {
           wantsPreview = false;
           onPreview?.(this.#collect(request, ms, begin, true));
         }
-        onProgress?.(estimate.added(this.#guard(() => progressOf(this.#generator, stages)), performance.now()));
+        onProgress?.(
+          estimate.added(
+            this.#guard(() => progressOf(this.#generator, stages)),
+            performance.now(),
+          ),
+        );
         await nextTask();
         signal?.throwIfAborted();
       }

@@ -39,9 +39,13 @@ export function startWorker(spawn: () => Worker): WorkerLike {
   }
   globalThis.Worker = Trusted as unknown as typeof Worker;
   try {
-    return Object.assign(spawn(), { probe: async (heard: () => void) => (await lazily(() => import('./probe.ts'))).probeScript(script, heard) });
+    return Object.assign(spawn(), {
+      probe: async (heard: () => void) => (await lazily(() => import('./probe.ts'))).probeScript(script, heard),
+    });
   } catch (thrown) {
-    throw isPolicyRefused ? new Error("the page's Content-Security-Policy must allow the policy: trusted-types rock-field", { cause: thrown }) : thrown;
+    throw isPolicyRefused
+      ? new Error("the page's Content-Security-Policy must allow the policy: trusted-types rock-field", { cause: thrown })
+      : thrown;
   } finally {
     globalThis.Worker = Native;
   }
@@ -59,7 +63,9 @@ import(${JSON.stringify(address)}).then(() => early.forEach((event) => onmessage
 
 function trusted(address: string): string {
   try {
-    policy ??= (globalThis as { trustedTypes?: TrustedTypes }).trustedTypes?.createPolicy('rock-field', { createScriptURL: (given) => given });
+    policy ??= (globalThis as { trustedTypes?: TrustedTypes }).trustedTypes?.createPolicy('rock-field', {
+      createScriptURL: (given) => given,
+    });
   } catch {
     isPolicyRefused = true;
   }

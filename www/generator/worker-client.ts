@@ -234,7 +234,9 @@ export abstract class WorkerClient<Request, Flat, Result, Stage extends string> 
   #lost(): void {
     const call = this.#call;
     if (call?.retried) {
-      this.#fail(new RockFieldError({ name: 'WorkerLost', message: 'the generator stopped without an answer, twice; try smaller settings' }));
+      this.#fail(
+        new RockFieldError({ name: 'WorkerLost', message: 'the generator stopped without an answer, twice; try smaller settings' }),
+      );
       return;
     }
     if (call) call.retried = true;

@@ -9,7 +9,9 @@ const scope = globalThis as unknown as {
 };
 
 /** The messages of this worker are the host's from now on. */
-export function listen<Module, Flat>(newHost: (post: (message: FromWorker, transfer?: Transferable[]) => void) => LoopHost<Module, Flat>): void {
+export function listen<Module, Flat>(
+  newHost: (post: (message: FromWorker, transfer?: Transferable[]) => void) => LoopHost<Module, Flat>,
+): void {
   const host = newHost((message, transfer = []) => scope.postMessage(message, transfer));
   scope.onmessage = (event: MessageEvent<ToWorker<Flat>>) => host.receive(event.data);
 }

@@ -8,8 +8,14 @@ import type { Words } from '../base/language.ts';
 import type { Kind } from '../table/table.ts';
 
 const WORDS = {
-  newer: { en: 'There is a newer version of this page. Reload to go on from here.', ja: 'このページには新しいバージョンがあります。再読み込みすると、今の状態から続けられます。' },
-  missing: { en: 'A part of this page could not be fetched. Check the connection, then reload.', ja: 'ページの一部を読み込めませんでした。接続を確認して、再読み込みしてください。' },
+  newer: {
+    en: 'There is a newer version of this page. Reload to go on from here.',
+    ja: 'このページには新しいバージョンがあります。再読み込みすると、今の状態から続けられます。',
+  },
+  missing: {
+    en: 'A part of this page could not be fetched. Check the connection, then reload.',
+    ja: 'ページの一部を読み込めませんでした。接続を確認して、再読み込みしてください。',
+  },
   log: { en: 'The log from a file must be chosen again.', ja: 'ファイルから読み込んだ丸太は、もう一度選び直す必要があります。' },
   undo: { en: 'What you could undo is not kept.', ja: '取り消しの履歴は残りません。' },
   reload: { en: 'Reload', ja: '再読み込み' },
@@ -34,7 +40,12 @@ async function newestBuild(): Promise<string | undefined> {
 }
 
 /** `listen` is how to hear of files that are missing. `save` is called before the page is reloaded; `hasUnsavedLog` says whether a log from a file will be lost all the same. */
-export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, store: Store<K>, save: () => void, hasUnsavedLog: () => boolean): void {
+export function offerNewerVersion<K extends Kind>(
+  listen: typeof onMissingFile,
+  store: Store<K>,
+  save: () => void,
+  hasUnsavedLog: () => boolean,
+): void {
   let isAsking = false;
 
   async function offer(isSaid: boolean): Promise<void> {
@@ -47,7 +58,8 @@ export function offerNewerVersion<K extends Kind>(listen: typeof onMissingFile, 
     if (isSaid && !isNewer) return;
     const words = isNewer ? WORDS.newer : WORDS.missing;
     store.setRemedy({
-      text: (language) => [words, ...(hasUnsavedLog() ? [WORDS.log] : []), ...(store.canUndo ? [WORDS.undo] : [])].map((part) => part[language]).join(' '),
+      text: (language) =>
+        [words, ...(hasUnsavedLog() ? [WORDS.log] : []), ...(store.canUndo ? [WORDS.undo] : [])].map((part) => part[language]).join(' '),
       label: (language) => WORDS.reload[language],
       act: () => void reload(),
     });

@@ -39,7 +39,18 @@ export interface Page<K extends Kind> {
 }
 
 /** Returns the store, whose steps of undo are the element's. */
-export function openPage<K extends Kind>({ newStore, preferences, element, panel, readLink, encode, shown, random, hasUnsavedLog = () => false, actions: own = {} }: Page<K>): Store<K> {
+export function openPage<K extends Kind>({
+  newStore,
+  preferences,
+  element,
+  panel,
+  readLink,
+  encode,
+  shown,
+  random,
+  hasUnsavedLog = () => false,
+  actions: own = {},
+}: Page<K>): Store<K> {
   const opening = readLink(location.search + location.hash);
   element.params = { ...opening.params, preset: opening.preset };
   const store = newStore(opening, preferences, historyOf(element, hear));
@@ -80,7 +91,8 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
     if (theme === 'auto') delete page.dataset.theme;
     else page.dataset.theme = theme;
     element.theme = theme;
-    for (const words of document.querySelectorAll<HTMLElement>('[data-string]')) words.textContent = translate(language, words.dataset.string as StringKey);
+    for (const words of document.querySelectorAll<HTMLElement>('[data-string]'))
+      words.textContent = translate(language, words.dataset.string as StringKey);
     stage.setAttribute('aria-label', translate(language, 'picture'));
     panel.setAttribute('aria-label', translate(language, 'controls'));
   }
@@ -193,7 +205,8 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
 
   // What the buttons do.
 
-  const act = (name: keyof Later['pageActions']) => () => void panel.loadLater().then(({ pageActions }) => pageActions[name]({ store, element, stage, random, link }));
+  const act = (name: keyof Later['pageActions']) => () =>
+    void panel.loadLater().then(({ pageActions }) => pageActions[name]({ store, element, stage, random, link }));
 
   const actions: Actions<K> = {
     freshSeed: act('freshSeed'),
@@ -217,7 +230,10 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
   Object.assign(panel, { store, actions: { ...actions, ...own } });
 
   const overlay = document.createElement('stage-overlay');
-  Object.assign(overlay, { store, actions: { cancel: () => store.cancel(element), frameAll: () => element.frameAll(), toggleFullScreen: act('fullScreen') } });
+  Object.assign(overlay, {
+    store,
+    actions: { cancel: () => store.cancel(element), frameAll: () => element.frameAll(), toggleFullScreen: act('fullScreen') },
+  });
 
   store.subscribe(follow);
   showPreferences();
@@ -228,7 +244,9 @@ export function openPage<K extends Kind>({ newStore, preferences, element, panel
   stage.append(element, overlay);
   stage.after(panel);
   // No key is pressed before there is something to see.
-  void lazily(() => import('../controls/keys.ts')).then(({ listenToKeys }) => listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() }));
+  void lazily(() => import('../controls/keys.ts')).then(({ listenToKeys }) =>
+    listenToKeys(store, { frameAll: () => element.frameAll(), help: () => void actions.help?.() }),
+  );
 
   found('.skip-link').addEventListener('click', (event) => {
     // Not by the address: that is the link's.

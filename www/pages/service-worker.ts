@@ -109,7 +109,8 @@ async function take(name: string): Promise<Response> {
   const response = HASHED.test(name) ? await fetched('default').catch(() => fetched('reload')) : await fetched('no-cache');
   if (!response.ok) throw new Error(`${name}: ${response.status}`);
   // Hosts may add to a page, so it is known by its build id instead of its hash.
-  if (name in __PAGES__ && BUILD_IN_PAGE.exec(await response.clone().text())?.[1] !== __BUILD__) throw new Error(`${name} is of another build`);
+  if (name in __PAGES__ && BUILD_IN_PAGE.exec(await response.clone().text())?.[1] !== __BUILD__)
+    throw new Error(`${name} is of another build`);
   await (await caches.open(CACHE)).put(urlOf(name), response.clone());
   return response;
 }

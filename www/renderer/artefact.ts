@@ -20,13 +20,7 @@ export interface RawRenderer {
     rockLayers: Uint32Array,
     rockSites: Uint32Array,
   ): void;
-  setLog(
-    positions: Float32Array,
-    normals: Float32Array,
-    indices: Uint32Array,
-    kinds: Uint8Array,
-    place: Float32Array,
-  ): void;
+  setLog(positions: Float32Array, normals: Float32Array, indices: Uint32Array, kinds: Uint8Array, place: Float32Array): void;
   setColony(
     positions: Float32Array,
     normals: Float32Array,
@@ -54,14 +48,7 @@ export interface RawRenderer {
   setStyle(view: number, color: number, dark: boolean): void;
   setLook(values: Float32Array, layerIds: Uint32Array, materials: Uint8Array): void;
   setQuality(level: number): void;
-  setCamera(
-    azimuth: number,
-    elevation: number,
-    distance: number,
-    targetX: number,
-    targetY: number,
-    targetZ: number,
-  ): void;
+  setCamera(azimuth: number, elevation: number, distance: number, targetX: number, targetY: number, targetZ: number): void;
   resize(width: number, height: number, ratio: number): void;
   render(): void;
   close(): void;
@@ -126,7 +113,10 @@ export async function loadArtefact(backend: GpuBackend): Promise<RendererModule>
   const module = await loading;
   if (trapped.delete(backend)) {
     module.__wbg_reset_state();
-    import('./stale-errors.ts').then(({ ignoreStale }) => ignoreStale(), () => undefined);
+    import('./stale-errors.ts').then(
+      ({ ignoreStale }) => ignoreStale(),
+      () => undefined,
+    );
   }
   return module;
 }
@@ -146,11 +136,10 @@ async function instantiate(backend: GpuBackend): Promise<RendererModule> {
   const heard = (bytes: number): void => {
     arrived = Math.min(1, bytes / (backend === 'webgpu' ? __WEBGPU_BYTES__ : __WEBGL_BYTES__));
   };
-  try {
-    await startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop, heard }).catch(missing);
-  } finally {
+  const started = startWasmFile(url, (source) => module.default({ module_or_path: source }), { response, stop, heard });
+  await started.catch(missing).finally(() => {
     arrived = null;
-  }
+  });
   return module;
 }
 

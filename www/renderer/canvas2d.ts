@@ -190,7 +190,11 @@ function outlineOf(positions: Float32Array): [number, number][] {
     from = Math.min(from, positions[i]!);
     to = Math.max(to, positions[i]!);
   }
-  const slices = Array.from({ length: SLICES }, (_, k) => ({ x: from + ((k + 0.5) * (to - from)) / SLICES, low: Infinity, high: -Infinity }));
+  const slices = Array.from({ length: SLICES }, (_, k) => ({
+    x: from + ((k + 0.5) * (to - from)) / SLICES,
+    low: Infinity,
+    high: -Infinity,
+  }));
   for (let i = 0; i < positions.length; i += 3) {
     const slice = slices[Math.min(SLICES - 1, Math.floor(((positions[i]! - from) / (to - from)) * SLICES))];
     if (!slice) continue;

@@ -118,7 +118,9 @@ const DEVICE_MS = 15_000;
 
 async function openDevice(backend: GpuBackend, forget: () => void): Promise<SharedDevice> {
   const canvas = document.createElement('canvas');
-  const contextLost = new Promise<never>((_, reject) => canvas.addEventListener('webglcontextlost', () => reject(new Error(CONTEXT_LOST)), { once: true }));
+  const contextLost = new Promise<never>((_, reject) =>
+    canvas.addEventListener('webglcontextlost', () => reject(new Error(CONTEXT_LOST)), { once: true }),
+  );
   contextLost.catch(() => undefined);
   if (backend === 'webgpu') await inTime(probeWebGpu());
   else probeWebGl(canvas);
@@ -146,7 +148,9 @@ async function openDevice(backend: GpuBackend, forget: () => void): Promise<Shar
 
 function inTime<T>(answer: Promise<T>): Promise<T> {
   let timer: ReturnType<typeof setTimeout>;
-  const late = new Promise<never>((_, reject) => (timer = setTimeout(() => reject(new Error('the graphics device does not answer')), DEVICE_MS)));
+  const late = new Promise<never>(
+    (_, reject) => (timer = setTimeout(() => reject(new Error('the graphics device does not answer')), DEVICE_MS)),
+  );
   return Promise.race([answer, late]).finally(() => clearTimeout(timer));
 }
 

@@ -182,14 +182,7 @@ export class GpuRenderer implements SceneRenderer {
     if (this.#raw.needsEdges()) this.#raw.setEdges(field.indices);
     if (!this.#raw.needsPlan()) return;
     for (const layer of field.layers) {
-      this.#raw.addLayer(
-        layer.id,
-        layer.radius,
-        layer.sites,
-        layer.cellStarts,
-        layer.cellVertices,
-        layer.selected,
-      );
+      this.#raw.addLayer(layer.id, layer.radius, layer.sites, layer.cellStarts, layer.cellVertices, layer.selected);
     }
     this.#raw.makePlan();
   }

@@ -32,7 +32,11 @@ export function backendsOf(wanted: WantedBackend): readonly Backend[] {
  *
  * @param refusals filled with the backends that were tried in vain.
  */
-export async function loadRenderer(makeCanvas: () => HTMLCanvasElement, backends: readonly Backend[], refusals: Refusal[]): Promise<SceneRenderer | undefined> {
+export async function loadRenderer(
+  makeCanvas: () => HTMLCanvasElement,
+  backends: readonly Backend[],
+  refusals: Refusal[],
+): Promise<SceneRenderer | undefined> {
   // The plan stands in for a renderer that does not arrive, so it is asked for before the network may be gone.
   const plan = backends.includes('canvas2d') ? loadPlan() : undefined;
   plan?.catch(() => undefined);
@@ -50,7 +54,11 @@ function loadPlan(): Promise<typeof import('./canvas2d.ts')> {
   return lazily(() => import('./canvas2d.ts'), true);
 }
 
-async function open(backend: Backend, makeCanvas: () => HTMLCanvasElement, plan: ReturnType<typeof loadPlan> | undefined): Promise<SceneRenderer> {
+async function open(
+  backend: Backend,
+  makeCanvas: () => HTMLCanvasElement,
+  plan: ReturnType<typeof loadPlan> | undefined,
+): Promise<SceneRenderer> {
   switch (backend) {
     case 'null':
       return new (await lazily(() => import('./null.ts'))).NullRenderer(makeCanvas());

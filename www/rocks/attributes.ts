@@ -25,7 +25,10 @@ export type AttributeState = ElementAttributes<Rocks>;
 export function readAttributes(get: (name: string) => string | null): AttributeState {
   const reader = new AttributeReader(ROCKS, get);
   const source = reader.source({
-    ofRequest: (request) => ({ params: resolveParams(request as FieldRequest), preset: (request as FieldRequest).preset ?? PRESETS[0].name }),
+    ofRequest: (request) => ({
+      params: resolveParams(request as FieldRequest),
+      preset: (request as FieldRequest).preset ?? PRESETS[0].name,
+    }),
     ofLink: decodeLink,
   });
   const params = reader.rows(FIELD_ATTRIBUTES, source.params);
@@ -54,7 +57,9 @@ function readLayers(reader: AttributeReader<Rocks>, params: Params): Params['lay
       continue;
     }
     const bounds = ROCKS.boundsOf(row, params);
-    layers = layers.map((layer, index) => ROCKS.written(layer, row, reader.one(name, items[index] ?? '', row, bounds, ROCKS.read(layer, row))));
+    layers = layers.map((layer, index) =>
+      ROCKS.written(layer, row, reader.one(name, items[index] ?? '', row, bounds, ROCKS.read(layer, row))),
+    );
   }
   return layers;
 }

@@ -46,7 +46,12 @@ function requestSchema(): JsonSchema {
 }
 
 function layerSchema(notation: Notation): JsonSchema {
-  const id = { type: 'integer', minimum: 0, maximum: 0xffff_ffff, description: 'Stable identity of the layer, unique; default: its index.' };
+  const id = {
+    type: 'integer',
+    minimum: 0,
+    maximum: 0xffff_ffff,
+    description: 'Stable identity of the layer, unique; default: its index.',
+  };
   return { type: 'object', additionalProperties: false, properties: { id, ...propertiesOf(LAYER_ROWS, notation) } };
 }
 

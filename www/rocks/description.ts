@@ -26,7 +26,9 @@ function largestRock(layers: readonly FieldLayer[]): number {
       let doubled = 0;
       const [from, to] = [cellStarts[site] ?? 0, cellStarts[site + 1] ?? 0];
       for (let k = from, before = to - 1; k < to; before = k, k += 1) {
-        doubled += (cellVertices[2 * before] ?? 0) * (cellVertices[2 * k + 1] ?? 0) - (cellVertices[2 * k] ?? 0) * (cellVertices[2 * before + 1] ?? 0);
+        doubled +=
+          (cellVertices[2 * before] ?? 0) * (cellVertices[2 * k + 1] ?? 0) -
+          (cellVertices[2 * k] ?? 0) * (cellVertices[2 * before + 1] ?? 0);
       }
       most = Math.max(most, doubled / 2);
     }

@@ -37,16 +37,25 @@ const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
   lookOf,
   groundSize: ({ imageWidth, imageHeight }) => [imageWidth, imageHeight],
   encode: encodeLink,
-  describe: async (field, metresPerPixel, language) => (await lazily(() => import('./description.ts'))).describeField(field, metresPerPixel, language),
+  describe: async (field, metresPerPixel, language) =>
+    (await lazily(() => import('./description.ts'))).describeField(field, metresPerPixel, language),
   random: async (params, draw) => (await lazily(() => import('./controls/randomise.ts'))).randomParams(params, draw),
   loadPanel,
 };
 
 /** The accessors are made from lists: of the parameter table, and of attributes. */
 export interface RockFieldElement extends ParameterProperties, ReflectedProperties<PresetName> {
-  addEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | AddEventListenerOptions): void;
+  addEventListener<Type extends keyof EventMap>(
+    type: Type,
+    listener: (this: RockFieldElement, event: EventMap[Type]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
   addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
-  removeEventListener<Type extends keyof EventMap>(type: Type, listener: (this: RockFieldElement, event: EventMap[Type]) => void, options?: boolean | EventListenerOptions): void;
+  removeEventListener<Type extends keyof EventMap>(
+    type: Type,
+    listener: (this: RockFieldElement, event: EventMap[Type]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
   removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
 }
 

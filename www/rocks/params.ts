@@ -13,7 +13,9 @@ type LayerKey = Exclude<keyof Layer, 'id'>;
 
 /** The layers' values of one parameter as a list, whose length is the number of layers; of a triple, one list for each part. */
 type LayerProperties = {
-  [Key in LayerKey as Layer[Key] extends Triple ? `${Key}${'Base' | 'Rock' | 'Vertex'}` : Key]: (Layer[Key] extends Triple ? number : Layer[Key])[];
+  [Key in LayerKey as Layer[Key] extends Triple ? `${Key}${'Base' | 'Rock' | 'Vertex'}` : Key]: (Layer[Key] extends Triple
+    ? number
+    : Layer[Key])[];
 };
 
 export type ParameterProperties = Omit<Params, 'layers'> & LayerProperties;

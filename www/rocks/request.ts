@@ -42,12 +42,11 @@ export function readValue(owner: Params | Layer, spec: Row): unknown {
 /** Puts the value of a row into `owner`, unchecked; a triple is created when it is not there yet. */
 export function writeValue(owner: Params | Layer, spec: Row, value: unknown): void {
   const record = owner as unknown as Loose;
-  if (spec.component === null) {
-    record[spec.key] = value;
-    return;
+  if (spec.component === null) record[spec.key] = value;
+  else {
+    record[spec.key] ??= [0, 0, 0];
+    (record[spec.key] as unknown[])[spec.component] = value;
   }
-  record[spec.key] ??= [0, 0, 0];
-  (record[spec.key] as unknown[])[spec.component] = value;
 }
 
 /** The table's default of a row in a notation: a number, a choice's word, or null. */
@@ -141,7 +140,11 @@ function resolveLayers(given: unknown, notation: Notation): Layer[] {
   if (!Array.isArray(given)) throw wrongType('layers', given, 'a list of layers');
   if (given.length > MAX_LAYERS) {
     throw new RockFieldError({
-      name: 'TooManyLayers', key: 'layers', value: given.length, min: 0, max: MAX_LAYERS,
+      name: 'TooManyLayers',
+      key: 'layers',
+      value: given.length,
+      min: 0,
+      max: MAX_LAYERS,
       message: `there are ${given.length} layers; there may be at most ${MAX_LAYERS}`,
     });
   }
@@ -210,7 +213,13 @@ export function clampParams(params: Params): { params: Params; changes: Clamping
   }
   const given: unknown[] = Array.isArray(params.layers) ? params.layers : [];
   if (given.length > MAX_LAYERS || given !== params.layers) {
-    record({ key: 'layers', layer: null, component: null, from: given === params.layers ? given.length : params.layers, to: Math.min(given.length, MAX_LAYERS) });
+    record({
+      key: 'layers',
+      layer: null,
+      component: null,
+      from: given === params.layers ? given.length : params.layers,
+      to: Math.min(given.length, MAX_LAYERS),
+    });
   }
   const ids = new Set<number>();
   clamped.layers = given.slice(0, MAX_LAYERS).map((entry, index) => {

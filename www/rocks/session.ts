@@ -97,7 +97,12 @@ function collectLayer(generator: RawGenerator, k: number): FieldLayer {
 /** The buffers of a field, each once: a transfer list. */
 export function buffersOf(field: Field): ArrayBuffer[] {
   const arrays = [
-    field.positions, field.normals, field.indices, field.rockStarts, field.vertexStarts, field.rockLayer,
+    field.positions,
+    field.normals,
+    field.indices,
+    field.rockStarts,
+    field.vertexStarts,
+    field.rockLayer,
     ...field.layers.flatMap((layer) => [layer.sites, layer.cellStarts, layer.cellVertices, layer.selected]),
   ];
   return [...new Set(arrays.map((array) => array.buffer as ArrayBuffer))];

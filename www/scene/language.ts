@@ -1,7 +1,11 @@
 /** The language of the page around an element: that of the nearest `lang`, across shadow roots. */
 
 export function languageOf(element: Element): 'en' | 'ja' {
-  const lang = rootsOf(element).map(({ from }) => from.closest('[lang]')).find(Boolean)?.getAttribute('lang') ?? '';
+  const lang =
+    rootsOf(element)
+      .map(({ from }) => from.closest('[lang]'))
+      .find(Boolean)
+      ?.getAttribute('lang') ?? '';
   return lang.toLowerCase().startsWith('ja') ? 'ja' : 'en';
 }
 

@@ -69,7 +69,10 @@ function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHeight]: [
     width ?? Math.round((ownWidth * (height ?? ownHeight)) / ownHeight),
     height ?? Math.round((ownHeight * (width ?? ownWidth)) / ownWidth),
   ];
-  const sides = [['width', size[0]], ['height', size[1]]] as const;
+  const sides = [
+    ['width', size[0]],
+    ['height', size[1]],
+  ] as const;
   // What follows from a wrong side is wrong too: the side that was given is named.
   for (const [key, value] of width === undefined ? [...sides].reverse() : sides) {
     if (Number.isInteger(value) && value >= 1 && size[0] * size[1] <= MAX_PIXELS) continue;
@@ -85,13 +88,21 @@ function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHeight]: [
  * @throws {RockFieldError} `OutOfRange` for a size that this device does not draw, `NoPicture` where the browser makes no file, and what the
  *   renderer refuses, by its name.
  */
-export async function takePicture(renderer: SceneRenderer, size: [number, number], camera: CameraState, { type = 'image/png', quality }: PictureOptions): Promise<Blob> {
+export async function takePicture(
+  renderer: SceneRenderer,
+  size: [number, number],
+  camera: CameraState,
+  { type = 'image/png', quality }: PictureOptions,
+): Promise<Blob> {
   try {
     draw(renderer, size, camera);
   } catch (thrown) {
     if (thrown instanceof RockFieldError) throw thrown;
     const name = RENDERER_ERRORS.find((known) => thrown instanceof Error && thrown.name === known);
-    throw new RockFieldError({ name: name ?? 'RendererFailed', message: name ? errorText(thrown) : `the picture could not be made: ${errorText(thrown)}` }, { cause: thrown });
+    throw new RockFieldError(
+      { name: name ?? 'RendererFailed', message: name ? errorText(thrown) : `the picture could not be made: ${errorText(thrown)}` },
+      { cause: thrown },
+    );
   }
   const blob = await new Promise<Blob | null>((resolve) => renderer.canvas.toBlob(resolve, type, quality));
   if (!blob) throw new RockFieldError({ name: 'NoPicture', message: 'the browser made no file of the picture' });
@@ -104,9 +115,19 @@ const RENDERER_ERRORS = ['NoSurface', 'FieldTooLarge', 'MalformedField'] as cons
 function draw(renderer: SceneRenderer, size: [number, number], camera: CameraState): void {
   renderer.resize(...size);
   // A device has its own limit, and draws no larger.
-  for (const [key, value, drawn] of [['width', size[0], renderer.canvas.width], ['height', size[1], renderer.canvas.height]] as const) {
+  for (const [key, value, drawn] of [
+    ['width', size[0], renderer.canvas.width],
+    ['height', size[1], renderer.canvas.height],
+  ] as const) {
     if (drawn === value) continue;
-    throw new RockFieldError({ name: 'OutOfRange', key, value, min: 1, max: drawn, message: `${key} is ${value}; this device draws at most ${drawn} pixels in a row` });
+    throw new RockFieldError({
+      name: 'OutOfRange',
+      key,
+      value,
+      min: 1,
+      max: drawn,
+      message: `${key} is ${value}; this device draws at most ${drawn} pixels in a row`,
+    });
   }
   renderer.setCamera(camera);
   renderer.render();

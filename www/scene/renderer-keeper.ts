@@ -62,10 +62,13 @@ export class RendererKeeper {
   }
 
   open(): void {
-    const cycle = ++this.#cycle;
+    this.#cycle += 1;
+    const cycle = this.#cycle;
     void this.#open(cycle, this.#backends());
     const again = async () => cycle === this.#cycle && this.#open(cycle, this.#backends('canvas2d'), true);
-    this.#recovery = lazily(() => import('../renderer/recovery.ts'), true).then(({ Recovery }) => new Recovery({ again, said: () => this.#scene.said() }));
+    this.#recovery = lazily(() => import('../renderer/recovery.ts'), true).then(
+      ({ Recovery }) => new Recovery({ again, said: () => this.#scene.said() }),
+    );
     this.#recovery.catch(() => undefined);
   }
 
@@ -113,7 +116,8 @@ export class RendererKeeper {
     this.#isFailing = true;
     clearTimeout(this.#telling);
     this.#telling = setTimeout(() => {
-      if (this.#renderer === renderer) this.#scene.report({ name: 'RendererFailed', message: `the picture could not be drawn: ${errorText(thrown)}` });
+      if (this.#renderer === renderer)
+        this.#scene.report({ name: 'RendererFailed', message: `the picture could not be drawn: ${errorText(thrown)}` });
     }, TELL_MS);
   }
 
@@ -145,7 +149,11 @@ export class RendererKeeper {
       return false;
     }
     if (renderer) this.#put(renderer, isRetry);
-    else this.#scene.report({ name: 'NoRenderer', message: `The rocks cannot be drawn here. ${refusals.map(({ backend, error }) => `${backend}: ${errorText(error)}`).join('; ')}` });
+    else
+      this.#scene.report({
+        name: 'NoRenderer',
+        message: `The rocks cannot be drawn here. ${refusals.map(({ backend, error }) => `${backend}: ${errorText(error)}`).join('; ')}`,
+      });
     if (isWhole) this.#standing?.end();
     else this.#lack(cycle, refusals).catch((error: RockFieldError) => this.#scene.report(error));
     return isWhole;
@@ -179,7 +187,8 @@ export class RendererKeeper {
     this.#restoring = true;
     // The old canvas keeps its last picture on the screen until the new one is put in its place.
     const isWhole = await this.#open(cycle, length > MAX_LOSSES ? ['canvas2d'] : this.#backends());
-    if (!isWhole && cycle === this.#cycle) this.#scene.report({ name: 'DeviceLost', message: `the graphics device was lost${length > 1 ? ` ${length} times` : ''}: ${reason}` });
+    if (!isWhole && cycle === this.#cycle)
+      this.#scene.report({ name: 'DeviceLost', message: `the graphics device was lost${length > 1 ? ` ${length} times` : ''}: ${reason}` });
   }
 }
 

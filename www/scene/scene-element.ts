@@ -277,7 +277,10 @@ export abstract class SceneElement extends Base {
     if (!this.#isOpen) return Promise.reject(notConnected());
     if (this.#failure) return Promise.reject(new RockFieldError(this.#failure));
     return new Promise((resolve, reject) => {
-      const timer = setTimeout(() => reject(new RockFieldError({ name: 'NoPicture', message: 'there was no picture within two minutes' })), PICTURE_TIMEOUT_MS);
+      const timer = setTimeout(
+        () => reject(new RockFieldError({ name: 'NoPicture', message: 'there was no picture within two minutes' })),
+        PICTURE_TIMEOUT_MS,
+      );
       this.#waiting.push((error) => {
         clearTimeout(timer);
         if (error) reject(error);
@@ -399,7 +402,10 @@ export abstract class SceneElement extends Base {
     const say = (text: string): void => this.#tree.messages.setError(text, canRetry);
     say(error.words?.[this.language] ?? error.message);
     if (error.words || this.language === 'en') return;
-    lazily(() => import('../base/failures.ja.ts'), true).then(({ japaneseFailure }) => this.#failure === error && say(japaneseFailure(error.message)), () => undefined);
+    lazily(() => import('../base/failures.ja.ts'), true).then(
+      ({ japaneseFailure }) => this.#failure === error && say(japaneseFailure(error.message)),
+      () => undefined,
+    );
   }
 
   /** What failed is tried again: the renderer, the run. */
@@ -591,7 +597,13 @@ export abstract class SceneElement extends Base {
         isOver: () => signal?.aborted !== false || this.#painted || this.#kept.renderer !== undefined,
         tree: this.#tree,
         language: () => this.language,
-        scene: () => ({ field: this.#field, wood: this.#wood, style: this.#style, camera: this.framed ? this.#camera.framing(undefined, false, true) : this.camera, size: this.#size?.pixels }),
+        scene: () => ({
+          field: this.#field,
+          wood: this.#wood,
+          style: this.#style,
+          camera: this.framed ? this.#camera.framing(undefined, false, true) : this.camera,
+          size: this.#size?.pixels,
+        }),
       });
     } catch (thrown) {
       console.warn(thrown);

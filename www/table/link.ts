@@ -51,7 +51,11 @@ export interface DecodedLink<K extends Kind> extends Link<K> {
 }
 
 /** `own` are pairs that no row of the table tells. */
-export function encode<K extends Kind>(table: Table<K>, state: Link<K> & { defaultCamera?: CameraState | null }, own: readonly string[]): string {
+export function encode<K extends Kind>(
+  table: Table<K>,
+  state: Link<K> & { defaultCamera?: CameraState | null },
+  own: readonly string[],
+): string {
   const { params, preset, view, color, camera, defaultCamera = null } = state;
   const pairs = [`v=${LINK_VERSION}`, `preset=${preset}`, ...parameterPairs(table, params, table.presetParams(preset)), ...own];
   if (view !== table.views[0]) pairs.push(`view=${view}`);
@@ -96,14 +100,20 @@ export function decode<K extends Kind>(
 ): DecodedLink<K> {
   const reader = new LinkReader(text, keysOf(table));
   const fallback = table.presets[0]?.name ?? '';
-  const preset = reader.choice('preset', table.presets.map(({ name }) => name), fallback, 'unknown-preset');
+  const preset = reader.choice(
+    'preset',
+    table.presets.map(({ name }) => name),
+    fallback,
+    'unknown-preset',
+  );
   const base = table.presetParams(preset);
   let params = base;
   // Choices first: the notation decides the bounds of the numbers.
   const rows = [...table.rows].sort((a, b) => Number(b.kind === 'choice') - Number(a.kind === 'choice'));
   for (const row of rows) {
     const given = reader.take(row.url);
-    if (given !== undefined) params = table.written(params, row, reader.value(row, table.boundsOf(row, params), given, table.read(base, row)));
+    if (given !== undefined)
+      params = table.written(params, row, reader.value(row, table.boundsOf(row, params), given, table.read(base, row)));
   }
   const lists = readLists(table, reader, table.items(base), ownLists);
   params = readOwn(table.withItems(params, readItems(table, reader, base, params, lists)), lists, reader);
@@ -116,8 +126,16 @@ export function decode<K extends Kind>(
 }
 
 /** The lists of items, all of one length that is allowed; empty where there is nothing that can be used. */
-function readLists<K extends Kind>(table: Table<K>, reader: LinkReader, base: readonly K['item'][], others: readonly string[]): Map<string, string[]> {
-  const { itemRows, itemCount: { min, max } } = table;
+function readLists<K extends Kind>(
+  table: Table<K>,
+  reader: LinkReader,
+  base: readonly K['item'][],
+  others: readonly string[],
+): Map<string, string[]> {
+  const {
+    itemRows,
+    itemCount: { min, max },
+  } = table;
   const lists = new Map<string, string[]>();
   for (const row of itemRows) {
     const given = reader.take(row.url);
@@ -145,18 +163,28 @@ function readLists<K extends Kind>(table: Table<K>, reader: LinkReader, base: re
 
 /** Whether a list tells anything: one of which no value can be read does not even tell how many items there are. */
 export function isReadable(row: Row, list: readonly string[]): boolean {
-  const isValue = (item: string) => (row.kind === 'choice' ? row.choices.some(({ value }) => value === item) : NUMBER.test(item) || (item === NONE && row.kind.startsWith('optional')));
+  const isValue = (item: string) =>
+    row.kind === 'choice'
+      ? row.choices.some(({ value }) => value === item)
+      : NUMBER.test(item) || (item === NONE && row.kind.startsWith('optional'));
   return list.length === 0 || list.some((item) => isValue(item.trim()));
 }
 
-function readItems<K extends Kind>(table: Table<K>, reader: LinkReader, base: K['params'], params: K['params'], lists: ReadonlyMap<string, string[]>): K['item'][] {
+function readItems<K extends Kind>(
+  table: Table<K>,
+  reader: LinkReader,
+  base: K['params'],
+  params: K['params'],
+  lists: ReadonlyMap<string, string[]>,
+): K['item'][] {
   const items = table.items(base);
   const [list = items] = lists.values();
   return Array.from({ length: list.length }, (_, index) => {
     let item = items[index] ?? table.newItem(index, params);
     for (const row of table.itemRows) {
       const given = lists.get(row.url)?.[index];
-      if (given !== undefined) item = table.written(item, row, reader.value(row, table.boundsOf(row, params), given, table.read(item, row)));
+      if (given !== undefined)
+        item = table.written(item, row, reader.value(row, table.boundsOf(row, params), given, table.read(item, row)));
     }
     return item;
   });
@@ -167,7 +195,8 @@ function readCamera(reader: LinkReader): CameraState | null {
   if (given === undefined) return null;
   const numbers = given.split(',').map((item) => (NUMBER.test(item.trim()) ? Number(item) : NaN));
   const [azimuth = NaN, elevation = NaN, distance = NaN, x = NaN, y = NaN, z = NaN] = numbers;
-  if (numbers.length === CAMERA_BOUNDS.length && CAMERA_BOUNDS.every(({ min, max }, k) => numbers[k]! >= min && numbers[k]! <= max)) return { azimuth, elevation, distance, target: [x, y, z] };
+  if (numbers.length === CAMERA_BOUNDS.length && CAMERA_BOUNDS.every(({ min, max }, k) => numbers[k]! >= min && numbers[k]! <= max))
+    return { azimuth, elevation, distance, target: [x, y, z] };
   reader.note('bad-camera', 'camera', given, '');
   return null;
 }
@@ -295,7 +324,11 @@ function pairsOf(body: string): [string, string][] {
 
 /** What a person means: without escapes, and without what was not meant to be in it; full-width digits are digits. */
 function plain(text: string): string {
-  return trimmed(decoded(text).normalize('NFKC').replace(/\p{Cf}/gu, ''));
+  return trimmed(
+    decoded(text)
+      .normalize('NFKC')
+      .replace(/\p{Cf}/gu, ''),
+  );
 }
 
 function trimmed(text: string): string {

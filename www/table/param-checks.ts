@@ -28,7 +28,13 @@ interface Spec extends Range {
 }
 
 /** A value of a row, checked. `name` is how the request calls it, where that is not the key. */
-export function checkValue(spec: Spec, bounds: Range, value: unknown, at?: Place, name: string = spec.component === null ? spec.key : `${spec.key}[${spec.component}]`): number | string | null {
+export function checkValue(
+  spec: Spec,
+  bounds: Range,
+  value: unknown,
+  at?: Place,
+  name: string = spec.component === null ? spec.key : `${spec.key}[${spec.component}]`,
+): number | string | null {
   if (spec.kind === 'choice') {
     if (spec.choices.some((choice) => choice.value === value)) return value as string;
     const words = spec.choices.map((choice) => choice.value).join(' or ');
@@ -62,7 +68,13 @@ export function rejectUnknown(given: Loose, known: (key: string) => boolean, at?
   const key = Object.keys(given).find((candidate) => !known(candidate));
   if (key === undefined) return;
   const value = given[key];
-  throw new RockFieldError({ name: 'UnknownKey', key, layer: at?.index, value, message: `there is no parameter called ${shown(key)}${of(at)}` });
+  throw new RockFieldError({
+    name: 'UnknownKey',
+    key,
+    layer: at?.index,
+    value,
+    message: `there is no parameter called ${shown(key)}${of(at)}`,
+  });
 }
 
 export function wrongType(key: string, value: unknown, wanted: string, at?: Place, name: string = key): RockFieldError {
@@ -70,7 +82,15 @@ export function wrongType(key: string, value: unknown, wanted: string, at?: Plac
 }
 
 /** @param wanted what it must be instead. */
-function badValue(error: ErrorName, key: string, value: unknown, wanted: string, at: Place | undefined, name: string, { min, max }: Partial<Range> = {}): RockFieldError {
+function badValue(
+  error: ErrorName,
+  key: string,
+  value: unknown,
+  wanted: string,
+  at: Place | undefined,
+  name: string,
+  { min, max }: Partial<Range> = {},
+): RockFieldError {
   const message = `${name}${of(at)} is ${value === undefined ? 'missing' : shown(value)}; it must be ${wanted}`;
   return new RockFieldError({ name: error, key, layer: at?.index, value, min, max, message });
 }
@@ -90,6 +110,14 @@ export function isList(value: unknown): value is ArrayLike<unknown> {
 
 /** A value for a message: short, whatever it is. Objects say nothing for themselves: they may have no way to, or throw. */
 export function shown(value: unknown): string {
-  const text = isList(value) ? 'a list' : typeof value === 'string' ? JSON.stringify(value) : value instanceof Function ? 'a function' : value === Object(value) ? 'an object' : String(value);
+  const text = isList(value)
+    ? 'a list'
+    : typeof value === 'string'
+      ? JSON.stringify(value)
+      : value instanceof Function
+        ? 'a function'
+        : value === Object(value)
+          ? 'an object'
+          : String(value);
   return text.length > 60 ? `${text.slice(0, 60)}…` : text;
 }

@@ -30,7 +30,6 @@ export interface Row extends Bounds {
   choices: readonly { value: string; label: string }[];
 }
 
-
 /** An edit of such a row is drawn at once and makes nothing. */
 export const isLook = ({ stage }: Row): boolean => stage === 'look';
 /** An edit of such a row makes a new result. */

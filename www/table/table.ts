@@ -74,5 +74,10 @@ export function same<K extends Kind>(table: Table<K>, one: K['params'], other: K
   const like = (a: K['params'] | K['item'], b: K['params'] | K['item'] | undefined, rows: readonly Row[]): boolean =>
     b !== undefined && rows.every((row) => !counts(row) || table.read(a, row) === table.read(b, row));
   const [items, others] = [table.items(one), table.items(other)];
-  return like(one, other, table.rows) && items.length === others.length && items.every((item, index) => like(item, others[index], table.itemRows)) && table.sameBesides(one, other);
+  return (
+    like(one, other, table.rows) &&
+    items.length === others.length &&
+    items.every((item, index) => like(item, others[index], table.itemRows)) &&
+    table.sameBesides(one, other)
+  );
 }

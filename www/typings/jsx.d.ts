@@ -8,8 +8,14 @@ import type { RockFieldListeners, RockFieldProps, WoodEarLogListeners, WoodEarLo
 declare module 'react' {
   namespace JSX {
     interface IntrinsicElements {
-      'rock-field': Omit<HTMLAttributes<RockFieldElement>, keyof RockFieldProps> & RefAttributes<RockFieldElement> & RockFieldProps & RockFieldListeners;
-      'wood-ear-log': Omit<HTMLAttributes<WoodEarLogElement>, keyof WoodEarLogProps | keyof WoodEarLogListeners> & RefAttributes<WoodEarLogElement> & WoodEarLogProps & WoodEarLogListeners;
+      'rock-field': Omit<HTMLAttributes<RockFieldElement>, keyof RockFieldProps> &
+        RefAttributes<RockFieldElement> &
+        RockFieldProps &
+        RockFieldListeners;
+      'wood-ear-log': Omit<HTMLAttributes<WoodEarLogElement>, keyof WoodEarLogProps | keyof WoodEarLogListeners> &
+        RefAttributes<WoodEarLogElement> &
+        WoodEarLogProps &
+        WoodEarLogListeners;
     }
   }
 }

@@ -23,18 +23,28 @@ interface Shared {
 type Text<Value> = Value extends string | boolean ? Value : Value extends number ? `${number}` : string;
 
 /** `image-width` */
-type Kebab<Name extends string> = Name extends `${infer First}${infer Rest}` ? `${First extends Lowercase<First> ? First : `-${Lowercase<First>}`}${Kebab<Rest>}` : '';
+type Kebab<Name extends string> = Name extends `${infer First}${infer Rest}`
+  ? `${First extends Lowercase<First> ? First : `-${Lowercase<First>}`}${Kebab<Rest>}`
+  : '';
 
 /** Properties whose attribute has another name. */
-type Renamed<Properties> = Properties & Pick<ReflectedProperties<string>, 'autoRotate'> & Pick<RockFieldElement, 'cameraOrbit' | 'metresPerPixel'>;
+type Renamed<Properties> = Properties &
+  Pick<ReflectedProperties<string>, 'autoRotate'> &
+  Pick<RockFieldElement, 'cameraOrbit' | 'metresPerPixel'>;
 type Attributes<Properties> = {
-  [Name in keyof Properties & string as Kebab<Name> extends Name ? never : Kebab<Name>]: Text<Properties[Name]> | Extract<Properties[Name], number>;
+  [Name in keyof Properties & string as Kebab<Name> extends Name ? never : Kebab<Name>]:
+    | Text<Properties[Name]>
+    | Extract<Properties[Name], number>;
 };
 
 type Optional<Props> = { [Name in keyof Props]?: Props[Name] | undefined };
 
 export type RockFieldProps = Optional<
-  Parameters<ParameterProperties> & Reflected<PresetName> & Pick<RockFieldElement, SceneProperty | 'layers'> & Shared & Attributes<Renamed<ParameterProperties>>
+  Parameters<ParameterProperties> &
+    Reflected<PresetName> &
+    Pick<RockFieldElement, SceneProperty | 'layers'> &
+    Shared &
+    Attributes<Renamed<ParameterProperties>>
 >;
 
 export type WoodEarLogProps = Optional<

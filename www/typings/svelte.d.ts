@@ -7,7 +7,11 @@ import type { RockFieldListeners, RockFieldProps, WoodEarLogListeners, WoodEarLo
 
 declare module 'svelte/elements' {
   interface SvelteHTMLElements {
-    'rock-field': Omit<HTMLAttributes<RockFieldElement>, keyof RockFieldProps | keyof RockFieldListeners> & RockFieldProps & RockFieldListeners;
-    'wood-ear-log': Omit<HTMLAttributes<WoodEarLogElement>, keyof WoodEarLogProps | keyof WoodEarLogListeners> & WoodEarLogProps & WoodEarLogListeners;
+    'rock-field': Omit<HTMLAttributes<RockFieldElement>, keyof RockFieldProps | keyof RockFieldListeners> &
+      RockFieldProps &
+      RockFieldListeners;
+    'wood-ear-log': Omit<HTMLAttributes<WoodEarLogElement>, keyof WoodEarLogProps | keyof WoodEarLogListeners> &
+      WoodEarLogProps &
+      WoodEarLogListeners;
   }
 }

@@ -9,7 +9,13 @@ type Listened<EventMap> = { [Type in keyof EventMap]: (event: EventMap[Type]) =>
 
 declare module 'vue' {
   interface GlobalComponents {
-    'rock-field': new () => RockFieldElement & { $props: Omit<HTMLAttributes, keyof RockFieldProps> & RockFieldProps & PublicProps; $emit: EmitFn<Listened<RockFieldEventMap>> };
-    'wood-ear-log': new () => WoodEarLogElement & { $props: Omit<HTMLAttributes, keyof WoodEarLogProps> & WoodEarLogProps & PublicProps; $emit: EmitFn<Listened<WoodEarLogEventMap>> };
+    'rock-field': new () => RockFieldElement & {
+      $props: Omit<HTMLAttributes, keyof RockFieldProps> & RockFieldProps & PublicProps;
+      $emit: EmitFn<Listened<RockFieldEventMap>>;
+    };
+    'wood-ear-log': new () => WoodEarLogElement & {
+      $props: Omit<HTMLAttributes, keyof WoodEarLogProps> & WoodEarLogProps & PublicProps;
+      $emit: EmitFn<Listened<WoodEarLogEventMap>>;
+    };
   }
 }

@@ -16,7 +16,10 @@ export const WOOD_EAR_ATTRIBUTES = attributesOf(WOOD_EARS.rows);
 export function readWoodEarAttributes(get: (name: string) => string | null): ElementAttributes<WoodEars> {
   const reader = new AttributeReader(WOOD_EARS, get);
   const source = reader.source({
-    ofRequest: (request) => ({ params: WOOD_EARS.resolve(request as object), preset: (request as WoodEarSceneRequest).preset ?? WOOD_EARS.presets[0]!.name }),
+    ofRequest: (request) => ({
+      params: WOOD_EARS.resolve(request as object),
+      preset: (request as WoodEarSceneRequest).preset ?? WOOD_EARS.presets[0]!.name,
+    }),
     ofLink: decodeWoodEarLink,
   });
   const params = reader.rows(WOOD_EAR_ATTRIBUTES, source.params);

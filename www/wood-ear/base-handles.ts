@@ -38,7 +38,12 @@ const CLICK_MS = 500;
 const DOUBLE_MS = 400;
 /** CSS px for each press of an arrow key. */
 const KEY_STEP = 10;
-const ARROWS: Readonly<Record<string, readonly [number, number]>> = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1] };
+const ARROWS: Readonly<Record<string, readonly [number, number]>> = {
+  ArrowLeft: [-1, 0],
+  ArrowRight: [1, 0],
+  ArrowUp: [0, -1],
+  ArrowDown: [0, 1],
+};
 
 const STYLES = `
 .handles { position: absolute; inset: 0; overflow: hidden; pointer-events: none; opacity: 0; transition: opacity .15s }
@@ -80,7 +85,10 @@ export class BaseHandles {
     stage.addEventListener('pointermove', (event) => this.#hover(event), { signal });
     stage.addEventListener('keydown', (event) => this.#key(event), { signal });
     // Two clicks on the log are no wish to see everything.
-    stage.addEventListener('dblclick', (event) => this.#isEditable && this.#pick(event) && event.stopImmediatePropagation(), { signal, capture: true });
+    stage.addEventListener('dblclick', (event) => this.#isEditable && this.#pick(event) && event.stopImmediatePropagation(), {
+      signal,
+      capture: true,
+    });
     signal.addEventListener('abort', () => this.#box.remove());
   }
 
@@ -100,7 +108,8 @@ export class BaseHandles {
       const handle = this.#box.children[index] as HTMLButtonElement;
       const at = project(eye, place, aspect());
       handle.disabled = at === null;
-      if (at) handle.style.transform = `translate(${(((at[0] + 1) * clientWidth) / 2).toFixed(1)}px, ${(((1 - at[1]) * clientHeight) / 2).toFixed(1)}px)`;
+      if (at)
+        handle.style.transform = `translate(${(((at[0] + 1) * clientWidth) / 2).toFixed(1)}px, ${(((1 - at[1]) * clientHeight) / 2).toFixed(1)}px)`;
       handle.ariaLabel = sayBase(language(), index + 1, places.length);
       handle.title = handle.ariaLabel;
     });
@@ -132,10 +141,14 @@ export class BaseHandles {
     };
     this.#box.classList.add('is-held');
     this.#owner.hold(true);
-    handle.addEventListener('pointermove', (event) => {
-      const point = this.#pick(event);
-      if (point) this.#owner.move(index, point);
-    }, { signal });
+    handle.addEventListener(
+      'pointermove',
+      (event) => {
+        const point = this.#pick(event);
+        if (point) this.#owner.move(index, point);
+      },
+      { signal },
+    );
     for (const type of ['pointerup', 'pointercancel', 'lostpointercapture'] as const) handle.addEventListener(type, end, { signal });
   }
 
@@ -148,7 +161,10 @@ export class BaseHandles {
     } else if (step) {
       const { left, top, width, height } = handle.getBoundingClientRect();
       const far = event.shiftKey ? 4 : 1;
-      const point = this.#pick({ clientX: left + width / 2 + far * KEY_STEP * step[0], clientY: top + height / 2 + far * KEY_STEP * step[1] });
+      const point = this.#pick({
+        clientX: left + width / 2 + far * KEY_STEP * step[0],
+        clientY: top + height / 2 + far * KEY_STEP * step[1],
+      });
       if (point) this.#owner.move(index, point);
     } else return;
     event.preventDefault();

@@ -15,21 +15,33 @@ export const woodEarPresets: Readonly<Record<WoodEarPresetName, Readonly<WoodEar
 export const woodEarSchema: JsonSchema = /* @__PURE__ */ requestSchema();
 
 function allPresets(): Readonly<Record<WoodEarPresetName, Readonly<WoodEarParams>>> {
-  return frozen(Object.fromEntries(WOOD_EAR_PRESETS.map(({ name }) => [name, woodEarPreset(name)])) as Record<WoodEarPresetName, WoodEarParams>);
+  return frozen(
+    Object.fromEntries(WOOD_EAR_PRESETS.map(({ name }) => [name, woodEarPreset(name)])) as Record<WoodEarPresetName, WoodEarParams>,
+  );
 }
 
 function requestSchema(): JsonSchema {
   const object = (properties: JsonSchema) => ({ type: 'object', additionalProperties: false, properties });
   const [x, y, z, range] = BASE_ROWS.map(valueSchema);
-  const base = object({ position: { type: 'array', prefixItems: [x, y, z], minItems: 3, maxItems: 3, default: [x, y, z].map((part) => part?.['default']) }, range });
+  const base = object({
+    position: { type: 'array', prefixItems: [x, y, z], minItems: 3, maxItems: 3, default: [x, y, z].map((part) => part?.['default']) },
+    range,
+  });
   const logValues: JsonSchema = Object.fromEntries(LOG_ROWS.map((spec) => [logName(spec.key), valueSchema(spec)]));
   const list = (minimum: number) => ({ type: 'array', items: { type: 'number', minimum } });
-  const mesh = { ...object({ positions: { type: 'array', items: { type: 'number' } }, indices: list(0), spacing: logValues['spacing'] }), required: ['positions', 'indices'] };
+  const mesh = {
+    ...object({ positions: { type: 'array', items: { type: 'number' } }, indices: list(0), spacing: logValues['spacing'] }),
+    required: ['positions', 'indices'],
+  };
   return frozen({
     $schema: 'https://json-schema.org/draft/2020-12/schema',
     title: 'Request for a colony of wood ears',
     ...object({
-      preset: { enum: WOOD_EAR_PRESETS.map(({ name }) => name), default: WOOD_EAR_PRESETS[0].name, description: 'Fills every parameter; each key given then replaces it.' },
+      preset: {
+        enum: WOOD_EAR_PRESETS.map(({ name }) => name),
+        default: WOOD_EAR_PRESETS[0].name,
+        description: 'Fills every parameter; each key given then replaces it.',
+      },
       ...Object.fromEntries(COLONY_ROWS.map((spec) => [spec.key, valueSchema(spec)])),
       log: { anyOf: [object(logValues), mesh], description: 'The log that is made, or one of your own.' },
       base: { ...base, description: 'The only base.' },

@@ -68,9 +68,17 @@ type EventMap = Omit<HTMLElementEventMap, keyof WoodEarLogEventMap> & WoodEarLog
 
 /** The accessors are made from lists: of the parameter table, and of attributes. */
 export interface WoodEarLogElement extends WoodEarProperties, ReflectedProperties<WoodEarPresetName> {
-  addEventListener<Type extends keyof EventMap>(type: Type, listener: (this: WoodEarLogElement, event: EventMap[Type]) => void, options?: boolean | AddEventListenerOptions): void;
+  addEventListener<Type extends keyof EventMap>(
+    type: Type,
+    listener: (this: WoodEarLogElement, event: EventMap[Type]) => void,
+    options?: boolean | AddEventListenerOptions,
+  ): void;
   addEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | AddEventListenerOptions): void;
-  removeEventListener<Type extends keyof EventMap>(type: Type, listener: (this: WoodEarLogElement, event: EventMap[Type]) => void, options?: boolean | EventListenerOptions): void;
+  removeEventListener<Type extends keyof EventMap>(
+    type: Type,
+    listener: (this: WoodEarLogElement, event: EventMap[Type]) => void,
+    options?: boolean | EventListenerOptions,
+  ): void;
   removeEventListener(type: string, listener: EventListenerOrEventListenerObject, options?: boolean | EventListenerOptions): void;
 }
 
@@ -240,7 +248,11 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     if (scale !== 1) this.notify(sayOfLog(this.language, 'scaled'));
   }
 
-  protected override detailOf({ colony, ground }: WoodEarScene, superseded: boolean, isPreview: boolean): WoodEarLogEventMap['generate']['detail'] {
+  protected override detailOf(
+    { colony, ground }: WoodEarScene,
+    superseded: boolean,
+    isPreview: boolean,
+  ): WoodEarLogEventMap['generate']['detail'] {
     return { stats: colony.stats, colony, field: ground, superseded, isPreview };
   }
 
@@ -273,7 +285,16 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     const { signal } = this.#listening;
     this.#handles = new BaseHandles(this.shadowRoot as ShadowRoot, this.#handlesOwner(), signal);
     const root = this.shadowRoot as ShadowRoot;
-    listenToDrops(this, { root, language: () => this.language, isOpen: () => this.editable && !this.hasAttribute('disabled'), open: (files) => this.#open(files) }, signal);
+    listenToDrops(
+      this,
+      {
+        root,
+        language: () => this.language,
+        isOpen: () => this.editable && !this.hasAttribute('disabled'),
+        open: (files) => this.#open(files),
+      },
+      signal,
+    );
   }
 
   protected override closed(): void {
@@ -316,7 +337,10 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
         // Where they are on the log; those that have just been moved are not there yet.
         const snapped = this.#shown?.colony.bases ?? [];
         return this.params.bases.map(({ position }, k) => {
-          const [x, y, z] = this.#isHeld || snapped.length !== 3 * this.params.bases.length ? position : (Array.from(snapped.slice(3 * k, 3 * k + 3)) as Vector);
+          const [x, y, z] =
+            this.#isHeld || snapped.length !== 3 * this.params.bases.length
+              ? position
+              : (Array.from(snapped.slice(3 * k, 3 * k + 3)) as Vector);
           return [px + scale * x, py + scale * y, pz + scale * z];
         });
       },
@@ -324,8 +348,12 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
         const { colony } = this.#shown ?? {};
         if (!colony) return null;
         const scale = this.#wood?.place[3] ?? 1;
-        const hit = firstHit({ from: at(ray.from), along: ray.along.map((value) => value / scale) as Vector }, colony.log.positions, colony.log.indices);
-        return hit && hit.map((value) => Math.round(10 * value) / 10) as Vector;
+        const hit = firstHit(
+          { from: at(ray.from), along: ray.along.map((value) => value / scale) as Vector },
+          colony.log.positions,
+          colony.log.indices,
+        );
+        return hit && (hit.map((value) => Math.round(10 * value) / 10) as Vector);
       },
       place: (position) => withBases((bases) => [...bases, { position, range: null }]),
       move: (index, position) => withBases((bases) => bases.map((base, k) => (k === index ? { ...base, position } : base))),

@@ -34,7 +34,10 @@ export interface WoodEarGenerator {
   dispose(): void;
 }
 
-class HeadlessWoodEars extends Headless<WoodEarModule, WoodEarRequest, FlatColony, WoodEarColony, WoodEarStage> implements WoodEarGenerator {
+class HeadlessWoodEars
+  extends Headless<WoodEarModule, WoodEarRequest, FlatColony, WoodEarColony, WoodEarStage>
+  implements WoodEarGenerator
+{
   protected encode(request: WoodEarRequest | undefined, maxBytes: number): FlatColony {
     return flatColony(request, maxBytes);
   }
@@ -49,7 +52,11 @@ export async function openWoodEars(realm: Realm<WoodEarModule>, { wasm }: Genera
 }
 
 /** One colony, no cache kept. */
-export async function growOnce(realm: Realm<WoodEarModule>, request?: WoodEarRequest, { wasm, ...options }: WoodEarOptions & GeneratorOptions = {}): Promise<WoodEarColony> {
+export async function growOnce(
+  realm: Realm<WoodEarModule>,
+  request?: WoodEarRequest,
+  { wasm, ...options }: WoodEarOptions & GeneratorOptions = {},
+): Promise<WoodEarColony> {
   const generator = await openWoodEars(realm, { wasm });
   try {
     return await generator.generate(request, options);

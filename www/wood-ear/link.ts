@@ -28,7 +28,12 @@ function nested(link: string): string {
 }
 
 function unnested(text: string): string {
-  return /^v\.\d/.test(text) ? text.split('_').map((pair) => pair.replace('.', '=')).join('&') : text;
+  return /^v\.\d/.test(text)
+    ? text
+        .split('_')
+        .map((pair) => pair.replace('.', '='))
+        .join('&')
+    : text;
 }
 
 function withGround(params: WoodEarSceneParams, _lists: ReadonlyMap<string, string[]>, reader: LinkReader): WoodEarSceneParams {

@@ -22,10 +22,15 @@ export function meshOf(log: Loose): LogMesh {
   const positions = numbersOf('positions', log['positions']);
   const given = numbersOf('indices', log['indices']);
   for (const { length: value } of [positions, given]) {
-    if (value % 3 !== 0) throw refused('LogNotInThrees', `the log's positions and its indices must come in threes; there are ${value}`, { value });
+    if (value % 3 !== 0)
+      throw refused('LogNotInThrees', `the log's positions and its indices must come in threes; there are ${value}`, { value });
   }
-  for (const [value, max] of [[positions.length / 3, MOST_VERTICES], [given.length / 3, MOST_TRIANGLES]] as const) {
-    if (value > max) throw refused('LogTooLarge', `the log has ${value} vertices or triangles; it may have at most ${max}`, { value, min: 0, max });
+  for (const [value, max] of [
+    [positions.length / 3, MOST_VERTICES],
+    [given.length / 3, MOST_TRIANGLES],
+  ] as const) {
+    if (value > max)
+      throw refused('LogTooLarge', `the log has ${value} vertices or triangles; it may have at most ${max}`, { value, min: 0, max });
   }
   const indices = new Uint32Array(given);
   const scale = scaleOfLog(extent(positions, indices));
@@ -34,13 +39,21 @@ export function meshOf(log: Loose): LogMesh {
   const far = farAway(scaled);
   if (far >= 0) {
     const value = positions[far]! * scale;
-    throw refused('LogBadPosition', `vertex ${Math.floor(far / 3)} of the log has the coordinate ${value}, not within 100 m of the origin`, { value, min: -FARTHEST, max: FARTHEST });
+    throw refused(
+      'LogBadPosition',
+      `vertex ${Math.floor(far / 3)} of the log has the coordinate ${value}, not within 100 m of the origin`,
+      { value, min: -FARTHEST, max: FARTHEST },
+    );
   }
   const max = positions.length / 3 - 1;
   const missing = notAmong(indices, given, max);
   if (missing >= 0) {
     const value = given[missing]!;
-    throw refused('LogBadIndex', `triangle ${Math.floor(missing / 3)} of the log names vertex ${value}, which is not there`, { value, min: 0, max });
+    throw refused('LogBadIndex', `triangle ${Math.floor(missing / 3)} of the log names vertex ${value}, which is not there`, {
+      value,
+      min: 0,
+      max,
+    });
   }
   if (!hasArea(scaled, indices)) throw refused('LogNoArea', 'no triangle of the log has an area');
   return { positions: scaled, indices, scale };
@@ -121,7 +134,8 @@ function numbersOf(key: string, value: unknown): ArrayLike<number> {
   const list = isList(value) ? value : undefined;
   let isRight = list !== undefined;
   // A typed array holds numbers and nothing else, so that its entries need not be looked at.
-  const isTyped = list instanceof Float32Array || list instanceof Float64Array || list instanceof Uint32Array || list instanceof Uint16Array;
+  const isTyped =
+    list instanceof Float32Array || list instanceof Float64Array || list instanceof Uint32Array || list instanceof Uint16Array;
   for (let i = 0; !isTyped && isRight && i < list!.length; i += 1) isRight = typeof list![i] === 'number';
   if (!isRight) throw wrongType(key, value, 'a list of numbers', { name: 'the log' });
   return list as ArrayLike<number>;

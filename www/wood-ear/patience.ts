@@ -14,6 +14,11 @@ export function isSlowThesis({ stage, secondsLeft = 0 }: Progress<WoodEarStage>,
 /** "100 seconds", "2 minutes"; in two digits, since it is an estimate. */
 export function timeLeft({ secondsLeft = 0 }: Progress<WoodEarStage>, language: Language): string {
   const isLong = secondsLeft > 100;
-  const format = new Intl.NumberFormat(language, { style: 'unit', unit: isLong ? 'minute' : 'second', unitDisplay: 'long', maximumSignificantDigits: isLong ? 2 : 1 });
+  const format = new Intl.NumberFormat(language, {
+    style: 'unit',
+    unit: isLong ? 'minute' : 'second',
+    unitDisplay: 'long',
+    maximumSignificantDigits: isLong ? 2 : 1,
+  });
   return format.format(isLong ? secondsLeft / 60 : secondsLeft);
 }

@@ -10,7 +10,11 @@ import { MAX_BASES, WOOD_EAR_PARAMS, WOOD_EAR_PRESETS } from './params.gen.ts';
 
 type Row = (typeof WOOD_EAR_PARAMS)[number];
 type FieldRow = Extract<Row, { scope: 'field' }>;
-type ValueOf<R extends Row> = R extends { kind: 'choice' } ? R['choices'][number]['value'] : R extends { kind: 'optional-real' } ? number | null : number;
+type ValueOf<R extends Row> = R extends { kind: 'choice' }
+  ? R['choices'][number]['value']
+  : R extends { kind: 'optional-real' }
+    ? number | null
+    : number;
 
 export type WoodEarPresetName = (typeof WOOD_EAR_PRESETS)[number]['name'];
 
@@ -18,7 +22,16 @@ export type WoodEarPresetName = (typeof WOOD_EAR_PRESETS)[number]['name'];
 export type WoodEarLogShape = { [R in FieldRow as R['key'] extends `log${infer Name}` ? Uncapitalize<Name> : never]: ValueOf<R> };
 
 /** Numbers in an array, or in a typed one. */
-export type Numbers = readonly number[] | Float32Array | Float64Array | Int8Array | Uint8Array | Int16Array | Uint16Array | Int32Array | Uint32Array;
+export type Numbers =
+  | readonly number[]
+  | Float32Array
+  | Float64Array
+  | Int8Array
+  | Uint8Array
+  | Int16Array
+  | Uint16Array
+  | Int32Array
+  | Uint32Array;
 
 /**
  * A log of one's own: cm, z up, triangles counter-clockwise from outside.
@@ -41,7 +54,10 @@ export interface WoodEarBase {
   range: number | null;
 }
 
-export type WoodEarParams = { [R in FieldRow as R['key'] extends `log${string}` ? never : R['key']]: ValueOf<R> } & { log: WoodEarLogShape; bases: WoodEarBase[] };
+export type WoodEarParams = { [R in FieldRow as R['key'] extends `log${string}` ? never : R['key']]: ValueOf<R> } & {
+  log: WoodEarLogShape;
+  bases: WoodEarBase[];
+};
 
 /** The rows as properties of an element: `logLength` too. */
 export type WoodEarProperties = { [R in FieldRow as R['key']]: ValueOf<R> };
@@ -50,10 +66,10 @@ type Some<T> = { [K in keyof T]?: T[K] | undefined };
 
 /** A preset fills everything, each key given then replaces it; `base` is a single one of `bases`, which replace the whole list. */
 export type WoodEarRequest = { preset?: WoodEarPresetName | undefined } & Some<Omit<WoodEarParams, 'log' | 'bases'>> & {
-  log?: Some<WoodEarLogShape> | WoodEarLogMesh | undefined;
-  base?: Some<WoodEarBase> | undefined;
-  bases?: readonly Some<WoodEarBase>[] | undefined;
-};
+    log?: Some<WoodEarLogShape> | WoodEarLogMesh | undefined;
+    base?: Some<WoodEarBase> | undefined;
+    bases?: readonly Some<WoodEarBase>[] | undefined;
+  };
 
 /** A colony to grow, in the form that crosses every boundary. */
 export interface FlatColony {
@@ -142,7 +158,8 @@ function baseOf(entry: unknown, index: number): WoodEarBase {
 
 /** Nothing is checked: Rust does that. */
 export function encodeColony({ bases, log, ...params }: WoodEarParams): Float64Array {
-  const value = ({ key }: WoodEarSpec): unknown => (key in params ? (params as unknown as Loose)[key] : (log as unknown as Loose)[logName(key)]);
+  const value = ({ key }: WoodEarSpec): unknown =>
+    key in params ? (params as unknown as Loose)[key] : (log as unknown as Loose)[logName(key)];
   const flat = rows.filter(({ scope }) => scope === 'field').map((spec) => encode(spec, value(spec)));
   const [x, y, z, range] = BASE_ROWS as [WoodEarSpec, WoodEarSpec, WoodEarSpec, WoodEarSpec];
   flat.push(bases.length);
@@ -158,7 +175,12 @@ export function flatColony(request: WoodEarRequest | undefined, maxBytes: number
 
 function basesOf({ base, bases }: Loose): readonly unknown[] | undefined {
   if (base !== undefined && bases !== undefined) {
-    throw new RockFieldError({ name: 'MalformedRequest', key: 'base', value: base, message: 'the request has both base and bases; it must have one of them' });
+    throw new RockFieldError({
+      name: 'MalformedRequest',
+      key: 'base',
+      value: base,
+      message: 'the request has both base and bases; it must have one of them',
+    });
   }
   if (base !== undefined) return [base];
   if (bases === undefined) return undefined;

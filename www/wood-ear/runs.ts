@@ -94,9 +94,11 @@ export class WoodEarSceneClient implements RunClient<WoodEarSceneParams, WoodEar
       return;
     }
     // An error is told by the run, which waits for the same rocks.
-    const waiting = ground.field.then(show, () => undefined).finally(() => {
-      if (this.#waiting === waiting) this.#waiting = undefined;
-    });
+    const waiting = ground.field
+      .then(show, () => undefined)
+      .finally(() => {
+        if (this.#waiting === waiting) this.#waiting = undefined;
+      });
     this.#waiting = waiting;
   }
 
@@ -136,7 +138,9 @@ function sceneOf(colony: WoodEarColony, ground: Field, params: WoodEarSceneParam
 
 /** What is wrong with a parameter of the rocks is wrong with the ground, which has no such parameter of its own. */
 function ofGround(thrown: unknown): unknown {
-  return isCoded(thrown) && thrown.key ? new RockFieldError({ ...errorInfo(thrown), key: 'ground', layer: undefined, message: `ground: ${thrown.message}` }) : thrown;
+  return isCoded(thrown) && thrown.key
+    ? new RockFieldError({ ...errorInfo(thrown), key: 'ground', layer: undefined, message: `ground: ${thrown.message}` })
+    : thrown;
 }
 
 /** Soil without a rock. */

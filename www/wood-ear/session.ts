@@ -58,7 +58,12 @@ export function woodEarLoop(): LoopCraft<WoodEarModule, FlatColony, WoodEarColon
       const result: PackedColony = { ...colony, log: log === crossed ? null : log };
       crossed = log;
       const { positions, normals, indices, individualStarts, vertexStarts, foot, size, base, bases } = colony;
-      return { result, transfer: [positions, normals, indices, individualStarts, vertexStarts, foot, size, base, bases].map(({ buffer }) => buffer as ArrayBuffer) };
+      return {
+        result,
+        transfer: [positions, normals, indices, individualStarts, vertexStarts, foot, size, base, bases].map(
+          ({ buffer }) => buffer as ArrayBuffer,
+        ),
+      };
     },
   };
 }

@@ -62,10 +62,19 @@ function scenePreset(name: string): WoodEarSceneParams {
 
 function resolve({ ground, mesh, ...request }: WoodEarSceneRequest): WoodEarSceneParams {
   if (ground !== undefined && (typeof ground !== 'string' || ground.length > MAX_GROUND_LENGTH)) {
-    throw new RockFieldError({ name: 'WrongType', key: 'ground', value: ground, message: 'ground must be a link to a field of rocks, or empty' });
+    throw new RockFieldError({
+      name: 'WrongType',
+      key: 'ground',
+      value: ground,
+      message: 'ground must be a link to a field of rocks, or empty',
+    });
   }
   const resolved = resolveColony(request);
-  return { ...resolved.params, ground: ground ?? scenePreset(request.preset ?? WOOD_EAR_PRESETS[0].name).ground, mesh: mesh ? flatMesh(mesh) : resolved.mesh };
+  return {
+    ...resolved.params,
+    ground: ground ?? scenePreset(request.preset ?? WOOD_EAR_PRESETS[0].name).ground,
+    mesh: mesh ? flatMesh(mesh) : resolved.mesh,
+  };
 }
 
 /** The same object where it is flat already and in cm: what was made of it is not made again. */
@@ -93,7 +102,10 @@ export const WOOD_EARS: Table<WoodEars> = {
   presetParams: scenePreset,
   items: ({ bases }) => bases,
   withItems: (params, bases) => ({ ...params, bases: [...bases] }),
-  newItem: (index, { bases }) => ({ position: [...(bases[index - 1] ?? bases[0] ?? { position: [0, 0, 0] as const }).position], range: null }),
+  newItem: (index, { bases }) => ({
+    position: [...(bases[index - 1] ?? bases[0] ?? { position: [0, 0, 0] as const }).position],
+    range: null,
+  }),
   boundsOf: (row) => row,
   unitOf: ({ unit }) => unit.px,
   read: (owner, { key, scope }) => {

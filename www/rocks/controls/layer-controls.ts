@@ -72,6 +72,7 @@ function fillBy(store: RockStore, layer: Layer, index: number): TemplateResult {
     ],
     value: layer.cellCount === null ? 'area' : 'count',
     // As many as there are, so that the switch itself changes nothing.
-    action: (by) => setCount(by === 'area' ? null : (store.field?.layers.find(({ id }) => id === layer.id)?.selected.length ?? FALLBACK_COUNT)),
+    action: (by) =>
+      setCount(by === 'area' ? null : (store.field?.layers.find(({ id }) => id === layer.id)?.selected.length ?? FALLBACK_COUNT)),
   });
 }

@@ -17,13 +17,18 @@ import type { RockStore } from './store.ts';
 export class RockPanel extends Panel<Rocks> {
   declare store: RockStore;
   protected override readonly deferred = ROCK_LATER;
-  protected declare later: RockLater | undefined;
+  declare protected later: RockLater | undefined;
   /** Ids of the layers whose cards are open. */
   readonly #openLayers = new Set<number>();
 
   override connectedCallback(): void {
     super.connectedCallback();
-    const { params: { layers: [first] }, color } = this.store;
+    const {
+      params: {
+        layers: [first],
+      },
+      color,
+    } = this.store;
     // Of a natural ground the look comes first, and the layers as an overview.
     if (first && color !== 'natural') this.#openLayers.add(first.id);
   }

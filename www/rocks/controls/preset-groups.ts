@@ -15,14 +15,33 @@ const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map
 /** The natural grounds, then the figures of the papers. */
 export function presetGroups(language: Language): PresetGroup[] {
   const presets: readonly Preset[] = PRESETS;
-  const group = (label: string, isPictured: boolean, belongs: (preset: Preset) => boolean, words: (preset: Preset) => string): PresetGroup => ({
+  const group = (
+    label: string,
+    isPictured: boolean,
+    belongs: (preset: Preset) => boolean,
+    words: (preset: Preset) => string,
+  ): PresetGroup => ({
     label,
     isPictured,
-    presets: presets.filter((preset) => Boolean(preset.natural) === isPictured && belongs(preset)).map((preset) => ({ name: preset.name, words: words(preset) })),
+    presets: presets
+      .filter((preset) => Boolean(preset.natural) === isPictured && belongs(preset))
+      .map((preset) => ({ name: preset.name, words: words(preset) })),
   });
   return [
-    group(later(language, 'natural'), true, () => true, (preset) => presetName(language, preset)),
-    ...PAPERS.map((paper) => group(translate(language, paper), false, ({ name }) => paperOf(name) === paper, (preset) => presetLabel(language, preset, COLUMNS))),
+    group(
+      later(language, 'natural'),
+      true,
+      () => true,
+      (preset) => presetName(language, preset),
+    ),
+    ...PAPERS.map((paper) =>
+      group(
+        translate(language, paper),
+        false,
+        ({ name }) => paperOf(name) === paper,
+        (preset) => presetLabel(language, preset, COLUMNS),
+      ),
+    ),
   ];
 }
 

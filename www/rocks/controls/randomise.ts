@@ -40,7 +40,11 @@ export function randomParams(params: Params, { seed, preset, lock = [] }: Draw):
   const isNatural = presets.some(({ name, natural }) => name === preset && natural);
   let layers = isNatural ? variedLayers(params, preset, seed) : newLayers(params, seed);
   const { notation } = params;
-  if (lock.includes('radius')) layers = params.layers.map((old, k) => ({ ...scaledLayer(layers[k] ?? layers.at(-1) ?? old, old.radius, notation).scaled, id: old.id }));
+  if (lock.includes('radius'))
+    layers = params.layers.map((old, k) => ({
+      ...scaledLayer(layers[k] ?? layers.at(-1) ?? old, old.radius, notation).scaled,
+      id: old.id,
+    }));
   layers = layers.map((layer, k) => {
     const { taper, height } = params.layers[k] ?? layer;
     return { ...layer, ...(lock.includes('taper') && { taper }), ...(lock.includes('height') && { height }) };
@@ -92,7 +96,11 @@ function newLayers(params: Params, seed: number): Layer[] {
     const r = radius;
     const height = (share: number) => (isRelative ? rounded(share) : length(share * r));
     const taper: Triple = [length(overhang * r), length(between(0, 0.15) * r), length(between(0, 0.12) * r)];
-    const heights: Triple = [height(steepness * between(0.3, 0.7)), height(steepness * between(0, 0.6)), height(steepness * between(0.1, 0.4))];
+    const heights: Triple = [
+      height(steepness * between(0.3, 0.7)),
+      height(steepness * between(0, 0.6)),
+      height(steepness * between(0.1, 0.4)),
+    ];
     const areaFraction = rounded(isFinest ? between(0.35, 0.6) : between(0.1, 0.3));
     const like = params.layers[id] ?? params.layers.at(-1) ?? defaultLayer(id, notation);
     layers.push({ ...like, id, radius: length(r), areaFraction, cellCount: null, taper, height: heights });

@@ -55,7 +55,9 @@ function layerTable(store: RockStore, layers: readonly FieldLayer[]): TemplateRe
 function layerRow(store: RockStore, layer: FieldLayer, index: number): TemplateResult {
   const { language } = store;
   const mark = (isSaturated: boolean, why: string) =>
-    isSaturated ? html`<span class="saturated" title=${why}><span aria-hidden="true">●</span><span class="visually-hidden">${later(store.language, 'saturated')}</span></span>` : nothing;
+    isSaturated
+      ? html`<span class="saturated" title=${why}><span aria-hidden="true">●</span><span class="visually-hidden">${later(store.language, 'saturated')}</span></span>`
+      : nothing;
   return html`
     <tr>
       <th scope="row">

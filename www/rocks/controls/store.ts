@@ -26,7 +26,7 @@ type RockStoreLater = StoreLater & typeof layers & typeof notation & typeof scal
 export class RockStore extends Store<Rocks> {
   /** Whether height and taper stay when the radius changes; else they keep their proportions. */
   keepsShape = false;
-  protected declare readonly later: Deferred<RockStoreLater>;
+  declare protected readonly later: Deferred<RockStoreLater>;
   /** The layer whose radius was changed last, as it was before, and as it is. All that follows is measured from there: a drag rounds nothing away. */
   #resized: { from: Layer; to: Layer } | undefined;
 
@@ -58,7 +58,8 @@ export class RockStore extends Store<Rocks> {
 
   override setParam(row: Row, item: number | null, value: number | string | null): void {
     if (row.key === 'notation') void this.setNotation(value as Notation);
-    else if (row.key === 'radius' && item !== null && !this.keepsShape) void this.later.use((later) => this.#resize(later, row, item, Number(value)));
+    else if (row.key === 'radius' && item !== null && !this.keepsShape)
+      void this.later.use((later) => this.#resize(later, row, item, Number(value)));
     else super.setParam(row, item, value);
   }
 
@@ -78,7 +79,11 @@ export class RockStore extends Store<Rocks> {
     const from = layer === this.#resized?.to ? this.#resized.from : layer;
     const { scaled, isClamped } = scaledLayer(from, radius, notation);
     this.#resized = { from, to: scaled };
-    this.edit({ ...this.params, layers: layers.map((old, index) => (index === item ? scaled : old)) }, `${row.url} ${item}`, this.preset, { row, item, value: radius });
+    this.edit({ ...this.params, layers: layers.map((old, index) => (index === item ? scaled : old)) }, `${row.url} ${item}`, this.preset, {
+      row,
+      item,
+      value: radius,
+    });
     if (isClamped) this.setProblem({ key: row.key, item, component: null, text: (language) => later(language, 'shapeClamped') });
   }
 

@@ -52,21 +52,13 @@ export function cameraAxes(camera: CameraState): CameraAxes {
 }
 
 /** Where the ray through (x, y) of the picture meets the ground z = 0; null above the horizon. */
-export function groundPoint(
-  camera: CameraState,
-  x: number,
-  y: number,
-  aspect: number,
-  plan = false,
-): [number, number] | null {
+export function groundPoint(camera: CameraState, x: number, y: number, aspect: number, plan = false): [number, number] | null {
   if (plan) {
     const half = camera.distance * TAN;
     return [camera.target[0] + x * half * aspect, camera.target[1] + y * half];
   }
   const { eye, right, up, forward } = cameraAxes(camera);
-  const ray = [0, 1, 2].map(
-    (i) => forward[i]! + x * TAN * aspect * right[i]! + y * TAN * up[i]!,
-  ) as Vector;
+  const ray = [0, 1, 2].map((i) => forward[i]! + x * TAN * aspect * right[i]! + y * TAN * up[i]!) as Vector;
   if (ray[2] > -1e-4) return null;
   const steps = -eye[2] / ray[2];
   return [eye[0] + steps * ray[0], eye[1] + steps * ray[1]];
@@ -77,13 +69,7 @@ export function groundPoint(
  * `plan` decides between the oblique picture, whose outermost corners may leave it, and the plan,
  * which is shown whole. With `closeUp` the oblique picture is as much ground as fills it.
  */
-export function defaultCamera(
-  imageWidth: number,
-  imageHeight: number,
-  aspect: number,
-  plan = false,
-  closeUp = false,
-): CameraState {
+export function defaultCamera(imageWidth: number, imageHeight: number, aspect: number, plan = false, closeUp = false): CameraState {
   const middle: Vector = [imageWidth / 2, imageHeight / 2, 0];
   const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
   // 0 in a tall picture (a phone held upright), 1 in a wide one.
@@ -102,11 +88,7 @@ export function defaultCamera(
     const [low, high] = heights(camera, imageWidth, imageHeight);
     // Perspective makes the near half taller: slide along the view until the field is centred.
     const slide = (((low + high) / 2) * camera.distance * TAN) / Math.sin(elevation);
-    camera.target = [
-      camera.target[0] - Math.sin(camera.azimuth) * slide,
-      camera.target[1] + Math.cos(camera.azimuth) * slide,
-      0,
-    ];
+    camera.target = [camera.target[0] - Math.sin(camera.azimuth) * slide, camera.target[1] + Math.cos(camera.azimuth) * slide, 0];
   }
   return camera;
 }
@@ -136,7 +118,11 @@ export interface Subject {
 }
 
 /** Seen from the side, and in tall pictures more along it, so low that it stands before what lies behind it. */
-const SUBJECT = { elevation: [(34 * Math.PI) / 180, (25 * Math.PI) / 180], azimuth: [(64 * Math.PI) / 180, (22 * Math.PI) / 180], room: 0.86 } as const;
+const SUBJECT = {
+  elevation: [(34 * Math.PI) / 180, (25 * Math.PI) / 180],
+  azimuth: [(64 * Math.PI) / 180, (22 * Math.PI) / 180],
+  room: 0.86,
+} as const;
 
 /** The nearest camera that shows all of a subject. */
 export function subjectCamera({ low, high }: Subject, aspect: number, plan = false): CameraState {
@@ -165,31 +151,16 @@ export function boxCamera({ low, high }: Subject, aspect: number, azimuth: numbe
 function corners(camera: CameraState, width: number, height: number): Vector[] {
   const { right, up, forward } = cameraAxes(camera);
   return [0, 1, 2, 3].map((i) => {
-    const from = [
-      (i & 1 ? width : 0) - camera.target[0],
-      (i & 2 ? height : 0) - camera.target[1],
-      -camera.target[2],
-    ];
-    const along = (axis: Vector): number =>
-      axis[0] * from[0]! + axis[1] * from[1]! + axis[2] * from[2]!;
+    const from = [(i & 1 ? width : 0) - camera.target[0], (i & 2 ? height : 0) - camera.target[1], -camera.target[2]];
+    const along = (axis: Vector): number => axis[0] * from[0]! + axis[1] * from[1]! + axis[2] * from[2]!;
     return [along(right), along(up), along(forward)];
   });
 }
 
-function fittingDistance(
-  camera: CameraState,
-  width: number,
-  height: number,
-  aspect: number,
-  reach: number,
-): number {
+function fittingDistance(camera: CameraState, width: number, height: number, aspect: number, reach: number): number {
   let distance = MIN_DISTANCE_PX;
   for (const [x, y, z] of corners(camera, width, height)) {
-    distance = Math.max(
-      distance,
-      Math.abs(x) / (TAN * aspect * reach) - z,
-      Math.abs(y) / (TAN * reach) - z,
-    );
+    distance = Math.max(distance, Math.abs(x) / (TAN * aspect * reach) - z, Math.abs(y) / (TAN * reach) - z);
   }
   return distance;
 }

@@ -43,13 +43,7 @@ export function zoom(
  * Dragged by (dx, dy) pixels of a picture `heightPx` high, dy down: the ground at the target follows the
  * pointer.
  */
-export function pan(
-  camera: CameraState,
-  dx: number,
-  dy: number,
-  heightPx: number,
-  plan = false,
-): CameraState {
+export function pan(camera: CameraState, dx: number, dy: number, heightPx: number, plan = false): CameraState {
   const perPixel = (2 * camera.distance * TAN) / Math.max(heightPx, 1);
   const azimuth = plan ? 0 : camera.azimuth;
   // Seen at a grazing angle a pixel spans much ground; beyond a third the drag would run away.

@@ -127,10 +127,7 @@ export class OrbitControls {
   /** Client coordinates to the picture's, -1…1. */
   #inPicture(x: number, y: number): [number, number] {
     const box = this.#element.getBoundingClientRect();
-    return [
-      (2 * (x - box.left)) / Math.max(box.width, 1) - 1,
-      1 - (2 * (y - box.top)) / Math.max(box.height, 1),
-    ];
+    return [(2 * (x - box.left)) / Math.max(box.width, 1) - 1, 1 - (2 * (y - box.top)) / Math.max(box.height, 1)];
   }
 
   /** Whether the keyboard's focus is on the picture, in a window that has it. */
@@ -218,20 +215,10 @@ export class OrbitControls {
   }
 
   /** One of two fingers moved: their middle drags the ground, their distance zooms about the middle. */
-  #pinch(
-    last: { x: number; y: number },
-    now: { x: number; y: number },
-    other: { x: number; y: number },
-  ): void {
+  #pinch(last: { x: number; y: number }, now: { x: number; y: number }, other: { x: number; y: number }): void {
     const before = Math.hypot(last.x - other.x, last.y - other.y);
     const after = Math.hypot(now.x - other.x, now.y - other.y);
-    const moved = pan(
-      this.#getCamera(),
-      (now.x - last.x) / 2,
-      (now.y - last.y) / 2,
-      this.#height,
-      this.#plan,
-    );
+    const moved = pan(this.#getCamera(), (now.x - last.x) / 2, (now.y - last.y) / 2, this.#height, this.#plan);
     const middle = this.#inPicture((now.x + other.x) / 2, (now.y + other.y) / 2);
     const factor = before / Math.max(after, 1);
     this.#move(zoom(moved, factor, middle, this.#aspect, this.#plan));

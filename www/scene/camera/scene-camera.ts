@@ -72,7 +72,12 @@ export class SceneCamera {
 
   /** What is shown while nobody has moved the camera. */
   #framed(aspect = this.#frame().aspect): CameraState {
-    const { extent: [width, height], plan, subject, height: rocks } = this.#frame();
+    const {
+      extent: [width, height],
+      plan,
+      subject,
+      height: rocks,
+    } = this.#frame();
     // Plans are framed whole as they are.
     if (!this.#whole || plan) return this.framing(aspect, this.#heldCloseUp);
     const { azimuth, elevation } = this.#whole;
@@ -146,7 +151,10 @@ export class SceneCamera {
   }
 
   #centre(): [number, number] {
-    const { extent: [width, height], subject } = this.#frame();
+    const {
+      extent: [width, height],
+      subject,
+    } = this.#frame();
     return subject ? [(subject.low[0] + subject.high[0]) / 2, (subject.low[1] + subject.high[1]) / 2] : [width / 2, height / 2];
   }
 }

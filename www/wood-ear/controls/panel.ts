@@ -60,7 +60,9 @@ export class WoodEarPanel extends Panel<WoodEars> {
     const group = (label: string, isPictured: boolean): PresetGroup => ({
       label,
       isPictured,
-      presets: store.table.presets.filter(({ natural = false }) => natural === isPictured).map(({ name }) => ({ name, words: woodEarPresetName(store.language, name) })),
+      presets: store.table.presets
+        .filter(({ natural = false }) => natural === isPictured)
+        .map(({ name }) => ({ name, words: woodEarPresetName(store.language, name) })),
     });
     const canDraw = store.backend === 'webgpu' || store.backend === 'webgl';
     choosePreset(store, place, [group(this.#t('natural'), true), group(this.#t('thesis'), false)], canDraw ? actions.newElement : null);
@@ -134,7 +136,10 @@ export class WoodEarPanel extends Panel<WoodEars> {
         name: `range-of-${index}`,
         label: this.#t('rangeOf'),
         help: this.#t('rangeHelp'),
-        options: [{ value: ofColony, label: this.#t('ofColony') }, { value: 'own', label: this.#t('ownRange') }],
+        options: [
+          { value: ofColony, label: this.#t('ofColony') },
+          { value: 'own', label: this.#t('ownRange') },
+        ],
         value: base.range === null ? ofColony : 'own',
         action: (value) => store.setParam(RANGE, index, value === ofColony ? null : store.params.range),
       })}
@@ -173,23 +178,31 @@ export class WoodEarPanel extends Panel<WoodEars> {
 
   #ground(): TemplateResult {
     const { store, actions } = this;
-    const { language, params: { ground } } = store;
+    const {
+      language,
+      params: { ground },
+    } = store;
     const natural = PRESETS.filter((preset) => 'natural' in preset);
     const opened = ground === '' ? null : decodeLink(ground);
     const value: string = opened?.preset ?? '';
     const isListed = value === '' || natural.some(({ name }) => name === value);
-    const options = [{ value: '', label: this.#t('bare') }, ...natural.map((preset) => ({ value: preset.name as string, label: presetName(language, preset) }))];
+    const options = [
+      { value: '', label: this.#t('bare') },
+      ...natural.map((preset) => ({ value: preset.name as string, label: presetName(language, preset) })),
+    ];
     if (!isListed) options.push({ value, label: this.#t('ownGround') });
     return html`
       <section class="section" aria-labelledby="ground-heading">
         <h2 id="ground-heading" class="visually-hidden">${this.#t('ground')}</h2>
         ${menu({ name: 'ground', label: this.#t('ground'), help: this.#t('groundHelp'), options, value, action: (chosen) => store.chooseGround(chosen as PresetName | '') })}
-        ${opened
-          ? html`<div class="button-row">
+        ${
+          opened
+            ? html`<div class="button-row">
               <button class="button" type="button" @click=${() => store.chooseGround(opened.preset, opened.params.seed + 1)}>${icon('dice')}${this.#t('groundSeed')}</button>
               ${actions.rocksPage ? html`<a class="button" href="${actions.rocksPage}#${ground}" @click=${beginGroundEdit}>${this.#t('openGround')}</a>` : nothing}
             </div>`
-          : nothing}
+            : nothing
+        }
       </section>
     `;
   }

@@ -7,7 +7,13 @@ import { mulberry32 } from '../../controls/mulberry32.ts';
 
 /** What is drawn, and between what: not so dense that nothing is seen of the log, nor so sparse that there is no colony. */
 const DRAWN: Readonly<Record<string, readonly [number, number]>> = {
-  density: [18, 60], range: [25, 80], moisture: [15, 100], wrinkles: [0, 90], size: [1.2, 3], sizeSpread: [1.1, 2], variation: [0.2, 0.8],
+  density: [18, 60],
+  range: [25, 80],
+  moisture: [15, 100],
+  wrinkles: [0, 90],
+  size: [1.2, 3],
+  sizeSpread: [1.1, 2],
+  variation: [0.2, 0.8],
 };
 
 /**
@@ -15,7 +21,14 @@ const DRAWN: Readonly<Record<string, readonly [number, number]>> = {
  * are at most twice as many wood ears: they are as many as their density times the range, round the log and along it.
  */
 const FACTOR: Readonly<Record<string, number>> = { density: 0.2, range: 0.15, size: 0.2, thickness: 0.25 };
-const SHIFT: Readonly<Record<string, number>> = { moisture: 10, wrinkles: 20, sizeSpread: 0.3, perIndividual: 0.2, droop: 0.2, variation: 0.3 };
+const SHIFT: Readonly<Record<string, number>> = {
+  moisture: 10,
+  wrinkles: 20,
+  sizeSpread: 0.3,
+  perIndividual: 0.2,
+  droop: 0.2,
+  variation: 0.3,
+};
 
 /** `params` with other sliders, with `seed` as both the lot and the colony's seed: near those of a natural preset, or any. */
 export function randomWoodEars(params: WoodEarSceneParams, { seed, preset }: Draw): WoodEarSceneParams {

@@ -9,9 +9,15 @@ import type { WOOD_EAR_PRESETS } from '../params.gen.ts';
 type NaturalName = Extract<(typeof WOOD_EAR_PRESETS)[number], { natural: true }>['name'];
 
 export const WOOD_EAR_STRINGS = {
-  presetHelp: { en: 'Colonies as they are found, and the figures of the thesis. The seed stays.', ja: '自然の群生と、論文の図。シードは変わりません。' },
+  presetHelp: {
+    en: 'Colonies as they are found, and the figures of the thesis. The seed stays.',
+    ja: '自然の群生と、論文の図。シードは変わりません。',
+  },
   shareHelp: { en: 'Copies a link that shows exactly this log.', ja: 'まったく同じ丸太を表示するリンクをコピーします。' },
-  embedHelp: { en: 'Two lines of HTML that show this log on any page.', ja: 'どのページにもこの丸太を表示できる、2行のHTMLをコピーします。' },
+  embedHelp: {
+    en: 'Two lines of HTML that show this log on any page.',
+    ja: 'どのページにもこの丸太を表示できる、2行のHTMLをコピーします。',
+  },
   natural: { en: 'As they are found', ja: '自然の群生' },
   thesis: { en: 'Figures of the thesis (2012)', ja: '論文の図（2012）' },
   'wet-colony': { en: 'Wet colony', ja: '湿った群生' },
@@ -30,7 +36,10 @@ export const WOOD_EAR_STRINGS = {
   removeBase: { en: 'Remove base {n}', ja: '基点 {n} を削除' },
   basesHint: { en: 'Click the log to place one, drag its ring to move it.', ja: '丸太をクリックで追加、輪をドラッグで移動。' },
   rangeOf: { en: 'Range', ja: '範囲' },
-  rangeHelp: { en: 'How far this base spreads: as the whole colony, or a range of its own.', ja: 'この基点の広がり：群生全体の範囲か、独自の範囲。' },
+  rangeHelp: {
+    en: 'How far this base spreads: as the whole colony, or a range of its own.',
+    ja: 'この基点の広がり：群生全体の範囲か、独自の範囲。',
+  },
   ofColony: { en: 'Colony’s', ja: '群生と同じ' },
   ownRange: { en: 'Its own', ja: '独自' },
   form: { en: 'Form', ja: '形' },
@@ -38,7 +47,10 @@ export const WOOD_EAR_STRINGS = {
   logFile: { en: 'Open a GLB or OBJ file', ja: 'GLB・OBJ ファイルを開く' },
   removeLogFile: { en: 'Back to the grown log', ja: '生成した丸太に戻す' },
   logFileNote: { en: 'This log is from a file. It is in no link.', ja: 'ファイルの丸太です。リンクには含まれません。' },
-  logLeftOut: { en: 'The log from your file is not in it; it shows a grown log.', ja: 'ファイルの丸太は含まれず、生成した丸太が表示されます。' },
+  logLeftOut: {
+    en: 'The log from your file is not in it; it shows a grown log.',
+    ja: 'ファイルの丸太は含まれず、生成した丸太が表示されます。',
+  },
   ground: { en: 'Ground', ja: '地面' },
   groundHelp: { en: 'The rocks that the log lies on; none grows through it.', ja: '丸太が載る地面。岩は丸太を貫きません。' },
   bare: { en: 'Bare soil', ja: '土のみ' },
@@ -54,7 +66,10 @@ export const WOOD_EAR_STRINGS = {
   kept: { en: 'Radius kept', ja: '残った半径' },
   keptHelp: { en: 'median · tenth percentile, after collisions', ja: '衝突後の中央値・10パーセンタイル' },
   rocks: { en: 'Rocks', ja: '岩' },
-  thesisLeaves: { en: 'The thesis’s rule leaves these pairs crossing; “Pressed” leaves none.', ja: '論文の方法ではこれらの組が交差したまま残ります。「押し合い」では残りません。' },
+  thesisLeaves: {
+    en: 'The thesis’s rule leaves these pairs crossing; “Pressed” leaves none.',
+    ja: '論文の方法ではこれらの組が交差したまま残ります。「押し合い」では残りません。',
+  },
   usePressed: { en: 'Use Pressed', ja: '「押し合い」を使う' },
   'stage-log': { en: 'Log', ja: '丸太' },
   'stage-spawn': { en: 'Places', ja: '発生位置' },

@@ -62,7 +62,8 @@ export class Accessors {
     const number = index as number;
     const what = `accessors[${number}]`;
     const type = gltf.whole(item, 'componentType', what);
-    if (WIDTHS[String(item['type'])] !== width || !types.includes(type)) throw gltf.broken({ en: `${what} is of a type that does not fit its use`, ja: `${what} の型が用途に合いません` }, item['type']);
+    if (WIDTHS[String(item['type'])] !== width || !types.includes(type))
+      throw gltf.broken({ en: `${what} is of a type that does not fit its use`, ja: `${what} の型が用途に合いません` }, item['type']);
     const accessor = this.#accessors.get(number) ?? this.#made(item, what, width, type);
     this.#accessors.set(number, accessor);
     return accessor;
@@ -72,7 +73,8 @@ export class Accessors {
     const gltf = this.#gltf;
     const component = COMPONENTS[type] as Component;
     const count = gltf.whole(item, 'count', what);
-    const read = item['bufferView'] === undefined ? undefined : this.#reader(item, what, count, width, component, this.#view(item['bufferView']));
+    const read =
+      item['bufferView'] === undefined ? undefined : this.#reader(item, what, count, width, component, this.#view(item['bufferView']));
     // These take no room in the file, so nothing else bounds them.
     if (!read) checkCount(gltf.name, { en: 'vertices', ja: '頂点' }, count, MOST_LISTED);
     const replaced = this.#sparse(item, what, count, width, component);
@@ -84,18 +86,38 @@ export class Accessors {
     return { count, get: (index, k = 0) => Math.max(-1, plain(index, k) / component.full) };
   }
 
-  #reader(place: Item, what: string, count: number, width: number, component: Component, { bytes, stride: given }: View): (index: number, k: number) => number {
+  #reader(
+    place: Item,
+    what: string,
+    count: number,
+    width: number,
+    component: Component,
+    { bytes, stride: given }: View,
+  ): (index: number, k: number) => number {
     const start = this.#gltf.whole(place, 'byteOffset', what, 0);
     const size = width * component.bytes;
     const stride = given || size;
     const end = count === 0 ? 0 : start + stride * (count - 1) + size;
-    if (stride < size || end > bytes.length) throw this.#gltf.broken({ en: `${what} has ${count} elements, for which its buffer view is too short`, ja: `${what} の要素は ${count} 個ですが、バッファービューが足りません` }, count);
+    if (stride < size || end > bytes.length)
+      throw this.#gltf.broken(
+        {
+          en: `${what} has ${count} elements, for which its buffer view is too short`,
+          ja: `${what} の要素は ${count} 個ですが、バッファービューが足りません`,
+        },
+        count,
+      );
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
     return (index, k) => component.get(view, start + stride * index + component.bytes * k);
   }
 
   /** The elements that are replaced; each reading gives nothing for the others. */
-  #sparse(item: Item, what: string, count: number, width: number, component: Component): ((index: number, k: number) => number | undefined) | undefined {
+  #sparse(
+    item: Item,
+    what: string,
+    count: number,
+    width: number,
+    component: Component,
+  ): ((index: number, k: number) => number | undefined) | undefined {
     const gltf = this.#gltf;
     if (item['sparse'] === undefined) return undefined;
     const sparse = gltf.object(item['sparse'], `${what}.sparse`);
@@ -103,13 +125,27 @@ export class Accessors {
     const [indices, values] = ['indices', 'values'].map((key) => gltf.object(sparse[key], `sparse ${key} of ${what}`)) as [Item, Item];
     const type = gltf.whole(indices, 'componentType', `${what}.sparse.indices`);
     const ofIndex = [5121, 5123, 5125].includes(type) ? COMPONENTS[type] : undefined;
-    if (!ofIndex) throw gltf.broken({ en: `sparse indices of ${what} are of a type that does not fit their use`, ja: `${what} の疎なインデックスの型が用途に合いません` }, type);
+    if (!ofIndex)
+      throw gltf.broken(
+        {
+          en: `sparse indices of ${what} are of a type that does not fit their use`,
+          ja: `${what} の疎なインデックスの型が用途に合いません`,
+        },
+        type,
+      );
     const at = this.#reader(indices, `${what}.sparse.indices`, number, 1, ofIndex, this.#view(indices['bufferView']));
     const value = this.#reader(values, `${what}.sparse.values`, number, width, component, this.#view(values['bufferView']));
     const places = new Map<number, number>();
     for (let k = 0; k < number; k += 1) {
       const index = at(k, 0);
-      if (index >= count) throw gltf.broken({ en: `sparse indices of ${what} name element ${index} of ${count}`, ja: `${what} の疎なインデックスが要素 ${index} を指していますが、要素は ${count} 個です` }, index);
+      if (index >= count)
+        throw gltf.broken(
+          {
+            en: `sparse indices of ${what} name element ${index} of ${count}`,
+            ja: `${what} の疎なインデックスが要素 ${index} を指していますが、要素は ${count} 個です`,
+          },
+          index,
+        );
       places.set(index, k);
     }
     return (index, k) => {
@@ -131,7 +167,11 @@ export class Accessors {
     const packed = packing(gltf, item, what);
     if (packed) return this.#unpacked(packed, what);
     const stranger = Object.keys((item['extensions'] ?? {}) as object).find((name) => gltf.isRequired(name));
-    if (stranger !== undefined) throw gltf.unsupported({ en: `its geometry needs the extension ${stranger}; save it without`, ja: `形状に拡張機能 ${stranger} が必要です。使わずに保存してください` });
+    if (stranger !== undefined)
+      throw gltf.unsupported({
+        en: `its geometry needs the extension ${stranger}; save it without`,
+        ja: `形状に拡張機能 ${stranger} が必要です。使わずに保存してください`,
+      });
     return { bytes: this.#piece(item, what), stride: gltf.whole(item, 'byteStride', what, 0) };
   }
 
@@ -143,7 +183,14 @@ export class Accessors {
     const bytes = new Uint8Array(count * stride);
     const source = this.#piece(packed, what);
     try {
-      this.#decoder?.decodeGltfBuffer(bytes, count, stride, source, String(packed['mode']), packed['filter'] === undefined ? undefined : String(packed['filter']));
+      this.#decoder?.decodeGltfBuffer(
+        bytes,
+        count,
+        stride,
+        source,
+        String(packed['mode']),
+        packed['filter'] === undefined ? undefined : String(packed['filter']),
+      );
     } catch {
       throw gltf.broken({ en: `${what} cannot be unpacked`, ja: `${what} を展開できません` });
     }
@@ -154,7 +201,14 @@ export class Accessors {
     const gltf = this.#gltf;
     const buffer = gltf.buffer(item['buffer']);
     const [start, length] = [gltf.whole(item, 'byteOffset', what, 0), gltf.whole(item, 'byteLength', what)];
-    if (start + length > buffer.length) throw gltf.broken({ en: `${what} ends at byte ${start + length} of the ${buffer.length} of its buffer`, ja: `${what} はバッファー（${buffer.length} バイト）の ${start + length} バイト目まで必要です` }, start + length);
+    if (start + length > buffer.length)
+      throw gltf.broken(
+        {
+          en: `${what} ends at byte ${start + length} of the ${buffer.length} of its buffer`,
+          ja: `${what} はバッファー（${buffer.length} バイト）の ${start + length} バイト目まで必要です`,
+        },
+        start + length,
+      );
     return buffer.subarray(start, start + length);
   }
 }

@@ -78,7 +78,12 @@ export function readLogInWorker(source: LogSource, { signal, onProgress, spawn =
 
 function asFile(source: unknown): ToFileWorker {
   // By what it can do: a file of another frame is no `Blob` of this one.
-  const isFile = typeof source === 'object' && source !== null && typeof (source as Blob).arrayBuffer === 'function' && typeof (source as Blob).slice === 'function' && typeof (source as Blob).size === 'number';
+  const isFile =
+    typeof source === 'object' &&
+    source !== null &&
+    typeof (source as Blob).arrayBuffer === 'function' &&
+    typeof (source as Blob).slice === 'function' &&
+    typeof (source as Blob).size === 'number';
   if (isFile) return { file: source as Blob, name: String((source as File).name ?? '') };
   const isBytes = ArrayBuffer.isView(source) || Object.prototype.toString.call(source) === '[object ArrayBuffer]';
   try {
@@ -96,5 +101,7 @@ function workerUnavailable(detail: string | undefined): RockFieldError {
 
 function spawnWorker(): FileWorkerLike {
   // This literal form is the one that bundlers recognise.
-  return startWorker(() => new Worker(new URL('./wood-ear-file-worker.js', import.meta.url), { type: 'module' })) as unknown as FileWorkerLike;
+  return startWorker(
+    () => new Worker(new URL('./wood-ear-file-worker.js', import.meta.url), { type: 'module' }),
+  ) as unknown as FileWorkerLike;
 }

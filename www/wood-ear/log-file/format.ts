@@ -21,7 +21,10 @@ const FOREIGN: readonly Foreign[] = [
   { begins: /^ISO-10303/, kind: { en: 'a STEP file', ja: 'STEP ファイル' } },
   { begins: /^\s*(<\?xml[\s\S]*?)?<COLLADA/, kind: { en: 'a COLLADA file', ja: 'COLLADA ファイル' } },
   { begins: /^\s*<(!doctype html|html)/i, kind: { en: 'a web page', ja: 'ウェブページ' } },
-  { begins: /^(\s*(#[^\n]*)?[\r\n]+)*\s*newmtl\b/, kind: { en: 'a material library that belongs to an OBJ file', ja: 'OBJ 用の材質ファイル' } },
+  {
+    begins: /^(\s*(#[^\n]*)?[\r\n]+)*\s*newmtl\b/,
+    kind: { en: 'a material library that belongs to an OBJ file', ja: 'OBJ 用の材質ファイル' },
+  },
   { begins: /^\x89PNG|^\xff\xd8\xff/, kind: { en: 'a picture', ja: '画像' } },
 ];
 
@@ -41,7 +44,11 @@ export function formatOf(bytes: Uint8Array, name: string): Format {
   const head = latin1(bytes.subarray(0, HEAD));
   if (head.startsWith('glTF')) return 'glb';
   if (/^(\xef\xbb\xbf)?\s*\{/.test(head)) return 'gltf';
-  if (bytes.length === 0) throw refused('LogFileUnknown', { en: `${name} is empty: it is neither a GLB nor an OBJ file`, ja: `${name} は空です。GLB・OBJ ファイルではありません` });
+  if (bytes.length === 0)
+    throw refused('LogFileUnknown', {
+      en: `${name} is empty: it is neither a GLB nor an OBJ file`,
+      ja: `${name} は空です。GLB・OBJ ファイルではありません`,
+    });
   const archive = PACKED.find(({ begins }) => begins.test(head));
   if (archive) {
     throw refused('LogFileUnknown', {
@@ -49,7 +56,8 @@ export function formatOf(bytes: Uint8Array, name: string): Format {
       ja: `${name} は${archive.kind.ja}です。展開して、中の GLB・OBJ ファイルを開いてください`,
     });
   }
-  const foreign = FOREIGN.find(({ begins }) => begins.test(head))?.kind ?? (isBinaryStl(bytes) ? { en: 'an STL file', ja: 'STL ファイル' } : undefined);
+  const foreign =
+    FOREIGN.find(({ begins }) => begins.test(head))?.kind ?? (isBinaryStl(bytes) ? { en: 'an STL file', ja: 'STL ファイル' } : undefined);
   if (foreign) {
     throw refused('LogFileUnknown', {
       en: `${name} is ${foreign.en}, neither a GLB nor an OBJ file; save the log as one of those`,

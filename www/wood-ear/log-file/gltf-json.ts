@@ -25,7 +25,11 @@ export class Gltf {
     this.#binary = binary;
     const asset = this.object(root['asset'], 'asset');
     const version = String(asset['version']);
-    if (!/^2(\.|$)/.test(version)) throw this.unsupported({ en: `it is glTF ${shown(version)}; save it as glTF 2.0`, ja: `glTF ${shown(version)} です。glTF 2.0 で保存してください` });
+    if (!/^2(\.|$)/.test(version))
+      throw this.unsupported({
+        en: `it is glTF ${shown(version)}; save it as glTF 2.0`,
+        ja: `glTF ${shown(version)} です。glTF 2.0 で保存してください`,
+      });
   }
 
   /** The number of entries of a list. */
@@ -36,7 +40,8 @@ export class Gltf {
   }
 
   item(list: List, index: unknown): Item {
-    if (typeof index !== 'number' || !Number.isInteger(index) || index < 0 || index >= this.count(list)) throw this.broken({ en: `there is no ${list}[${shown(String(index))}]`, ja: `${list}[${shown(String(index))}] がありません` }, index);
+    if (typeof index !== 'number' || !Number.isInteger(index) || index < 0 || index >= this.count(list))
+      throw this.broken({ en: `there is no ${list}[${shown(String(index))}]`, ja: `${list}[${shown(String(index))}] がありません` }, index);
     return this.object((this.#root[list] as unknown[])[index], `${list}[${index}]`);
   }
 
@@ -51,7 +56,8 @@ export class Gltf {
   }
 
   object(value: unknown, what: string): Item {
-    if (typeof value !== 'object' || value === null || Array.isArray(value)) throw this.broken({ en: `${what} is not an object`, ja: `${what} がオブジェクトではありません` });
+    if (typeof value !== 'object' || value === null || Array.isArray(value))
+      throw this.broken({ en: `${what} is not an object`, ja: `${what} がオブジェクトではありません` });
     return value as Item;
   }
 
@@ -71,15 +77,29 @@ export class Gltf {
   /** A number that counts: an integer from 0. */
   whole(item: Item, key: string, what: string, fallback?: number): number {
     const value = item[key] ?? fallback;
-    if (typeof value !== 'number' || !Number.isSafeInteger(value) || value < 0) throw this.broken({ en: `${key} of ${what} is ${shown(String(value))}; it must be a whole number`, ja: `${what} の ${key} が ${shown(String(value))} です。整数でなければなりません` }, value);
+    if (typeof value !== 'number' || !Number.isSafeInteger(value) || value < 0)
+      throw this.broken(
+        {
+          en: `${key} of ${what} is ${shown(String(value))}; it must be a whole number`,
+          ja: `${what} の ${key} が ${shown(String(value))} です。整数でなければなりません`,
+        },
+        value,
+      );
     return value;
   }
 
   numbers(item: Item, key: string, what: string, fallback: readonly number[]): readonly number[] {
     const value = item[key];
     if (value === undefined) return fallback;
-    const isGood = Array.isArray(value) && value.length === fallback.length && value.every((number) => typeof number === 'number' && Number.isFinite(number));
-    if (!isGood) throw this.broken({ en: `${key} of ${what} must be ${fallback.length} numbers`, ja: `${what} の ${key} は ${fallback.length} 個の数値でなければなりません` });
+    const isGood =
+      Array.isArray(value) &&
+      value.length === fallback.length &&
+      value.every((number) => typeof number === 'number' && Number.isFinite(number));
+    if (!isGood)
+      throw this.broken({
+        en: `${key} of ${what} must be ${fallback.length} numbers`,
+        ja: `${what} の ${key} は ${fallback.length} 個の数値でなければなりません`,
+      });
     return value as number[];
   }
 
@@ -90,20 +110,31 @@ export class Gltf {
     const length = this.whole(buffer, 'byteLength', `buffers[${number}]`);
     const bytes = this.#buffers.get(number) ?? this.#load(buffer, number);
     this.#buffers.set(number, bytes);
-    if (bytes.length < length) throw this.broken({ en: `buffers[${number}] has ${bytes.length} of its ${length} bytes`, ja: `buffers[${number}] は ${length} バイト中 ${bytes.length} バイトしかありません` }, length);
+    if (bytes.length < length)
+      throw this.broken(
+        {
+          en: `buffers[${number}] has ${bytes.length} of its ${length} bytes`,
+          ja: `buffers[${number}] は ${length} バイト中 ${bytes.length} バイトしかありません`,
+        },
+        length,
+      );
     return bytes.subarray(0, length);
   }
 
   #load(buffer: Item, index: number): Uint8Array {
     const { uri } = buffer;
     if (uri === undefined) {
-      if (index !== 0 || !this.#binary) throw this.broken({ en: `buffers[${index}] has no bytes`, ja: `buffers[${index}] にデータがありません` });
+      if (index !== 0 || !this.#binary)
+        throw this.broken({ en: `buffers[${index}] has no bytes`, ja: `buffers[${index}] にデータがありません` });
       return this.#binary;
     }
     const [, encoded] = typeof uri === 'string' ? (/^data:[^,]*;base64,(.*)$/s.exec(uri) ?? []) : [];
     if (encoded === undefined) {
       const file = shown(String(uri).startsWith('data:') ? 'data:…' : String(uri));
-      throw this.unsupported({ en: `its geometry is in another file, ${file}; save it as one GLB file`, ja: `形状が別のファイル（${file}）にあります。1 つの GLB ファイルとして保存してください` });
+      throw this.unsupported({
+        en: `its geometry is in another file, ${file}; save it as one GLB file`,
+        ja: `形状が別のファイル（${file}）にあります。1 つの GLB ファイルとして保存してください`,
+      });
     }
     try {
       return Uint8Array.from(atob(encoded), (char) => char.charCodeAt(0));
@@ -113,30 +144,49 @@ export class Gltf {
   }
 
   broken(reason: Words, value?: unknown): Error {
-    return refused('LogFileBroken', { en: `${this.name} is no whole glTF file: ${reason.en}`, ja: `${this.name} は glTF ファイルとして壊れています：${reason.ja}` }, { value });
+    return refused(
+      'LogFileBroken',
+      { en: `${this.name} is no whole glTF file: ${reason.en}`, ja: `${this.name} は glTF ファイルとして壊れています：${reason.ja}` },
+      { value },
+    );
   }
 
   unsupported(reason: Words): Error {
-    return refused('LogFileUnsupported', { en: `${this.name} cannot be read: ${reason.en}`, ja: `${this.name} は読み込めません：${reason.ja}` });
+    return refused('LogFileUnsupported', {
+      en: `${this.name} cannot be read: ${reason.en}`,
+      ja: `${this.name} は読み込めません：${reason.ja}`,
+    });
   }
 
   tooLarge(what: string, bytes: number): Error {
-    return refused('LogFileTooLarge', {
-      en: `${what} of ${this.name} unpacks to ${megabytes(bytes)}; at most ${megabytes(MOST_BYTES)} are read`,
-      ja: `${this.name} の ${what} を展開すると ${megabytes(bytes)} になります（上限 ${megabytes(MOST_BYTES)}）`,
-    }, { value: bytes, max: MOST_BYTES });
+    return refused(
+      'LogFileTooLarge',
+      {
+        en: `${what} of ${this.name} unpacks to ${megabytes(bytes)}; at most ${megabytes(MOST_BYTES)} are read`,
+        ja: `${this.name} の ${what} を展開すると ${megabytes(bytes)} になります（上限 ${megabytes(MOST_BYTES)}）`,
+      },
+      { value: bytes, max: MOST_BYTES },
+    );
   }
 }
 
 /** A binary glTF file: a heading, the JSON, and the bytes of its first buffer. */
 export function openGlb(bytes: Uint8Array, name: string): Gltf {
-  const broken = (reason: Words) => refused('LogFileBroken', { en: `${name} is no whole GLB file: ${reason.en}`, ja: `${name} は GLB ファイルとして壊れています：${reason.ja}` });
-  const cut = (length: number) => broken({ en: `it has ${bytes.length} of ${length} bytes`, ja: `${length} バイト中 ${bytes.length} バイトしかありません` });
+  const broken = (reason: Words) =>
+    refused('LogFileBroken', {
+      en: `${name} is no whole GLB file: ${reason.en}`,
+      ja: `${name} は GLB ファイルとして壊れています：${reason.ja}`,
+    });
+  const cut = (length: number) =>
+    broken({ en: `it has ${bytes.length} of ${length} bytes`, ja: `${length} バイト中 ${bytes.length} バイトしかありません` });
   if (bytes.length < HEAD) throw cut(HEAD);
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const version = view.getUint32(4, true);
   if (version === 1) {
-    throw refused('LogFileUnsupported', { en: `${name} cannot be read: it is glTF 1; save it as glTF 2.0`, ja: `${name} は読み込めません：glTF 1 です。glTF 2.0 で保存してください` });
+    throw refused('LogFileUnsupported', {
+      en: `${name} cannot be read: it is glTF 1; save it as glTF 2.0`,
+      ja: `${name} は読み込めません：glTF 1 です。glTF 2.0 で保存してください`,
+    });
   }
   const length = view.getUint32(8, true);
   if (bytes.length < length) throw cut(length);
@@ -158,7 +208,10 @@ export function openGlb(bytes: Uint8Array, name: string): Gltf {
 export function openGltf(text: string, name: string): Gltf {
   const root = parsed(text, name);
   if (!('asset' in root)) {
-    throw refused('LogFileUnknown', { en: `${name} is JSON, but neither a glTF nor an OBJ file`, ja: `${name} は JSON ですが、glTF ファイルではありません` });
+    throw refused('LogFileUnknown', {
+      en: `${name} is JSON, but neither a glTF nor an OBJ file`,
+      ja: `${name} は JSON ですが、glTF ファイルではありません`,
+    });
   }
   return new Gltf(root, undefined, name);
 }
@@ -170,5 +223,8 @@ function parsed(text: string, name: string): Item {
   } catch {
     // Said below.
   }
-  throw refused('LogFileBroken', { en: `${name} is no whole glTF file: its JSON cannot be read`, ja: `${name} は glTF ファイルとして壊れています：JSON を読み取れません` });
+  throw refused('LogFileBroken', {
+    en: `${name} is no whole glTF file: its JSON cannot be read`,
+    ja: `${name} は glTF ファイルとして壊れています：JSON を読み取れません`,
+  });
 }

@@ -73,7 +73,11 @@ class Scene {
       const { index, parent } = next;
       const node = gltf.item('nodes', index);
       const what = `nodes[${index as number}]`;
-      if (seen.has(index as number)) throw gltf.broken({ en: `${what} is the child of two nodes, or of itself`, ja: `${what} が 2 つのノード、または自分自身の子になっています` });
+      if (seen.has(index as number))
+        throw gltf.broken({
+          en: `${what} is the child of two nodes, or of itself`,
+          ja: `${what} が 2 つのノード、または自分自身の子になっています`,
+        });
       seen.add(index as number);
       if (gltf.extension(node, 'KHR_node_visibility', what)?.['visible'] === false) continue;
       const matrix = product(parent, this.#local(node, what));
@@ -117,15 +121,19 @@ class Scene {
   #instances(instancing: Item, what: string, matrix: Matrix): Matrix[] {
     const gltf = this.#gltf;
     const attributes = gltf.object(instancing['attributes'], `${what}.attributes`);
-    const read = (key: string, width: number, types: readonly number[]) => (attributes[key] === undefined ? undefined : this.#accessors.get(attributes[key], width, types));
+    const read = (key: string, width: number, types: readonly number[]) =>
+      attributes[key] === undefined ? undefined : this.#accessors.get(attributes[key], width, types);
     const translation = read('TRANSLATION', 3, [FLOAT]);
     const rotation = read('ROTATION', 4, [FLOAT, BYTE, SHORT]);
     const scale = read('SCALE', 3, [FLOAT]);
     const given = [translation, rotation, scale].filter((accessor) => accessor !== undefined);
     const count = Math.min(...given.map((accessor) => accessor.count), given.length === 0 ? 0 : MOST_STEPS + 1);
     checkCount(gltf.name, { en: 'triangles', ja: '三角形' }, count, MOST_STEPS);
-    const parts = (accessor: Accessor | undefined, i: number, fallback: readonly number[]) => fallback.map((value, k) => accessor?.get(i, k) ?? value);
-    return Array.from({ length: count }, (_, i) => product(matrix, fromParts(parts(translation, i, [0, 0, 0]), parts(rotation, i, [0, 0, 0, 1]), parts(scale, i, [1, 1, 1]))));
+    const parts = (accessor: Accessor | undefined, i: number, fallback: readonly number[]) =>
+      fallback.map((value, k) => accessor?.get(i, k) ?? value);
+    return Array.from({ length: count }, (_, i) =>
+      product(matrix, fromParts(parts(translation, i, [0, 0, 0]), parts(rotation, i, [0, 0, 0, 1]), parts(scale, i, [1, 1, 1]))),
+    );
   }
 
   #primitives(index: unknown): Primitive[] {
@@ -149,7 +157,10 @@ class Scene {
     if (position === undefined) return undefined;
     const { bufferView, sparse } = gltf.item('accessors', position);
     if (bufferView === undefined && sparse === undefined && gltf.extension(item, 'KHR_draco_mesh_compression', what)) {
-      throw gltf.unsupported({ en: 'its geometry is compressed with Draco; save it without, or with meshopt', ja: '形状が Draco で圧縮されています。圧縮なし、または meshopt で保存してください' });
+      throw gltf.unsupported({
+        en: 'its geometry is compressed with Draco; save it without, or with meshopt',
+        ja: '形状が Draco で圧縮されています。圧縮なし、または meshopt で保存してください',
+      });
     }
     const positions = this.#accessors.get(position, 3, POSITION_TYPES);
     const indices = item['indices'] === undefined ? null : this.#accessors.get(item['indices'], 1, [UBYTE, USHORT, UINT]);
@@ -175,21 +186,30 @@ class Builder {
     const isMirrored = determinant(matrix) < 0;
     const corner = (k: number): number => {
       const vertex = indices ? indices.get(k) : k;
-      if (vertex >= position.count) throw this.#gltf.broken({ en: `an index of ${what} names vertex ${vertex} of ${position.count}`, ja: `${what} のインデックスが頂点 ${vertex} を指していますが、頂点は ${position.count} 個です` }, vertex);
+      if (vertex >= position.count)
+        throw this.#gltf.broken(
+          {
+            en: `an index of ${what} names vertex ${vertex} of ${position.count}`,
+            ja: `${what} のインデックスが頂点 ${vertex} を指していますが、頂点は ${position.count} 個です`,
+          },
+          vertex,
+        );
       return vertex;
     };
     const number = (vertex: number): number => {
       const known = numbers.get(vertex);
       if (known !== undefined) return known;
       const given = this.#positions.length / 3;
-      for (const value of transformed(matrix, position.get(vertex, 0), position.get(vertex, 1), position.get(vertex, 2))) this.#positions.push(CENTIMETRES * value);
+      for (const value of transformed(matrix, position.get(vertex, 0), position.get(vertex, 1), position.get(vertex, 2)))
+        this.#positions.push(CENTIMETRES * value);
       numbers.set(vertex, given);
       return given;
     };
     for (let step = 0; step < steps; step += 1) {
       const isOdd = mode === STRIP && step % 2 === 1;
       const first = mode === TRIANGLES ? 3 * step : step;
-      const [a, b, c] = mode === FAN ? [corner(step + 1), corner(step + 2), corner(0)] : [corner(first), corner(first + 1), corner(first + 2)];
+      const [a, b, c] =
+        mode === FAN ? [corner(step + 1), corner(step + 2), corner(0)] : [corner(first), corner(first + 1), corner(first + 2)];
       if (a === b || b === c || c === a) continue;
       const [i, j, k] = [number(a), number(b), number(c)];
       this.#indices.push(i);

@@ -40,10 +40,14 @@ function flat(name: string): RockFieldError {
 
 export function checkCount(name: string, what: Words, value: number, max: number): void {
   if (value <= max) return;
-  throw refused('LogTooLarge', {
-    en: `${name} has ${value} ${what.en}; a log may have at most ${max}. Simplify the mesh before saving it`,
-    ja: `${name} の${what.ja}は ${value} 個です（上限 ${max} 個）。メッシュを簡略化してください`,
-  }, { value, max });
+  throw refused(
+    'LogTooLarge',
+    {
+      en: `${name} has ${value} ${what.en}; a log may have at most ${max}. Simplify the mesh before saving it`,
+      ja: `${name} の${what.ja}は ${value} 個です（上限 ${max} 個）。メッシュを簡略化してください`,
+    },
+    { value, max },
+  );
 }
 
 /** Without the triangles that are points or lines: nothing that is not seen decides how large the log is. */
@@ -72,24 +76,41 @@ function laidDown(given: Float64Array, indices: Uint32Array, name: string): { po
   const [low, high] = box(given, indices);
   const sides = high.map((value, k) => value - low[k]!);
   if (!sides.every(Number.isFinite)) {
-    throw refused('LogFileBroken', { en: `${name} has vertices that are infinitely far away, or that are not numbers`, ja: `${name} に位置の定まらない頂点があります` });
+    throw refused('LogFileBroken', {
+      en: `${name} has vertices that are infinitely far away, or that are not numbers`,
+      ja: `${name} に位置の定まらない頂点があります`,
+    });
   }
   const isAlongX = sides[0]! >= sides[2]!;
   const length = Math.max(sides[0]!, sides[2]!);
-  if (length === 0) throw refused('LogFileNoMesh', { en: `${name} stands upright and has no length: x or z must be the longest side`, ja: `${name} には水平方向の長さがありません` });
+  if (length === 0)
+    throw refused('LogFileNoMesh', {
+      en: `${name} stands upright and has no length: x or z must be the longest side`,
+      ja: `${name} には水平方向の長さがありません`,
+    });
   const scale = scaleOfLog(length);
   const reach = (Math.max(...sides) * scale) / 2;
   if (!(reach <= FARTHEST)) {
     const times = Math.round(Math.max(...sides) / length);
-    throw refused('LogBadPosition', {
-      en: `${name} is ${times} times as high as it is long: x or z must be the longest side`,
-      ja: `${name} の高さは長さの ${times} 倍です。x か z が最も長くなければなりません`,
-    }, { value: reach, max: FARTHEST });
+    throw refused(
+      'LogBadPosition',
+      {
+        en: `${name} is ${times} times as high as it is long: x or z must be the longest side`,
+        ja: `${name} の高さは長さの ${times} 倍です。x か z が最も長くなければなりません`,
+      },
+      { value: reach, max: FARTHEST },
+    );
   }
   const rounded = Number(length.toPrecision(3));
-  const notices = scale !== 1
-    ? [{ en: `${name} is ${rounded} cm long; it is shown ${LOG_LENGTH.instead} cm long`, ja: `${name} の長さは ${rounded} cm です。${LOG_LENGTH.instead} cm にして表示します` }]
-    : [];
+  const notices =
+    scale !== 1
+      ? [
+          {
+            en: `${name} is ${rounded} cm long; it is shown ${LOG_LENGTH.instead} cm long`,
+            ja: `${name} の長さは ${rounded} cm です。${LOG_LENGTH.instead} cm にして表示します`,
+          },
+        ]
+      : [];
   const middle = low.map((value, k) => value + sides[k]! / 2);
   const positions = new Float32Array(given.length);
   for (let i = 0; i < given.length; i += 3) {
@@ -101,7 +122,10 @@ function laidDown(given: Float64Array, indices: Uint32Array, name: string): { po
 
 /** Of the vertices that are used. */
 function box(positions: Float64Array, indices: Uint32Array): [number[], number[]] {
-  const [low, high] = [[Infinity, Infinity, Infinity], [-Infinity, -Infinity, -Infinity]];
+  const [low, high] = [
+    [Infinity, Infinity, Infinity],
+    [-Infinity, -Infinity, -Infinity],
+  ];
   for (const index of indices) {
     for (let k = 0; k < 3; k += 1) {
       const value = positions[3 * index + k]!;

@@ -72,13 +72,23 @@ class Reader {
       const token = this.#token();
       // A word of some text that has nothing to do with vertices.
       if (token === '' && this.#coordinates.length === 0) throw this.#unknown();
-      if (token === '') throw this.#broken({ en: `a vertex has ${axis} coordinates; it needs three`, ja: `頂点の座標が ${axis} 個です。3 個必要です` }, axis);
+      if (token === '')
+        throw this.#broken(
+          { en: `a vertex has ${axis} coordinates; it needs three`, ja: `頂点の座標が ${axis} 個です。3 個必要です` },
+          axis,
+        );
       const value = Number(token);
       if (!NUMBER.test(token)) {
-        const hint = token.includes(',') ? { en: '; decimals are written with a point', ja: '。小数点にはピリオドを使います' } : { en: '', ja: '' };
-        throw this.#broken({ en: `"${shown(token)}" is not a number${hint.en}`, ja: `「${shown(token)}」は数値ではありません${hint.ja}` }, shown(token));
+        const hint = token.includes(',')
+          ? { en: '; decimals are written with a point', ja: '。小数点にはピリオドを使います' }
+          : { en: '', ja: '' };
+        throw this.#broken(
+          { en: `"${shown(token)}" is not a number${hint.en}`, ja: `「${shown(token)}」は数値ではありません${hint.ja}` },
+          shown(token),
+        );
       }
-      if (!Number.isFinite(value)) throw this.#broken({ en: `"${shown(token)}" is too large a number`, ja: `「${shown(token)}」は大きすぎる数値です` }, shown(token));
+      if (!Number.isFinite(value))
+        throw this.#broken({ en: `"${shown(token)}" is too large a number`, ja: `「${shown(token)}」は大きすぎる数値です` }, shown(token));
       this.#coordinates.push(value);
     }
     if (this.#coordinates.length > 3 * MOST_LISTED) throw this.#tooLarge({ en: 'vertices', ja: '頂点' }, MOST_LISTED + 1, MOST_LISTED);
@@ -89,7 +99,8 @@ class Reader {
     for (let token = this.#token(); token !== ''; token = this.#token()) {
       this.#corners.push(this.#corner(token));
       // Before the rest of the face is stored.
-      if (this.#triangles + this.#corners.length - start - 2 > MOST_TRIANGLES) throw this.#tooLarge({ en: 'triangles', ja: '三角形' }, MOST_TRIANGLES + 1, MOST_TRIANGLES);
+      if (this.#triangles + this.#corners.length - start - 2 > MOST_TRIANGLES)
+        throw this.#tooLarge({ en: 'triangles', ja: '三角形' }, MOST_TRIANGLES + 1, MOST_TRIANGLES);
     }
     this.#triangles += Math.max(0, this.#corners.length - start - 2);
     this.#ends.push(this.#corners.length);
@@ -100,7 +111,11 @@ class Reader {
   #corner(token: string): number {
     const [, digits] = CORNER.exec(token) ?? [];
     const count = this.#coordinates.length / 3;
-    if (digits === undefined) throw this.#broken({ en: `"${shown(token)}" is not the number of a vertex`, ja: `「${shown(token)}」は頂点の番号ではありません` }, shown(token));
+    if (digits === undefined)
+      throw this.#broken(
+        { en: `"${shown(token)}" is not the number of a vertex`, ja: `「${shown(token)}」は頂点の番号ではありません` },
+        shown(token),
+      );
     const number = Number(digits);
     // Far out of range, the index would not fit its list.
     if (number === 0 || -number > count || number > MOST_LISTED) throw this.#missing(number, count, this.#line);
@@ -119,7 +134,8 @@ class Reader {
     const start = this.#at;
     while (this.#at < text.length) {
       const code = text.charCodeAt(this.#at);
-      if (isBlank(code) || code === LINE_FEED || code === RETURN || code === HASH || (code === BACKSLASH && this.#continuation() > 0)) break;
+      if (isBlank(code) || code === LINE_FEED || code === RETURN || code === HASH || (code === BACKSLASH && this.#continuation() > 0))
+        break;
       this.#at += 1;
     }
     return text.slice(start, this.#at);
@@ -183,26 +199,45 @@ class Reader {
   }
 
   #broken(reason: Words, value: unknown, line = this.#line): Error {
-    return refused('LogFileBroken', { en: `${this.#name}, line ${line}: ${reason.en}`, ja: `${this.#name} の ${line} 行目：${reason.ja}` }, { value });
+    return refused(
+      'LogFileBroken',
+      { en: `${this.#name}, line ${line}: ${reason.en}`, ja: `${this.#name} の ${line} 行目：${reason.ja}` },
+      { value },
+    );
   }
 
   #missing(number: number, count: number, line: number): Error {
-    const [en, ja] = [`a face names vertex ${number}, and there are ${count} vertices`, `面が頂点 ${number} を参照していますが、頂点は ${count} 個です`];
-    return refused('LogFileBroken', { en: `${this.#name}, line ${line}: ${en}`, ja: `${this.#name} の ${line} 行目：${ja}` }, { value: number, min: 1, max: count });
+    const [en, ja] = [
+      `a face names vertex ${number}, and there are ${count} vertices`,
+      `面が頂点 ${number} を参照していますが、頂点は ${count} 個です`,
+    ];
+    return refused(
+      'LogFileBroken',
+      { en: `${this.#name}, line ${line}: ${en}`, ja: `${this.#name} の ${line} 行目：${ja}` },
+      { value: number, min: 1, max: count },
+    );
   }
 
   #tooLarge(what: Words, value: number, max: number): Error {
-    return refused('LogTooLarge', {
-      en: `${this.#name} has more than ${max} ${what.en} (line ${this.#line}); a log may have at most ${max}. Simplify the mesh before saving it`,
-      ja: `${this.#name} の${what.ja}は ${max} 個を超えています（${this.#line} 行目）。メッシュを簡略化してください`,
-    }, { value, max });
+    return refused(
+      'LogTooLarge',
+      {
+        en: `${this.#name} has more than ${max} ${what.en} (line ${this.#line}); a log may have at most ${max}. Simplify the mesh before saving it`,
+        ja: `${this.#name} の${what.ja}は ${max} 個を超えています（${this.#line} 行目）。メッシュを簡略化してください`,
+      },
+      { value, max },
+    );
   }
 
   #tooRagged(value: number, max: number, line: number): Error {
-    return refused('LogFileUnsupported', {
-      en: `${this.#name}, line ${line}: a face that is not convex has ${value} corners; at most ${max} are read. Triangulate the mesh before saving it`,
-      ja: `${this.#name} の ${line} 行目：凸でない面の頂点が ${value} 個あります（上限 ${max} 個）。三角形に分割して保存してください`,
-    }, { value, max });
+    return refused(
+      'LogFileUnsupported',
+      {
+        en: `${this.#name}, line ${line}: a face that is not convex has ${value} corners; at most ${max} are read. Triangulate the mesh before saving it`,
+        ja: `${this.#name} の ${line} 行目：凸でない面の頂点が ${value} 個あります（上限 ${max} 個）。三角形に分割して保存してください`,
+      },
+      { value, max },
+    );
   }
 }
 

@@ -29,10 +29,14 @@ export interface ReadOptions {
 export async function readLogFile(file: Blob & { name?: string }, { onProgress = () => {} }: ReadOptions = {}): Promise<LogFile> {
   const name = shown(file.name || '') || 'the file';
   if (file.size > MOST_BYTES) {
-    throw refused('LogFileTooLarge', {
-      en: `${name} is ${megabytes(file.size)}; a log file may be at most ${megabytes(MOST_BYTES)}`,
-      ja: `${name} は ${megabytes(file.size)} です。丸太のファイルは ${megabytes(MOST_BYTES)} までです`,
-    }, { value: file.size, max: MOST_BYTES });
+    throw refused(
+      'LogFileTooLarge',
+      {
+        en: `${name} is ${megabytes(file.size)}; a log file may be at most ${megabytes(MOST_BYTES)}`,
+        ja: `${name} は ${megabytes(file.size)} です。丸太のファイルは ${megabytes(MOST_BYTES)} までです`,
+      },
+      { value: file.size, max: MOST_BYTES },
+    );
   }
   const bytes = await bytesOf(file, name);
   try {

@@ -14,7 +14,12 @@ const STRAIGHT = 1e-9;
  *
  * @throws What `tooRagged` gives for a face that is not convex and has more corners than are cut.
  */
-export function triangulated(positions: Float64Array, corners: Uint32Array, emit: (a: number, b: number, c: number) => void, tooRagged: (corners: number, max: number) => Error): void {
+export function triangulated(
+  positions: Float64Array,
+  corners: Uint32Array,
+  emit: (a: number, b: number, c: number) => void,
+  tooRagged: (corners: number, max: number) => Error,
+): void {
   const ears = corners.length < 4 ? [] : earsOf(positions, corners, tooRagged);
   for (let k = 0; k < ears.length; k += 3) emit(corners[ears[k]!]!, corners[ears[k + 1]!]!, corners[ears[k + 2]!]!);
   // A fan suits faces that are convex, or so thin that the cutter finds nothing.

@@ -39,7 +39,9 @@ export function Rocks() {
         <img slot="poster" src="/poster.svg" alt="Rocks, drawn before they are grown" width={400} height={300} />
       </rock-field>
       <output>{rocks} rocks</output>
-      <button type="button" onClick={() => field.current?.frameAll()}>{framed ? 'framed' : 'Whole field'}</button>
+      <button type="button" onClick={() => field.current?.frameAll()}>
+        {framed ? 'framed' : 'Whole field'}
+      </button>
     </>
   );
 }

@@ -24,7 +24,9 @@ export function App() {
         style={{ width: 400, height: 300 }}
       />
       <output>{rocks} rocks</output>
-      <button type="button" onClick={() => field.current?.frameAll()}>{framed ? 'framed' : 'Whole field'}</button>
+      <button type="button" onClick={() => field.current?.frameAll()}>
+        {framed ? 'framed' : 'Whole field'}
+      </button>
     </main>
   );
 }

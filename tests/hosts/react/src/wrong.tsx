@@ -29,4 +29,14 @@ export const wrong = [
 ];
 
 /** And what they have to take. */
-export const right = <wood-ear-log preset="wet-colony" density={40} log-length="120" bases="0 -15 20" ground="shingle" editable onchange={({ detail }) => detail.params.bases} />;
+export const right = (
+  <wood-ear-log
+    preset="wet-colony"
+    density={40}
+    log-length="120"
+    bases="0 -15 20"
+    ground="shingle"
+    editable
+    onchange={({ detail }) => detail.params.bases}
+  />
+);
