@@ -1,9 +1,10 @@
-// `npm run test:arm`: the golden hashes of both generators on 64-bit ARM, emulated by qemu unless this machine is one.
+// `npm run test:arm`: the golden hashes of all generators on 64-bit ARM, emulated by qemu unless this machine is one.
 //
 // No part of `npm test`. On Debian, as root, what is missing is installed; elsewhere it is said what to install.
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { cargoEnv, root } from './env.mjs';
+import { GENERATORS } from './generators.mjs';
 import { Failure, capture, isMain, main, run, say, step, which } from './run.mjs';
 import { setup } from './setup.mjs';
 
@@ -17,7 +18,7 @@ const PACKAGES = ['qemu-user', 'gcc-aarch64-linux-gnu', 'libc6-dev-arm64-cross']
 const isDebian = process.platform === 'linux' && existsSync('/etc/debian_version');
 
 /** The files with golden hashes, and the name of the test in each. */
-const TESTS = ['--test', 'golden', '--test', 'wood_ear_properties', 'every_preset_has_its_golden_hash'];
+const TESTS = [...GENERATORS.flatMap(({ goldens }) => ['--test', goldens]), 'every_preset_has_its_golden_hash'];
 
 export async function check() {
   await setup();

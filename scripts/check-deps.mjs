@@ -4,13 +4,13 @@ import path from 'node:path';
 import { rustProblems } from './check-rust-deps.mjs';
 import { webProblems } from './check-web-deps.mjs';
 import { cargoEnv, pkg, root } from './env.mjs';
+import { GENERATORS } from './generators.mjs';
 import { Failure, capture, isMain, main } from './run.mjs';
 
 /** Crates an artefact must not have in its tree. */
 const FORBIDDEN_CRATES = [
   { features: [], crates: ['wgpu', 'web-sys', 'js-sys', 'wasm-bindgen'] },
-  { features: ['generator'], crates: ['wgpu', 'wgpu-core', 'naga', 'web-sys'] },
-  { features: ['wood-ear'], crates: ['wgpu', 'wgpu-core', 'naga', 'web-sys'] },
+  ...GENERATORS.map(({ wasm }) => ({ features: [wasm], crates: ['wgpu', 'wgpu-core', 'naga', 'web-sys'] })),
 ];
 
 export async function check() {

@@ -1,8 +1,10 @@
 // The modules of the crate: which room of src/ may use which other room, and that no modules use each other in a circle.
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
+import { GENERATORS, inRust } from './generators.mjs';
 
 const BASE = ['cached', 'error', 'noise', 'params', 'rng'];
+const CRATES = GENERATORS.map(({ name }) => inRust(name));
 
 /**
  * The rooms of src/, each with the rooms that it may use. A room is a file or a folder; `bindings` has rules for each of its files. Tests
@@ -14,15 +16,13 @@ export const ROOMS = {
   noise: [],
   rng: [],
   params: ['error'],
-  rocks: BASE,
-  wood_ear: BASE,
-  validate: [...BASE, 'rocks', 'wood_ear'],
+  ...Object.fromEntries(CRATES.map((name) => [name, BASE])),
+  validate: [...BASE, ...CRATES],
   shading: [],
   render: ['shading'],
   'bindings/error': ['error'],
-  'bindings/generator': [...BASE, 'rocks'],
   'bindings/literal': ['params', 'rocks'],
-  'bindings/wood_ear': [...BASE, 'bindings/error', 'wood_ear'],
+  ...Object.fromEntries(GENERATORS.map(({ name, wasm }) => [`bindings/${inRust(wasm)}`, [...BASE, 'bindings/error', inRust(name)]])),
   'bindings/renderer': ['render', 'shading'],
   'bindings/renderer_wood': ['bindings/renderer', 'render', 'shading'],
 };

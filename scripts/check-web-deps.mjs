@@ -3,6 +3,9 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 // The one TypeScript parser here that can be called: TypeScript 7 is a program without an API, so dependency-cruiser cannot read types with it.
 import { ts } from '@custom-elements-manifest/analyzer';
+import { GENERATORS, withGround } from './generators.mjs';
+
+const NAMES = GENERATORS.map(({ name }) => name).join('|');
 
 /**
  * The rooms of www/, from the lowest floor up. Files may import from their own room and from all floors below; rooms that share a floor
@@ -17,8 +20,7 @@ export const FLOORS = [
   ['scene'],
   ['element'],
   ['controls'],
-  ['rocks'],
-  ['wood-ear'],
+  ...generatorFloors(),
   ['entries'],
   ['pages', 'typings'],
   ['docs'],
@@ -32,7 +34,7 @@ const UNKNOWN_TO = {
 
 /** Packages, each with the files that may import them. A name that ends in a colon stands for all that begin so. */
 const PACKAGES = {
-  lit: /^((rocks|wood-ear)\/)?controls\//,
+  lit: new RegExp(`^((${NAMES})/)?controls/`),
   earcut: /^wood-ear\/log-file\//,
   meshoptimizer: /^wood-ear\/log-file\//,
   react: /^typings\//,
@@ -43,13 +45,24 @@ const PACKAGES = {
 };
 
 /** The files that import the glue of wasm-bindgen or start wasm. */
-const WASM_USERS = ['entries/worker.ts', 'entries/wood-ear-worker.ts', 'entries/core.ts', 'entries/core.node.ts', 'renderer/artefact.ts'];
+const WASM_USERS = [
+  ...GENERATORS.map(({ worker }) => `entries/${worker}.ts`),
+  'entries/core.ts',
+  'entries/core.node.ts',
+  'renderer/artefact.ts',
+];
 const WASM = /_bg\.wasm|\bWebAssembly\.(instantiate|compile|Module|Instance)/;
 
 /** Elements, and what they are made of, leave the page's address alone: they stand in pages of others. */
-const ELEMENTS = /^(base|data|table|generator|renderer|scene|element)\/|^(rocks|wood-ear)\/(?!controls\/)/;
+const ELEMENTS = new RegExp(`^(base|data|table|generator|renderer|scene|element)/|^(${NAMES})/(?!controls/)`);
 const ADDRESS =
   /(?<![\w#.-])(location\s*[.[=]|history\.(push|replace)State)|\b(window|document|globalThis)\.(location|history)\b|\bURLSearchParams\b|['"](hashchange|popstate)['"]/;
+
+/** Generators do not know each other, but for those that they stand on. */
+function generatorFloors() {
+  const heights = GENERATORS.map((generator) => withGround(generator).length);
+  return [...new Set(heights)].sort().map((height) => GENERATORS.filter((_, index) => heights[index] === height).map(({ name }) => name));
+}
 
 /** Returns what is wrong with the modules below `folder`, which is www/. */
 export function webProblems(folder) {

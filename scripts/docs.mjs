@@ -2,6 +2,7 @@
 import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { root } from './env.mjs';
+import { GENERATORS } from './generators.mjs';
 import { errorNames, troubleshooting } from './docs-errors.mjs';
 import { frame, markdown } from './docs-html.mjs';
 import { members } from './docs-members.mjs';
@@ -71,14 +72,12 @@ const PAGES = [
     kinds: ['slot', 'part', 'css-property'],
     description: 'Slots, CSS parts and custom properties of <rock-field>, beside live examples.',
   },
-  {
-    file: 'wood-ear-log.html',
-    title: 'Wood ears',
-    make: () => elementTables('wood-ear-log'),
+  ...GENERATORS.filter(({ docs }) => docs).map(({ tag, docs }) => ({
+    file: `${tag}.html`,
+    make: () => elementTables(tag),
     className: 'wide',
-    description:
-      'A second element, <wood-ear-log>: a colony of wood-ear fungus on a fallen log. Its attributes, properties, methods and events.',
-  },
+    ...docs,
+  })),
   {
     file: 'types.html',
     title: 'Types',

@@ -3,12 +3,12 @@ import { readFileSync, readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { dist, pkg, root } from './env.mjs';
+import { GENERATORS, camelCase, entriesOf, entryFile, workersOf } from './generators.mjs';
 import { Failure } from './run.mjs';
 import { bundle } from './web.mjs';
 
-const ENTRIES = ['www/entries/rock-field.ts', 'www/entries/element.ts', 'www/entries/wood-ear-log.ts', 'www/entries/core.ts'];
-/** Each with the function of www/entries/variants/inline-worker.ts that gives its address. */
-const WORKERS = { worker: 'workerAddress', 'wood-ear-worker': 'woodEarWorkerAddress', 'wood-ear-file-worker': 'woodEarFileWorkerAddress' };
+const ENTRIES = [...GENERATORS.flatMap(entriesOf), 'core'].map(entryFile);
+const WORKERS = GENERATORS.flatMap(workersOf);
 
 /** The forms that bundlers recognise, and ours are written in. */
 const WASM = /new URL\('\.\/([\w-]+)_bg\.wasm', import\.meta\.url\)/g;
@@ -19,7 +19,7 @@ const common = { define: { 'import.meta.url': 'undefined' }, platform: 'browser'
 
 export async function buildInline(outdir = path.join(dist, 'inline')) {
   rmSync(outdir, { recursive: true, force: true });
-  const entryPoints = Object.keys(WORKERS).map((name) => `www/entries/${name}.ts`);
+  const entryPoints = WORKERS.map(entryFile);
   // Classic scripts, since a page without an origin (`<iframe sandbox>`) starts no module from a blob in Chromium.
   const { outputFiles } = await bundle({
     ...common,
@@ -47,6 +47,11 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
     throw new Failure(`addresses of other files are left in dist/inline/: ${left.join(', ')}; scripts/inline.mjs knows one form of them`);
 }
 
+/** The function of www/entries/variants/inline-worker.ts that gives the address of a worker. */
+export function addressFunction(worker) {
+  return `${camelCase(worker)}Address`;
+}
+
 function inline(workers = new Map()) {
   return {
     name: 'inline',
@@ -55,7 +60,7 @@ function inline(workers = new Map()) {
         const text = readFileSync(file, 'utf8');
         const contents = text
           .replaceAll(WASM, "inlined('$1_bg.wasm', () => import('inlined:$1'))")
-          .replaceAll(WORKER_ADDRESS, (_, name) => `${WORKERS[name]}()`);
+          .replaceAll(WORKER_ADDRESS, (_, name) => `${addressFunction(name)}()`);
         return { contents, loader: 'ts' };
       });
       build.onResolve({ filter: /^inlined:/ }, ({ path: name }) => ({

@@ -3,29 +3,21 @@ import { readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { create, ts } from '@custom-elements-manifest/analyzer';
 import { dist, root } from './env.mjs';
+import { GENERATORS, camelCase, entryFile } from './generators.mjs';
 import { Failure } from './run.mjs';
 import { tables } from './tables.mjs';
 
 const SHARED = ['www/element/generator-element.ts', 'www/scene/scene-element.ts'];
 /** Each with the files that register it and that it is written in, where the package has its class, and where the types of its kind stand. */
-const ELEMENTS = [
-  {
-    registers: 'www/entries/rock-field.ts',
-    written: 'www/rocks/element.ts',
-    inModule: 'dist/element.js',
-    kind: 'www/rocks/table.ts',
-    table: 'ROCKS',
-    docs: 'PARAM_DOCS',
-  },
-  {
-    registers: 'www/entries/wood-ear-log.ts',
-    written: 'www/wood-ear/element.ts',
-    inModule: 'dist/wood-ear-log.js',
-    kind: 'www/wood-ear/table.ts',
-    table: 'WOOD_EARS',
-    docs: 'WOOD_EAR_DOCS',
-  },
-];
+const ELEMENTS = GENERATORS.map(({ name, tag, classEntry, table, paramDocs, hasItemAttributes }) => ({
+  registers: entryFile(tag),
+  written: `www/${name}/element.ts`,
+  inModule: `dist/${classEntry}.js`,
+  kind: `www/${name}/table.ts`,
+  table,
+  paramDocs,
+  hasItemAttributes,
+}));
 /** Where the types of members are written out. */
 const TYPES = [...ELEMENTS.map(({ written }) => written), ...SHARED, 'www/base/view.ts'];
 
@@ -120,16 +112,17 @@ function spelledOut(member, aliases, ofKind) {
 
 // What JSDoc does not say, because the sources say it already.
 
-async function knowledge({ kind, table, docs }) {
+async function knowledge({ written, kind, table, paramDocs, hasItemAttributes }) {
   const known = await tables();
   const { INTERACTIONS, LOADINGS, METRES_PER_PIXEL, QUALITY_CHOICES } = known;
+  for (const name of [table, paramDocs]) if (!known[name]) throw new Failure(`no module of scripts/tables.mjs exports ${name}`);
   const { colors, itemRows, presets, rows, views } = known[table];
   const oneOf = (words) => ({ type: { text: union(words) }, default: words[0] });
   const sources = TYPES.map(parse);
   const aliases = literalUnions(sources);
   const backends = aliases.get('Backend');
-  // The items of rocks are attributes and properties too; those of wood ears stand in a list of their own.
-  const own = table === 'ROCKS' ? [...rows, ...itemRows] : rows;
+  // Layers are attributes and properties too; bases stand in a list of their own.
+  const own = hasItemAttributes ? [...rows, ...itemRows] : rows;
   return {
     attributeTypes: {
       preset: oneOf(presets.map(({ name }) => name)),
@@ -154,8 +147,8 @@ async function knowledge({ kind, table, docs }) {
       ['WantedQuality', union(QUALITY_CHOICES)],
       ['Interaction', union(INTERACTIONS)],
     ]),
-    events: eventTypes([parse(ELEMENTS.find((element) => element.table === table).written), ...SHARED.map(parse)]),
-    parameters: own.map((row) => parameter(row, known, known[docs][row.url].en)),
+    events: eventTypes([parse(written), ...SHARED.map(parse)]),
+    parameters: own.map((row) => parameter(row, known, known[paramDocs][row.url].en)),
     ofKind: typesOf(parse(kind)),
   };
 }
@@ -224,8 +217,4 @@ function eventTypes(sources) {
 
 function union(words) {
   return words.map((word) => `'${word}'`).join(' | ');
-}
-
-function camelCase(name) {
-  return name.replace(/-([a-z])/g, (_, letter) => letter.toUpperCase());
 }

@@ -2,13 +2,11 @@
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { dist, pkg, root } from './env.mjs';
+import { GENERATORS, entriesOf } from './generators.mjs';
 import { Failure, run } from './run.mjs';
 
 const ENTRIES = [
-  'www/entries/rock-field.d.ts',
-  'www/entries/element.d.ts',
-  'www/entries/wood-ear-log.d.ts',
-  'www/entries/core.d.ts',
+  ...[...GENERATORS.flatMap(entriesOf), 'core'].map((name) => `www/entries/${name}.d.ts`),
   'www/typings/jsx.d.ts',
   'www/typings/svelte.d.ts',
   'www/typings/vue.d.ts',

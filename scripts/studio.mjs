@@ -5,6 +5,7 @@
 //   const { png, ms } = await studio.take('webgl', { width: 1600, height: 1000, camera: null });
 //   await studio.close();
 import { launch, pageOf } from '../tests/e2e/browser.mjs';
+import { GENERATORS } from './generators.mjs';
 import { Failure } from './run.mjs';
 
 const pageWith = (tag) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>studio</title><link rel="icon" href="data:,">
@@ -19,10 +20,7 @@ export function fromAbove([x, y], across) {
 }
 
 /** What an element shows until it is asked for more: little. */
-const SMALL = {
-  'rock-field': { 'image-width': 64, 'image-height': 64 },
-  'wood-ear-log': { ground: '', density: 0 },
-};
+const SMALL = Object.fromEntries(GENERATORS.map(({ tag, small }) => [tag, small]));
 
 /**
  * Opens a page for each backend, in one browser. `tag` is the element's.

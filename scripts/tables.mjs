@@ -2,6 +2,7 @@
 import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
+import { GENERATORS } from './generators.mjs';
 
 const SOURCES = [
   ...[
@@ -14,18 +15,9 @@ const SOURCES = [
     'element/attribute-reader',
   ],
   ...['controls/strings', 'controls/strings-later', 'docs/notice-help', 'docs/words'],
-  ...[
-    'rocks/attributes',
-    'rocks/link',
-    'rocks/param-docs.gen',
-    'rocks/params',
-    'rocks/request',
-    'rocks/table',
-    'rocks/words',
-    'rocks/controls/preset-groups',
-    'wood-ear/param-docs.gen',
-    'wood-ear/table',
-  ],
+  ...GENERATORS.flatMap(({ name }) => [`${name}/param-docs.gen`, `${name}/table`]),
+  // The examples and the gallery of the documentation are about rocks.
+  ...['rocks/attributes', 'rocks/link', 'rocks/params', 'rocks/request', 'rocks/words', 'rocks/controls/preset-groups'],
 ];
 
 let loading;

@@ -12,6 +12,7 @@ import { run as runFiles } from 'node:test';
 import { spec } from 'node:test/reporters';
 import { parseArgs } from 'node:util';
 import { cargoEnv, root } from './env.mjs';
+import { GENERATORS } from './generators.mjs';
 import { Failure, beginningWith, main, run, say, seconds } from './run.mjs';
 import { runRustTests, withWasmTests } from './rust-tests.mjs';
 import { bindgenTestRunner, setup } from './setup.mjs';
@@ -56,8 +57,11 @@ const STEPS = [
     work: () => node([path.join('node_modules', '@biomejs', 'biome', 'bin', 'biome'), 'ci', '--error-on-warnings', '.']),
   },
   { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
-  { name: 'clippy-generator', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'generator') },
-  { name: 'clippy-wood-ear', expected: '30 s / 5 s', work: () => clippy(...WASM, '--features', 'wood-ear') },
+  ...GENERATORS.map(({ wasm }) => ({
+    name: `clippy-${wasm}`,
+    expected: '30 s / 5 s',
+    work: () => clippy(...WASM, '--features', wasm),
+  })),
   { name: 'clippy-webgpu', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgpu') },
   { name: 'clippy-webgl', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgl') },
   { name: 'rust', expected: '5 min / 3 min', work: rustTests },
@@ -158,9 +162,7 @@ async function rustInNode() {
 
 async function rustDocs() {
   await docs();
-  await docs(...WASM, '--features', 'generator');
-  await docs(...WASM, '--features', 'wood-ear');
-  await docs(...WASM, '--features', 'renderer-webgpu');
+  for (const feature of [...GENERATORS.map(({ wasm }) => wasm), 'renderer-webgpu']) await docs(...WASM, '--features', feature);
 }
 
 async function webTests() {

@@ -2,12 +2,13 @@
 import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
+import { GENERATORS } from './generators.mjs';
 
 /**
  * What an element with `controls` loads when its panel is opened, by its name in dist/. In one file: what it shares with the element is little,
  * and would be cut out of the element's file, which everybody loads.
  */
-export const PANELS = { panel: 'www/rocks/panel.ts', 'wood-ear-panel': 'www/wood-ear/panel.ts' };
+export const PANELS = Object.fromEntries(GENERATORS.map(({ name, panel }) => [panel, `www/${name}/panel.ts`]));
 
 /** Whoever loads a panel asks for panel.js, which lies beside every chunk; `names` says what it is really called. */
 export function panelApart(names = new Map()) {

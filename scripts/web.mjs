@@ -5,6 +5,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { writeDocs } from './docs.mjs';
 import { dist, hashOf, pkg, root } from './env.mjs';
+import { GENERATORS, entriesOf, entryFile, pageScript, withGround, workersOf } from './generators.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { loadedBefore } from './loaded-before.mjs';
 import { Failure, step } from './run.mjs';
@@ -16,39 +17,29 @@ export const metafile = path.join(pkg, 'web.meta.json');
 
 // dist/ is flat: `new URL('./worker.js', import.meta.url)` then means the same file from whichever chunk the code landed in.
 // Every list of entries is by the name that the file has in dist/, without its ending.
-const PAGE_ENTRIES = { main: 'www/pages/rocks.ts', 'wood-ear': 'www/pages/wood-ear.ts', page: 'www/styles/page.css' };
+const PAGE_ENTRIES = { ...eachAs(({ page }) => page.script, pageScript), page: 'www/styles/page.css' };
 /** What people import or write into their pages, by names that stay. */
-const PUBLIC_ENTRIES = named('rock-field', 'element', 'wood-ear-log', 'core');
+const PUBLIC_ENTRIES = named(...GENERATORS.flatMap(entriesOf), 'core');
 const NODE_ENTRIES = named('core.node');
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
 const CDN = {
-  entryPoints: { cdn: PUBLIC_ENTRIES['rock-field'], 'wood-ear-cdn': PUBLIC_ENTRIES['wood-ear-log'] },
+  entryPoints: eachAs(
+    ({ cdn }) => cdn,
+    ({ tag }) => entryFile(tag),
+  ),
   inject: ['www/entries/variants/cdn.ts'],
   define: { 'import.meta.url': 'scriptUrl' },
   format: 'iife',
   platform: 'browser',
 };
 // In one file: it shares little with the pages that start it, and what it shares would be cut out of their files.
-const WORKERS = named('worker', 'wood-ear-worker', 'wood-ear-file-worker');
+const WORKERS = named(...GENERATORS.flatMap(workersOf));
 // The documentation is a guest of the package like any other: it loads rock-field.js and shares no chunk with the page.
 const DOCS = { entryPoints: ['www/docs/docs.ts', 'www/styles/docs.css'], entryNames: HASHED_NAME, platform: 'browser' };
 const SERVICE_WORKER = 'www/pages/service-worker.ts';
 const COPIED = ['www/manifest.webmanifest', 'www/icon.svg', 'www/icon-maskable.svg', 'www/apple-touch-icon.png'];
+/** The page of every generator is made of it. */
 const PAGE = 'index.html';
-/** The pages that are made of it, each with its script, what a visit needs beside it, and what it says of itself where that is not the first's. */
-const PAGES = [
-  { name: PAGE, script: 'main', workers: ['worker'], wasm: ['generator_bg.wasm'] },
-  {
-    name: 'wood-ear.html',
-    script: 'wood-ear',
-    // The log lies on rocks.
-    workers: ['wood-ear-worker', 'worker', 'wood-ear-file-worker'],
-    wasm: ['wood-ear_bg.wasm', 'generator_bg.wasm'],
-    title: 'rock-field – wood ears on a fallen log',
-    description:
-      'A colony of wood-ear fungus on a fallen log, grown in the browser from one seed. Place it, let it dry, wrinkle and curl, share the link.',
-  },
-];
 
 // What a visit needs beside its scripts. Of the two renderers it needs one: that is kept when the page has used it.
 const ALWAYS_NEEDED = ['page.css', ...COPIED.map((file) => path.basename(file))];
@@ -57,7 +48,17 @@ const NEVER_ASKED = /\.map$|^core\.node\.js$|_bg\.wasm$/;
 
 /** Entries whose files in www/entries/ are called as what is made of them. */
 function named(...names) {
-  return Object.fromEntries(names.map((name) => [name, `www/entries/${name}.ts`]));
+  return Object.fromEntries(names.map((name) => [name, entryFile(name)]));
+}
+
+/** For each generator, what is made of it by the name that the file made of it has. */
+function eachAs(nameOf, fileOf) {
+  return Object.fromEntries(GENERATORS.map((generator) => [nameOf(generator), fileOf(generator)]));
+}
+
+/** The artefact of a generator, which is in dist/ by this name too. */
+function wasmFile({ wasm }) {
+  return `${wasm}_bg.wasm`;
 }
 
 const common = {
@@ -102,7 +103,7 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node', minify: false });
     await bundle({ ...CDN, outdir: staging, ...marking, plugins: [hashedAddresses(names), panelByAddress] });
     // By plain names for those who import them (`rock-field/generator_bg.wasm`), and for Node.
-    for (const name of wasm.filter((file) => !file.startsWith('renderer-'))) copyFileSync(path.join(pkg, name), path.join(staging, name));
+    for (const name of GENERATORS.map(wasmFile)) copyFileSync(path.join(pkg, name), path.join(staging, name));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
     await docs(path.join(staging, 'docs'), marking);
     const meta = relativeTo(staging, merged(browser, workers, panel));
@@ -165,22 +166,24 @@ async function finish(staging, meta, hashedNames) {
   const page = readFileSync(path.join(root, PAGE), 'utf8');
   if (!page.includes('</head>')) throw new Failure(`${PAGE} has no </head> to put the build's id before`);
   const build = hashOf(page, JSON.stringify(files)).slice(0, 16);
-  for (const { name, script, title, description } of PAGES) {
+  for (const { file, script, title, description } of GENERATORS.map(({ page: own }) => own)) {
     // The chunks are asked for with the page, not one import after the other.
     const preloads = scriptsOf(meta, PAGE_ENTRIES[script]).map((chunk) => `<link rel="modulepreload" href="./${chunk}">`);
     const added = [`<meta name="rock-field-build" content="${build}">`, ...preloads].map((line) => `  ${line}\n  `).join('');
     let written = withHashedNames(page.replace('src="main.js"', `src="${script}.js"`), hashedNames).replace('</head>', `${added}</head>`);
     if (title) written = written.replace(/(?<=<title>)[^<]*/, title);
     if (description) written = written.replace(/(?<=<meta name="description" content=")[^"]*/, description);
-    writeFileSync(path.join(staging, name), written);
+    writeFileSync(path.join(staging, file), written);
   }
-  const needed = ({ script, workers, wasm }) => {
-    const entries = [PAGE_ENTRIES[script], ...workers.map((worker) => WORKERS[worker])];
+  const needed = (generator) => {
+    const generators = withGround(generator);
+    const workers = [...generators.map(({ worker }) => worker), ...generator.otherWorkers];
+    const entries = [pageScript(generator), ...workers.map(entryFile)];
     const scripts = entries.flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
-    const others = [...wasm, ...ALWAYS_NEEDED].map((name) => hashedNames.get(name) ?? name);
+    const others = [...generators.map(wasmFile), ...ALWAYS_NEEDED].map((name) => hashedNames.get(name) ?? name);
     return [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...others])];
   };
-  const pages = Object.fromEntries(PAGES.map((page) => [page.name, needed(page)]));
+  const pages = Object.fromEntries(GENERATORS.map((generator) => [generator.page.file, needed(generator)]));
   await bundle({
     entryPoints: { sw: SERVICE_WORKER },
     outdir: staging,
