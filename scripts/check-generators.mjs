@@ -1,11 +1,10 @@
 // What a generator still lacks: its own files, and its lines in files for people, which cannot be derived from generators.mjs.
-//
-// `node scripts/check-generators.mjs` says all of it; `npm test` does so for the generators that there are.
+// `npm test -- --only generators` says all of it.
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { root } from './env.mjs';
-import { GENERATORS, camelCase, entriesOf, entryFile, inRust, pageScript, workersOf } from './generators.mjs';
-import { Failure, isMain, main } from './run.mjs';
+import { GENERATORS, addressFunction, entriesOf, entryFile, inRust, pageScript, workersOf } from './generators.mjs';
+import { Failure } from './run.mjs';
 
 const TYPINGS = ['jsx', 'svelte', 'vue'].map((name) => `www/typings/${name}.d.ts`);
 
@@ -60,7 +59,7 @@ function packageLines({ tag, wasm, cdn, worker, otherWorkers, panel, classEntry 
   };
   const hashed = [panel, worker, ...otherWorkers].map((name) => `dist/${name}-A1B2C3D4.js`);
   const named = [tag, cdn].map((name) => `dist/${name}.js`);
-  const packed = [...hashed, ...named, `dist/${classEntry}.js`, `dist/${wasm}_bg.wasm`];
+  const packed = [...new Set([...hashed, ...named, `dist/${classEntry}.js`, `dist/${wasm}_bg.wasm`])];
   return [
     ...Object.entries(wanted)
       .filter(([entry, targets]) => JSON.stringify(exports[entry]) !== JSON.stringify(targets))
@@ -102,11 +101,11 @@ function textLines(generator, read) {
     ['src/lib.rs', `mod ${inRust(generator.name)};`],
     ['www/controls/site.ts', `href: '${href}'`],
     ['www/controls/clipboard.ts', `'${tag}': '${cdn}.js'`],
-    ...TYPINGS.map((file) => [file, `'${tag}': `]),
+    ...TYPINGS.map((file) => [file, `'${tag}':`]),
     ['www/entries/core.ts', `'../../pkg/${wasm}.js'`],
     ['www/entries/core.node.ts', `'../../pkg/${wasm}.js'`],
     ...workersOf(generator).flatMap((worker) => [
-      ['www/entries/variants/inline-worker.ts', `export function ${camelCase(worker)}Address()`],
+      ['www/entries/variants/inline-worker.ts', `export function ${addressFunction(worker)}()`],
       ['www/entries/variants/inlined.d.ts', `declare module 'inlined:${worker}'`],
     ]),
     ['README.md', `<${tag}`],
@@ -129,5 +128,3 @@ export function check() {
   if (problems.length > 0) throw new Failure(`generators.mjs and the rest differ:\n${problems.map((text) => `  ${text}`).join('\n')}`);
   console.log(`${GENERATORS.length} generators, complete`);
 }
-
-if (isMain(import.meta)) await main(async () => check());

@@ -1,7 +1,7 @@
 // The generators that there are, each with all that building, packing, documenting, measuring and testing have to know about it.
 //
-// A generator more is an entry more, and its own files; `node scripts/check-generators.mjs` names those that are missing, and the lines
-// that files for people have to have (package.json, Cargo.toml, a few in www/), which cannot be derived from here.
+// A generator more is an entry more, and its own files. `npm test -- --only generators` names those that are missing, and the lines that
+// cannot be derived from here, in package.json, in Cargo.toml and in a few files of src/ and www/.
 
 /**
  * What every generator has needs no field: `src/<name>/`, `src/params/<name>/` and `src/bindings/<wasm>.rs`; element.ts, table.ts,
@@ -105,6 +105,11 @@ export function entryFile(name) {
 /** The source file of a generator's page. */
 export function pageScript({ name }) {
   return `www/pages/${name}.ts`;
+}
+
+/** The function of www/entries/variants/inline-worker.ts that gives the address of a worker. */
+export function addressFunction(worker) {
+  return `${camelCase(worker)}Address`;
 }
 
 /** `wood-ear` → `wood_ear`, as Rust spells it. */

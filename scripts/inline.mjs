@@ -3,7 +3,7 @@ import { readFileSync, readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { dist, pkg, root } from './env.mjs';
-import { GENERATORS, camelCase, entriesOf, entryFile, workersOf } from './generators.mjs';
+import { GENERATORS, addressFunction, entriesOf, entryFile, workersOf } from './generators.mjs';
 import { Failure } from './run.mjs';
 import { bundle } from './web.mjs';
 
@@ -45,11 +45,6 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
   const left = readdirSync(outdir).filter((name) => /import\.meta|new URL\("\.\//.test(readFileSync(path.join(outdir, name), 'utf8')));
   if (left.length > 0)
     throw new Failure(`addresses of other files are left in dist/inline/: ${left.join(', ')}; scripts/inline.mjs knows one form of them`);
-}
-
-/** The function of www/entries/variants/inline-worker.ts that gives the address of a worker. */
-export function addressFunction(worker) {
-  return `${camelCase(worker)}Address`;
 }
 
 function inline(workers = new Map()) {
