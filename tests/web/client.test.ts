@@ -2,6 +2,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import type { TestContext } from 'node:test';
 import { RockFieldError } from '../../www/base/errors.ts';
+import type { ErrorInfo } from '../../www/base/errors.ts';
 import { japaneseFailure } from '../../www/base/failures.ja.ts';
 import type { Field } from '../../www/data/field.ts';
 import { GeneratorClient } from '../../www/rocks/client.ts';
@@ -10,17 +11,10 @@ import type { FieldJob } from '../../www/rocks/client.ts';
 import type { ClientOptions } from '../../www/generator/worker-client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
 import { GRACE_MS, SILENCE_MS, START_MS } from '../../www/generator/pool-worker.ts';
-import type {
-  FailedMessage,
-  FromLoop,
-  FromWorker,
-  PongMessage,
-  ReadyMessage,
-  StartedMessage,
-  StartMessage,
-} from '../../www/generator/protocol.ts';
+import type { FailedMessage, FromLoop, FromWorker, PongMessage, ReadyMessage, StartedMessage } from '../../www/generator/protocol.ts';
 import { defaultParams } from '../../www/rocks/request.ts';
 import { SilentWorker } from './fake-worker.ts';
+import type { Start } from './fake-worker.ts';
 
 /** The first of its pool, and here the only one. */
 const CLIENT = 1;
@@ -34,11 +28,11 @@ class FakeWorker extends SilentWorker {
     this.says({ type: 'result', id, result: fieldOf(id) });
   }
 
-  get starts(): StartMessage[] {
+  get starts(): Start[] {
     return this.heard.filter((message) => message.type === 'start');
   }
 
-  get lastStart(): StartMessage {
+  get lastStart(): Start {
     return this.starts.at(-1) ?? assert.fail('nothing was started');
   }
 }
@@ -167,7 +161,7 @@ test('a refused request rejects with key, value and bounds, and the worker stays
   const { client, workers, worker } = setUp();
   const answer = client.generate(params(1), { maxBytes: 10 });
   assert.equal(worker().lastStart.request.maxBytes, 10);
-  const error = { name: 'OverBudget', message: 'too much', key: 'imageWidth', value: 20, min: 0, max: 10, layer: undefined };
+  const error: ErrorInfo = { name: 'OverBudget', message: 'too much', key: 'imageWidth', value: 20, min: 0, max: 10, layer: undefined };
   worker().says({ type: 'rejected', id: worker().lastStart.id, error });
   await assert.rejects(answer, (thrown: RockFieldError) => {
     assert.deepEqual([thrown.name, thrown.key, thrown.value, thrown.max], ['OverBudget', 'imageWidth', 20, 10]);

@@ -262,7 +262,7 @@ interface Json {
   [key: string]: unknown;
 }
 
-function glbOf(json: Json, binary = new Uint8Array()): Uint8Array<ArrayBuffer> {
+function glbOf(json: Json, binary: Uint8Array = new Uint8Array()): Uint8Array<ArrayBuffer> {
   const text = new TextEncoder().encode(JSON.stringify(json));
   const padded = (bytes: Uint8Array, fill: number) =>
     Uint8Array.from([...bytes, ...Array<number>((4 - (bytes.length % 4)) % 4).fill(fill)]);
@@ -479,14 +479,14 @@ test('random scenes are read as glTF-Transform reads them: nested and mirrored t
         [Uint16Array, true, 60_000],
         [Uint8Array, false, 200],
       ] as const);
-      const values = type.from(
+      const values = Array.from(
         { length: 3 * count },
         () => (type === Uint16Array || type === Uint8Array ? random() : 2 * random() - 1) * full,
       );
       const position = document
         .createAccessor()
         .setType('VEC3')
-        .setArray(values as Float32Array)
+        .setArray(type.from(values))
         .setNormalized(isNormalized)
         .setBuffer(buffer)
         .setSparse(random() < 0.2);
@@ -509,7 +509,9 @@ test('random scenes are read as glTF-Transform reads them: nested and mirrored t
             .createAccessor()
             .setType('SCALAR')
             .setArray(
-              pick([Uint8Array, Uint16Array, Uint32Array]).from({ length: 9 + 3 * Math.floor(random() * 9) }, () => random() * count),
+              pick([Uint8Array, Uint16Array, Uint32Array]).from(
+                Array.from({ length: 9 + 3 * Math.floor(random() * 9) }, () => random() * count),
+              ),
             )
             .setBuffer(buffer),
         );

@@ -1,9 +1,8 @@
 // Mouse, touch, wheel and keys on a stage that is only pretended: what moves the camera, and what is left to the page.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import type { Interaction } from '../../www/rocks/attributes.ts';
 import { OrbitControls } from '../../www/scene/camera/orbit-controls.ts';
-import type { CameraState } from '../../www/base/view.ts';
+import type { CameraState, Interaction } from '../../www/base/view.ts';
 
 const START: CameraState = { azimuth: 0.5, elevation: 0.6, distance: 1000, target: [500, 400, 0] };
 

@@ -8,9 +8,10 @@ import { GeneratorClient } from '../../www/rocks/client.ts';
 import { CANCEL_MS } from '../../www/generator/worker-client.ts';
 import { IDLE_MS } from '../../www/generator/pool.ts';
 import { GRACE_MS, SILENCE_MS } from '../../www/generator/pool-worker.ts';
-import type { Addressed, FromWorker, StartMessage } from '../../www/generator/protocol.ts';
+import type { FromWorker } from '../../www/generator/protocol.ts';
 import { defaultParams } from '../../www/rocks/request.ts';
 import { SilentWorker } from './fake-worker.ts';
+import type { Start } from './fake-worker.ts';
 
 class FakeWorker extends SilentWorker {
   says(message: FromWorker): void {
@@ -18,16 +19,16 @@ class FakeWorker extends SilentWorker {
   }
 
   /** The field tells whose it is: its client's number. */
-  finishes({ client, id }: Addressed<StartMessage>): void {
+  finishes({ client, id }: Start): void {
     this.says({ type: 'result', client, id, result: { stats: { rocks: client } } as Field });
   }
 
-  get starts(): Addressed<StartMessage>[] {
+  get starts(): Start[] {
     return this.heard.filter((message) => message.type === 'start');
   }
 
   /** The start of the request with this seed. */
-  start(seed: number): Addressed<StartMessage> {
+  start(seed: number): Start {
     return this.starts.find(({ request }) => request.params[0] === seed) ?? assert.fail(`seed ${seed} was not started here`);
   }
 }

@@ -5,9 +5,9 @@ import { mulberry32 } from '../../www/controls/mulberry32.ts';
 import { RockFieldError } from '../../www/base/errors.ts';
 import type { Field } from '../../www/data/field.ts';
 import { GeneratorClient } from '../../www/rocks/client.ts';
-import type { Addressed, StartMessage, ToWorker } from '../../www/generator/protocol.ts';
 import { defaultParams } from '../../www/rocks/request.ts';
 import { SilentWorker } from './fake-worker.ts';
+import type { Heard, Start } from './fake-worker.ts';
 
 const STORED_SEED = 20_131_211;
 const MOMENTS = 100;
@@ -34,7 +34,7 @@ class MortalWorker extends SilentWorker {
   /** From a start to its result, ms. */
   readonly #slow: number;
   #count = 0;
-  #waiting: Addressed<StartMessage>[] = [];
+  #waiting: Start[] = [];
   #lastId = 0;
 
   constructor(random: () => number, fate: Fate | undefined) {
@@ -61,12 +61,12 @@ class MortalWorker extends SilentWorker {
     if (!this.#isStarted) throw new Error('the server answered 404');
   };
 
-  override postMessage(message: ToWorker): void {
+  override postMessage(message: Heard): void {
     super.postMessage(message);
     if (this.#isStarted) this.#hear(message);
   }
 
-  #hear(message: ToWorker): void {
+  #hear(message: Heard): void {
     if (this.#isDead || this.#isDeaf) return;
     this.#count += 1;
     if (message.type === 'ping') this.tells({ type: 'pong', heard: this.#count });
@@ -77,7 +77,7 @@ class MortalWorker extends SilentWorker {
     else this.#waiting.push(message);
   }
 
-  #grow({ client, id, request }: Addressed<StartMessage>): void {
+  #grow({ client, id, request }: Start): void {
     const seed = request.params[0];
     setTimeout(
       () => !this.#isDead && !this.ended && this.tells({ type: 'result', client, id, result: { stats: { rocks: seed } } as Field }),

@@ -2,14 +2,20 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-// @ts-expect-error: the built package, not part of the sources
 import { createWoodEarGenerator, growWoodEar, RockFieldError, woodEarPresets, woodEarSchema } from 'rock-field/core';
-import type { WoodEarColony } from '../../www/data/colony.ts';
-// @ts-expect-error: plain JavaScript
+import type { WoodEarColony, WoodEarPresetName, WoodEarRequest } from 'rock-field/core';
 import { hashColony } from '../golden.mjs';
 
-const golden = JSON.parse(readFileSync(new URL('../data/wood-ear-golden.json', import.meta.url), 'utf8')) as Record<string, string>;
-const small = { density: 60, range: 26, log: { length: 60, radius: 9, spacing: 3, seed: 1 }, base: { position: [2, -6, 14] } };
+const golden = JSON.parse(readFileSync(new URL('../data/wood-ear-golden.json', import.meta.url), 'utf8')) as Record<
+  WoodEarPresetName,
+  string
+>;
+const small = {
+  density: 60,
+  range: 26,
+  log: { length: 60, radius: 9, spacing: 3, seed: 1 },
+  base: { position: [2, -6, 14] },
+} satisfies WoodEarRequest;
 /** A closed box, cm. */
 const box = {
   positions: [0, 0, 0, 40, 0, 0, 40, 20, 0, 0, 20, 0, 0, 0, 20, 40, 0, 20, 40, 20, 20, 0, 20, 20],
@@ -18,7 +24,8 @@ const box = {
 
 test('every preset has its golden hash in Node', async () => {
   assert.deepEqual(Object.keys(golden), Object.keys(woodEarPresets));
-  for (const preset of Object.keys(golden)) assert.equal(await hashColony(await growWoodEar({ preset })), golden[preset], preset);
+  for (const preset of Object.keys(golden) as WoodEarPresetName[])
+    assert.equal(await hashColony(await growWoodEar({ preset })), golden[preset], preset);
 });
 
 test('a preset is a complete request, and cannot be changed', async () => {
@@ -28,19 +35,19 @@ test('a preset is a complete request, and cannot be changed', async () => {
   }, TypeError);
   assert.deepEqual(JSON.parse(JSON.stringify(woodEarSchema)), woodEarSchema);
   assert.deepEqual(
-    Object.keys(woodEarSchema.properties).sort(),
+    Object.keys(woodEarSchema.properties as object).sort(),
     ['base', 'preset', ...Object.keys(woodEarPresets['thesis-default'])].sort(),
   );
 });
 
 test('the preview comes before the colony, which it equals but for collisions', async () => {
   let preview: WoodEarColony | undefined;
-  const colony: WoodEarColony = await growWoodEar(small, { onPreview: (shown: WoodEarColony) => (preview = shown) });
+  const colony = await growWoodEar(small, { onPreview: (shown) => (preview = shown) });
   assert(preview);
   assert.equal(preview.positions.length, colony.positions.length);
   assert.notDeepEqual(preview.positions, colony.positions);
   assert.equal(preview.log, colony.log);
-  const off: WoodEarColony = await growWoodEar({ ...small, collisions: 'off' });
+  const off = await growWoodEar({ ...small, collisions: 'off' });
   assert.deepEqual(preview.positions, off.positions);
   assert.equal(colony.stats.individuals, colony.vertexStarts.length - 1);
   assert.equal(colony.stats.triangles, colony.indices.length / 3);
@@ -123,9 +130,9 @@ test('a log of the user carries the colony, and goes again', async () => {
   const g = await createWoodEarGenerator();
   const before = await hashColony(await g.generate(small));
   const log = { positions: Float32Array.from(box.positions), indices: Uint16Array.from(box.indices) };
-  const colony: WoodEarColony = await g.generate({ density: 100, range: 200, log });
+  const colony = await g.generate({ density: 100, range: 200, log });
   assert(colony.stats.individuals > 0);
-  const again: WoodEarColony = await g.generate({ density: 100, range: 200, log, moisture: 10 });
+  const again = await g.generate({ density: 100, range: 200, log, moisture: 10 });
   assert.equal(again.stats.ms.log, 0);
   assert.equal(again.log, colony.log);
   assert.equal(await hashColony(await g.generate(small)), before);
@@ -157,7 +164,7 @@ test('numbers of a log are taken from every array of them', async () => {
 
 test('feet on a log of one’s own are as dense as asked for, and each is told by a triangle of what was passed', async () => {
   for (const spacing of [2, 3, 6]) {
-    const colony: WoodEarColony = await growWoodEar({ density: 100, range: 200, collisions: 'off', log: { ...box, spacing } });
+    const colony = await growWoodEar({ density: 100, range: 200, collisions: 'off', log: { ...box, spacing } });
     const expected = 4000 / (Math.sqrt(0.75) * spacing ** 2);
     assert.ok(Math.abs(colony.foot.length / expected - 1) < 0.01, `${colony.foot.length} instead of ${expected}`);
     assert.ok(colony.foot.every((triangle) => triangle < box.indices.length / 3));
@@ -167,8 +174,8 @@ test('feet on a log of one’s own are as dense as asked for, and each is told b
 
 test('a log in other units is scaled, one that is inside out is turned, and the result tells both', async () => {
   const insideOut = box.indices.map((_, k) => box.indices[k + [0, 1, -1][k % 3]!]!);
-  const request = { density: 100, range: 200, collisions: 'off' };
-  const plain: WoodEarColony = await growWoodEar({ ...request, log: box });
+  const request: WoodEarRequest = { density: 100, range: 200, collisions: 'off' };
+  const plain = await growWoodEar({ ...request, log: box });
   assert.deepEqual([plain.log.turned, plain.log.scale], [false, 1]);
   for (const [unit, scale] of [
     [0.01, 500],
@@ -177,7 +184,7 @@ test('a log in other units is scaled, one that is inside out is turned, and the 
     [1e-9, 5e9],
     [1e5, 5e-5],
   ] as const) {
-    const colony: WoodEarColony = await growWoodEar({
+    const colony = await growWoodEar({
       ...request,
       log: { positions: box.positions.map((value) => value * unit), indices: insideOut },
     });
@@ -188,15 +195,15 @@ test('a log in other units is scaled, one that is inside out is turned, and the 
     assert.equal(colony.stats.individuals > 0, true);
   }
   // A vertex that no triangle uses has no say.
-  const colony: WoodEarColony = await growWoodEar({ ...request, log: { ...box, positions: [...box.positions, 5000, 0, 0] } });
+  const colony = await growWoodEar({ ...request, log: { ...box, positions: [...box.positions, 5000, 0, 0] } });
   assert.equal(colony.log.scale, 1);
-  const made: WoodEarColony = await growWoodEar(small);
+  const made = await growWoodEar(small);
   assert.deepEqual([made.log.turned, made.log.scale], [false, 1]);
 });
 
 test('what is not counted yet is absent, and nothing is told that nobody counts', async () => {
   let preview: WoodEarColony | undefined;
-  const colony: WoodEarColony = await growWoodEar(small, { onPreview: (shown: WoodEarColony) => (preview = shown) });
+  const colony = await growWoodEar(small, { onPreview: (shown) => (preview = shown) });
   assert.ok(preview && !('crossingPairs' in preview.stats));
   assert.equal(typeof colony.stats.crossingPairs, 'number');
   assert.deepEqual(Object.keys(colony.stats).sort(), [
@@ -219,7 +226,7 @@ test('a run that takes minutes says so within its first seconds, and can be canc
     { preset: 'thesis-maximum', collisions: 'thesis', log: { length: 400, spacing: 1.5 } },
     {
       signal: controller.signal,
-      onProgress: ({ stage, secondsLeft }: { stage: string; secondsLeft?: number }) => {
+      onProgress: ({ stage, secondsLeft }) => {
         if (stage !== 'collide' || secondsLeft === undefined) return;
         told = secondsLeft;
         controller.abort();
