@@ -55,7 +55,11 @@ async function pairUp(photos, presets) {
   return pairs;
 }
 
-/** `NAME@METRES`; the number may be missing. */
+/**
+ * `NAME@METRES`; the number may be missing.
+ *
+ * @returns {[name: string, metres?: number]}
+ */
 function split(text) {
   const [, name, metres] = /^(.*?)(?:@(\d*\.?\d+))?$/.exec(text);
   return metres === undefined ? [name] : [name, Number(metres)];

@@ -9,6 +9,8 @@ const CRATES = GENERATORS.map(({ name }) => inRust(name));
 /**
  * The rooms of src/, each with the rooms that it may use. A room is a file or a folder; `bindings` has rules for each of its files. Tests
  * may use everything. `validate` is for tests alone, so that no room may use it.
+ *
+ * @type {Record<string, string[]>}
  */
 export const ROOMS = {
   cached: [],

@@ -44,6 +44,7 @@ export function troubleshooting() {
       entryOf(`notice-${code}`, code, message, ATTRIBUTE_NOTICE_HELP[code].cause, ATTRIBUTE_NOTICE_HELP[code].remedy),
     ),
   };
+  /** @type {{ id: string, name: string, intro?: string, list: string[] }[]} */
   const parts = [...errors, notices, attributes];
   const html = parts.map(({ id, name, intro = '', list }) => `${heading(2, id, name, name)}${intro}${list.join('')}`);
   return { html: html.join('\n'), contents: parts.map(({ id, name }) => ({ id, name })) };

@@ -84,7 +84,7 @@ export function markdown(text) {
       return `<div class="table" tabindex="0" role="group"><table><thead><tr>${token.header.map(cell('th')).join('')}</tr></thead><tbody>${rows}</tbody></table></div>`;
     },
   };
-  const html = new Marked({ renderer }).parse(text);
+  const html = new Marked({ renderer }).parse(text, { async: false });
   return { html, headings };
 }
 

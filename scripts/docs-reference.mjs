@@ -227,8 +227,9 @@ export async function types() {
     const text = readFileSync(path.join(root, file), 'utf8');
     const source = ts.createSourceFile(file, text, ts.ScriptTarget.ES2022, true);
     for (const statement of source.statements) {
-      if (!statement.name || !LINKED.has(statement.name.text)) continue;
-      found.set(statement.name.text, text.slice(statement.getStart(source, true), statement.end).replace(/^export /m, ''));
+      const { name } = /** @type {{ name?: { text: string } }} */ (statement);
+      if (!name || !LINKED.has(name.text)) continue;
+      found.set(name.text, text.slice(statement.getStart(source, true), statement.end).replace(/^export /m, ''));
     }
   }
   // Written out: in the source it is the keys of a list.

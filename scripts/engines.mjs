@@ -145,6 +145,7 @@ async function report(what, { problems }, work) {
   }
 }
 
+/** @param {{ name: string, statistics: ReturnType<typeof import('../tests/engines/statistics.mjs').statistics> }[]} pictures */
 async function compare([first, ...others]) {
   const { differences } = await import('../tests/engines/statistics.mjs');
   return others.flatMap(({ name, statistics }) => {

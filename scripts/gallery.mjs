@@ -135,28 +135,28 @@ async function chooseSubjects(only) {
 }
 
 function readArguments() {
-  const options = {
+  const options = /** @type {const} */ ({
     only: { type: 'string' },
     webgpu: { type: 'boolean' },
     webgl: { type: 'boolean' },
     size: { type: 'string', default: '1600x1000' },
     out: { type: 'string', default: '.cache/gallery' },
     beside: { type: 'string', multiple: true },
-  };
+  });
   let values, positionals;
   try {
     ({ values, positionals } = parseArgs({ options, allowPositionals: true }));
   } catch (error) {
     throw new Failure(error.message);
   }
-  const [, width, height] = /^(\d+)x(\d+)$/.exec(values.size) ?? [];
+  const [width, height] = (/^(\d+)x(\d+)$/.exec(values.size) ?? []).slice(1).map(Number);
   if (!(width > 0 && height > 0)) throw new Failure(`--size takes a size like 1600x1000, not ${values.size}`);
   if (positionals.length > 0 && !values.beside) throw new Failure(`${positionals[0]} is no option`);
   const asked = BACKENDS.filter((backend) => values[backend]);
   return {
     only: values.only?.split(',').filter(Boolean),
     backends: asked.length > 0 ? asked : BACKENDS,
-    size: { width: Number(width), height: Number(height) },
+    size: { width, height },
     out: path.resolve(root, values.out),
     photos: values.beside && [...values.beside, ...positionals],
   };

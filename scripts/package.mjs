@@ -34,7 +34,7 @@ export async function examine({ outside, tarball, folder }) {
   await types(tarball, exports);
   importEach(outside, exports);
   await graph(folder, exports);
-  const files = readdirSync(folder, { recursive: true }).filter((name) => statSync(path.join(folder, name)).isFile());
+  const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => statSync(path.join(folder, name)).isFile());
   say(`• ${path.basename(tarball)}: ${files.length} files, ${(statSync(tarball).size / 1000).toFixed(0)} kB`);
 }
 

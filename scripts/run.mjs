@@ -38,7 +38,14 @@ export function seconds(ms) {
   return (ms / 1000).toFixed(1);
 }
 
-/** Runs a program to its end with its output shown; throws a Failure when it fails. `stdout: 'inherit'` sends its output to ours. */
+/**
+ * Runs a program to its end with its output shown; throws a Failure when it fails. `stdout: 'inherit'` sends its output to ours.
+ *
+ * @param {string} program
+ * @param {string[]} args
+ * @param {{ env?: NodeJS.ProcessEnv, cwd?: string, stdout?: 'inherit' | number }} [options]
+ * @returns {Promise<void>}
+ */
 export function run(program, args, { env = {}, cwd, stdout = 2 } = {}) {
   return new Promise((resolve, reject) => {
     const child = spawn(program, args, { cwd, env: { ...process.env, ...env }, stdio: ['ignore', stdout, 2] });

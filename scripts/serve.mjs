@@ -1,4 +1,5 @@
 // A static file server for dist/, for `npm start` and the browser tests. Node built-ins only.
+import { once } from 'node:events';
 import { createServer } from 'node:http';
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -21,6 +22,10 @@ const TYPES = {
  *
  * `port` 0 takes any free one; another that is taken moves on to the next. `intercept(request, response)` may answer a request
  * itself and return true: tests break files with it. `host` is this machine alone unless told otherwise.
+ *
+ * @typedef {(request: import('node:http').IncomingMessage, response: import('node:http').ServerResponse) => unknown} Intercept
+ * @param {string} folder
+ * @param {{ port?: number, host?: string, intercept?: Intercept }} [options]
  */
 export async function serve(folder, { port = 0, host = '127.0.0.1', intercept } = {}) {
   const server = createServer(async (request, response) => {
@@ -69,17 +74,17 @@ export async function answer(folder, request, response) {
   response.end(request.method === 'HEAD' ? undefined : body);
 }
 
+/**
+ * @param {import('node:http').Server} server
+ * @returns {Promise<number>} the port
+ */
 async function listen(server, port, host) {
   for (let candidate = port; ; candidate++) {
     try {
-      await new Promise((resolve, reject) => {
-        server.once('error', reject);
-        server.listen(candidate, host, () => {
-          server.off('error', reject);
-          resolve();
-        });
-      });
-      return server.address().port;
+      server.listen(candidate, host);
+      // An error instead rejects.
+      await once(server, 'listening');
+      return /** @type {import('node:net').AddressInfo} */ (server.address()).port;
     } catch (error) {
       if (error.code !== 'EADDRINUSE' || candidate === 0 || candidate >= port + 100) throw error;
     }

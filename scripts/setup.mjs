@@ -21,7 +21,11 @@ export async function setup({ components = [] } = {}) {
   say(`  ready in ${((performance.now() - start) / 1000).toFixed(1)} s`);
 }
 
-/** The command for this platform, for the text of a Failure. */
+/**
+ * The command for this platform, for the text of a Failure.
+ *
+ * @param {{ darwin?: string, win32?: string, linux: string }} commands
+ */
 function install({ darwin, win32, linux }) {
   return { darwin, win32 }[process.platform] ?? linux;
 }

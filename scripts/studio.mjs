@@ -57,7 +57,13 @@ export async function openStudio({ backends, ratio = 1, tag = 'rock-field' }) {
   }
 }
 
-/** A page as a picture: what is laid out, not what fits the screen. */
+/**
+ * A page as a picture: what is laid out, not what fits the screen.
+ *
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} address of a file, or the page itself
+ * @param {{ width: number, type?: 'png' | 'jpeg', quality?: number }} options
+ */
 export async function photograph(browser, address, { width, type = 'png', quality }) {
   const context = await browser.newContext({ viewport: { width, height: 200 } });
   try {
@@ -72,6 +78,9 @@ export async function photograph(browser, address, { width, type = 'png', qualit
 
 // In the page.
 
+/** @typedef {HTMLElementTagNameMap['rock-field']} Rocks */
+/** @typedef {HTMLElementTagNameMap['wood-ear-log']} WoodEars */
+
 /** Once it has shown a picture the element is hidden: it draws those that are taken, and no frame for a screen beside them. */
 async function setUp({ tag, attributes }) {
   await customElements.whenDefined(tag);
@@ -85,11 +94,11 @@ async function setUp({ tag, attributes }) {
 }
 
 async function show(attributes) {
-  const element = document.body.firstElementChild;
+  const element = /** @type {Rocks | WoodEars} */ (document.body.firstElementChild);
   for (const name of element.getAttributeNames())
     if (!(name in attributes) && !['backend', 'hidden'].includes(name)) element.removeAttribute(name);
   for (const [name, value] of Object.entries(attributes)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
-  if (element.getColony) {
+  if ('getColony' in element) {
     const { stats } = await element.getColony();
     return { place: element.scene.place, individuals: stats.individuals, triangles: stats.triangles };
   }
@@ -98,7 +107,7 @@ async function show(attributes) {
   // The largest rocks there are, and the one of them in the middle.
   const coarse = layers.filter(({ selected }) => selected.length > 0).sort((a, b) => b.radius - a.radius)[0];
   const sites = [...(coarse?.selected ?? [])].map((site) => [coarse.sites[2 * site], coarse.sites[2 * site + 1]]);
-  const away = ([x, y]) => Math.hypot(x - middle[0], y - middle[1]);
+  const away = (/** @type {number[]} */ [x, y]) => Math.hypot(x - middle[0], y - middle[1]);
   const [rock = middle] = sites.sort((a, b) => away(a) - away(b));
   const radius = coarse?.radius ?? imageWidth / 10;
   return {
@@ -114,7 +123,7 @@ async function show(attributes) {
 }
 
 async function take({ width, height, camera }) {
-  const element = document.body.firstElementChild;
+  const element = /** @type {Rocks | WoodEars} */ (document.body.firstElementChild);
   element.camera = camera;
   const start = performance.now();
   const blob = await element.toBlob({ width, height });

@@ -29,6 +29,7 @@ export function tables() {
 }
 
 async function load() {
+  /** @type {import('esbuild').StdinOptions} */
   const stdin = {
     contents: SOURCES.map((name) => `export * from './${name}.ts';`).join('\n'),
     resolveDir: path.join(root, 'www'),

@@ -178,9 +178,8 @@ async function webTests() {
 }
 
 async function types() {
-  const tsc = (project) => node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit', '-p', project]);
-  await tsc('.');
-  await tsc(path.join('tests', 'web'));
+  for (const project of ['.', path.join('tests', 'web'), 'scripts'])
+    await node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit', '-p', project]);
 }
 
 /** The path of the browser of the tests, which is installed if there is none; null where they are left out. */
@@ -207,7 +206,7 @@ async function browserTests() {
   const running = runFiles({ files, concurrency: 2, timeout: HANGS_MS });
   const failed = new Set();
   running.on('test:fail', ({ file }) => failed.add(path.basename(file ?? 'a file')));
-  await pipeline(running.compose(new spec()), async (told) => {
+  await pipeline(running.compose(new spec()), async (/** @type {AsyncIterable<string>} */ told) => {
     for await (const text of told) process.stdout.write(text);
   });
   if (failed.size > 0) throw new Failure(`tests failed in ${[...failed].join(', ')}`);

@@ -75,6 +75,8 @@ const common = {
 /**
  * `to` is what is served; with `keep`, files of former builds stay in it (hashed-names.mjs). `mark` is a word for every script and wasm file
  * to carry: tests make two builds of the same sources, and scripts add theirs to the set `globalThis.rockFieldMarks` as they run.
+ *
+ * @param {{ keep?: boolean, to?: string, mark?: string }} [options]
  */
 export async function buildWeb({ keep = false, to = dist, mark } = {}) {
   requireFiles();

@@ -102,6 +102,13 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
  * warnings. Service workers are blocked unless asked for, so that a test never sees another's files.
  * A software GPU pays by the pixel: pictures have a sixteenth of them, unless a test that looks at one asks for `deviceScaleFactor: 1`.
  * The other options are Playwright's context options (viewport, colorScheme, locale …).
+ *
+ * @typedef {import('playwright-core').BrowserContextOptions} ContextOptions
+ * @typedef {import('playwright-core').Page} Page
+ * @param {import('playwright-core').Browser} browser
+ * @param {string} base
+ * @param {string} [address]
+ * @param {ContextOptions & { prepare?: (page: Page) => unknown }} [options]
  */
 async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, deviceScaleFactor = 0.25, ...context } = {}) {
   const owner = await browser.newContext({ serviceWorkers, deviceScaleFactor, ...context });
@@ -145,22 +152,25 @@ export function holdTimers(least = 1000) {
   const { setTimeout: later, clearTimeout: clear } = globalThis;
   const held = new Map();
   let lastId = 0;
-  globalThis.setTimeout = (act, ms, ...rest) => {
-    if (!(ms >= least)) return later(act, ms, ...rest);
-    lastId -= 1;
-    held.set(lastId, () => act(...rest));
-    return lastId;
-  };
-  globalThis.clearTimeout = (id) => held.delete(id) || clear(id);
-  globalThis.passTime = () => {
+  const passTime = () => {
     const acts = [...held.values()];
     held.clear();
     for (const act of acts) act();
   };
-  globalThis.releaseTimers = () => {
-    globalThis.setTimeout = later;
-    passTime();
-  };
+  Object.assign(globalThis, {
+    setTimeout: (act, ms, ...rest) => {
+      if (!(ms >= least)) return later(act, ms, ...rest);
+      lastId -= 1;
+      held.set(lastId, () => act(...rest));
+      return lastId;
+    },
+    clearTimeout: (id) => held.delete(id) || clear(id),
+    passTime,
+    releaseTimers: () => {
+      globalThis.setTimeout = later;
+      passTime();
+    },
+  });
 }
 
 /**
@@ -170,7 +180,7 @@ export function holdTimers(least = 1000) {
 export function holdResults() {
   let held = null;
   globalThis.Worker = class extends Worker {
-    constructor(...args) {
+    constructor(/** @type {ConstructorParameters<typeof Worker>} */ ...args) {
       super(...args);
       // The first listener is the first to hear.
       this.addEventListener('message', (event) => {

@@ -17,6 +17,9 @@ let isGuarded = false;
  * `said()` is the end of what it wrote, for error messages; `ended` resolves when it is gone; `stop()` ends the whole group. The folder
  * `scratch` goes with it.
  *
+ * @param {string} program
+ * @param {string[]} args
+ * @param {{ env?: NodeJS.ProcessEnv, stdio?: 'pipe'[], scratch?: string }} [options]
  * @returns {{ child: import('node:child_process').ChildProcess, said: () => string, ended: Promise<void>, stop: () => Promise<void> }}
  */
 export function start(program, args, { env = {}, stdio = [], scratch } = {}) {
@@ -78,7 +81,7 @@ export async function startScreen(xvfb) {
 export async function freePort() {
   const server = createServer().listen(0, '127.0.0.1');
   await new Promise((resolve) => server.once('listening', resolve));
-  const { port } = server.address();
+  const { port } = /** @type {import('node:net').AddressInfo} */ (server.address());
   await new Promise((resolve) => server.close(resolve));
   return port;
 }

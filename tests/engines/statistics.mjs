@@ -52,6 +52,7 @@ export function statistics(picture, box, background) {
   };
 }
 
+/** @param {number[]} color */
 function layerOf([red, green, blue]) {
   const max = Math.max(red, green, blue);
   const range = max - Math.min(red, green, blue);
@@ -90,6 +91,7 @@ export function faults({ covered, colors, layers }) {
 /** In what two pictures differ by more than they may, in sentences. */
 export function differences(a, b) {
   const found = [];
+  /** @param {(value: number) => string} [show] */
   const compare = (what, x, y, tolerance, show = String) => {
     if (Math.abs(x - y) > tolerance) found.push(`${what}: ${show(x)} and ${show(y)}`);
   };

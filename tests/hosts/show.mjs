@@ -13,6 +13,10 @@ const TIMEOUT_MS = 120_000;
 /**
  * The page of `site`, or of the server at `url`. `policy` is its Content-Security-Policy, `cdn` the address of another origin that it
  * may ask. A `live` page shows what it hears from the element, and has a button that calls it. Resolves with the addresses asked.
+ *
+ * @typedef {Awaited<ReturnType<typeof launch>>} Session
+ * @typedef {(session: Session, page: import('playwright-core').Page) => Promise<void>} Look
+ * @param {{ site?: string, url?: string, cdn?: string, policy?: string, live?: boolean, look?: Look }} host
  */
 export async function show({ site, url, cdn, policy, live = false, look }) {
   const session = await launch({

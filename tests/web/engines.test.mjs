@@ -82,7 +82,7 @@ test('what is no PNG of this kind is refused by name', () => {
 });
 
 /** 40 × 40 pixels in a page two pixels larger on every side: a band of sky, then one per layer, each in many shades. */
-function painting(shift = (color) => color) {
+function painting(shift = (color, _row, _column) => color) {
   const side = 44;
   const data = new Uint8Array(side * side * 3).fill(255);
   for (let row = 0; row < 40; row += 1) {
