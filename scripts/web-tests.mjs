@@ -28,6 +28,8 @@ export async function bundleWebTests() {
     format: 'esm',
     target: 'node20',
     sourcemap: 'inline',
+    // Not that of the tests, which takes `rock-field/core` from the sources to know its types.
+    tsconfig: path.join(root, 'tsconfig.json'),
     logLevel: 'warning',
     // In one bundle, importing the element would import Lit with the panel.
     plugins: [sourceUrls, panelApart()],
