@@ -98,7 +98,7 @@ function textLines(generator, read) {
   const lines = [
     ['Cargo.toml', `\n${wasm} = [`],
     ['src/bindings/mod.rs', `\nmod ${inRust(wasm)};`],
-    ['src/lib.rs', `mod ${inRust(generator.name)};`],
+    ...['src/lib.rs', 'src/params/mod.rs'].map((file) => [file, `mod ${inRust(generator.name)};`]),
     ['www/controls/site.ts', `href: '${href}'`],
     ['www/controls/clipboard.ts', `'${tag}': '${cdn}.js'`],
     ...TYPINGS.map((file) => [file, `'${tag}':`]),
