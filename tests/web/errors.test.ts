@@ -36,7 +36,9 @@ function rustNames(): string[] {
 function scriptNames(): string[] {
   const texts = sources('www', '.ts');
   return texts.flatMap((text) =>
-    [...text.matchAll(/\bname: '([A-Z]\w+)',\s*(?:key|message|layer)\b|\brefused\('(\w+)'/g)].map(([, name, other]) => name ?? other ?? ''),
+    [...text.matchAll(/\bname: '([A-Z]\w+)',\s*(?:key|message|layer)\b|\brefused\(\s*'(\w+)'/g)].map(
+      ([, name, other]) => name ?? other ?? '',
+    ),
   );
 }
 
