@@ -1,5 +1,7 @@
 // What the bundler is told about the panel of an element: it is a file of its own, and has its styles in it.
+import { readFileSync } from 'node:fs';
 import path from 'node:path';
+import { ts } from '@custom-elements-manifest/analyzer';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 import { GENERATORS } from './generators.mjs';
@@ -64,3 +66,32 @@ export const sheetsAsText = {
     });
   },
 };
+
+/** In templates of Lit, a line's end and the next one's indent are one space: to a browser it is the same. */
+export const templatesInOneLine = {
+  name: 'templates-in-one-line',
+  setup(build) {
+    build.onLoad({ filter: /[\\/]www[\\/].*controls[\\/].*\.ts$/ }, ({ path: file }) => {
+      const text = readFileSync(file, 'utf8');
+      return text.includes('html`') ? { contents: inOneLine(text), loader: 'ts' } : undefined;
+    });
+  },
+};
+
+function inOneLine(text) {
+  const places = [];
+  const visit = (node) => {
+    if (ts.isTaggedTemplateExpression(node) && node.tag.getText() === 'html') {
+      const { template } = node;
+      const parts = ts.isTemplateExpression(template)
+        ? [template.head, ...template.templateSpans.map(({ literal }) => literal)]
+        : [template];
+      places.push(...parts.map((part) => [part.getStart(), part.end]));
+    }
+    ts.forEachChild(node, visit);
+  };
+  visit(ts.createSourceFile('', text, ts.ScriptTarget.ES2022, true));
+  return places
+    .sort(([a], [b]) => b - a)
+    .reduce((all, [start, end]) => all.slice(0, start) + all.slice(start, end).replaceAll(/\n\s*/g, ' ') + all.slice(end), text);
+}

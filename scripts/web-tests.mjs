@@ -5,7 +5,7 @@ import { pathToFileURL } from 'node:url';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
 import { Failure } from './run.mjs';
-import { panelApart } from './web-plugins.mjs';
+import { panelApart, sheetsAsText } from './web-plugins.mjs';
 
 /**
  * Bundles tests/web/*.test.{ts,mjs} into .cache/web-tests/. Packages stay outside, so `import … from 'rock-field/core'` is the built package.
@@ -32,7 +32,7 @@ export async function bundleWebTests() {
     tsconfig: path.join(root, 'tsconfig.json'),
     logLevel: 'warning',
     // In one bundle, importing the element would import Lit with the panel.
-    plugins: [sourceUrls, panelApart()],
+    plugins: [sourceUrls, sheetsAsText, panelApart()],
   });
   return tests.map((name) => path.join(outdir, name.replace(/\.(ts|mjs)$/, '.mjs')));
 }

@@ -9,7 +9,7 @@ import { GENERATORS, entriesOf, entryFile, pageScript, withGround, workersOf } f
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { loadedBefore } from './loaded-before.mjs';
 import { Failure, step } from './run.mjs';
-import { PANELS, nodeless, panelApart, panelByAddress, sheetsAsText } from './web-plugins.mjs';
+import { PANELS, nodeless, panelApart, panelByAddress, sheetsAsText, templatesInOneLine } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
 
 /** What the browser build put where, for the size check and the dependency check. */
@@ -96,9 +96,9 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
       return made;
     };
     const workers = await built({ entryPoints: WORKERS });
-    const panel = await built({ entryPoints: PANELS, plugins: [sheetsAsText] });
+    const panel = await built({ entryPoints: PANELS });
     const entryPoints = { ...PAGE_ENTRIES, ...PUBLIC_ENTRIES };
-    const plugins = [panelApart(names), await loadedBefore(entryPoints, { plugins: [nodeless, panelApart(names)] })];
+    const plugins = [panelApart(names), await loadedBefore(entryPoints, { plugins: [nodeless, sheetsAsText, panelApart(names)] })];
     const browser = await built({ entryPoints, chunkNames: 'chunk-[hash]', assetNames: '[name]', splitting: true, plugins });
     withPlainNames(staging, browser, PUBLIC_ENTRIES);
     // Read by people in stack traces.
@@ -137,7 +137,7 @@ function withHashedNames(page, names) {
 
 export async function bundle(options) {
   try {
-    const plugins = [...(options.platform === 'browser' ? [nodeless] : []), ...(options.plugins ?? [])];
+    const plugins = [...(options.platform === 'browser' ? [nodeless, sheetsAsText, templatesInOneLine] : []), ...(options.plugins ?? [])];
     const define = options.platform === 'browser' ? { ...rendererBytes(), ...options.define } : options.define;
     return await esbuild.build({ ...common, ...options, define, plugins });
   } catch (error) {

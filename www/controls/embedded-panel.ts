@@ -1,21 +1,21 @@
-/** The panel in an element: a store on the element's own history, wired to the element as `pages/page.ts` wires the page's. */
+/** The panel in an element: a store on the element's own history. */
 
 import { addStyles, removeStyles } from '../base/document-styles.ts';
 import { errorInfo } from '../base/errors.ts';
 import { loadJapanese, translate } from './strings.ts';
 import { embedCode } from './clipboard.ts';
+import { couple } from './coupling.ts';
 import { copyOrShow } from './dialogs.ts';
 import { hasModifier, travel } from './keys.ts';
 import { LAYOUT_STYLES, PANEL_STYLES } from './panel-styles.ts';
 import { isDialogOpen } from './parts.ts';
 import type { OpenPanel, PanelOwner } from '../element/panel-owner.ts';
-import type { ErrorDetail } from '../base/error-pace.ts';
-import type { GeneratorElement, ElementEventMap } from '../element/generator-element.ts';
+import type { GeneratorElement } from '../element/generator-element.ts';
 import type { History } from '../base/history.ts';
 import type { Edition, Kind } from '../table/table.ts';
 import type { Actions } from './actions.ts';
 import type { Panel } from './panel.ts';
-import type { Change, OpenedLink, Preferences, Store } from './store.ts';
+import type { OpenedLink, Preferences, Store } from './store.ts';
 
 /** From here on the panel stands beside the picture, px. */
 const BESIDE_FROM = 600;
@@ -39,8 +39,8 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
   readonly #host = document.createElement('div');
   readonly #panel: Panel<K>;
   readonly #close: () => void;
-  /** The parameters that element and store agreed on last. */
-  #seen: K['params'];
+  /** Tells the store that the element has changed the history. */
+  readonly #heard: () => boolean;
   /** Ends every listener. */
   readonly #listening = new AbortController();
   readonly #size = new ResizeObserver(([entry]) => entry && this.#layOut(entry.contentRect));
@@ -59,11 +59,10 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       { language: owner.language(), theme },
       history,
     );
-    this.#seen = this.#store.params;
+    this.#heard = couple(this.#store, element, () => owner.result(), this.#listening.signal);
     if (result) this.#store.showResult(result, !owner.isSettled());
     this.#store.setBackend(backend);
-    this.#store.subscribe((change) => this.#follow(change));
-    this.#listen();
+    this.#store.subscribe((change) => change === 'preferences' && this.#dress());
     const inner = this.#build({ ...this.#actions(script), ...actions });
     addStyles(root, LAYOUT_STYLES);
     root.append(this.#host);
@@ -90,8 +89,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
     removeStyles(root, LAYOUT_STYLES);
   }
 
-  // The store follows the element …
-
+  /** The element has changed: its look, its words or its history. */
   sync(): void {
     const store = this.#store;
     const { view, theme } = this.#element;
@@ -107,45 +105,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       Object.assign(store, { view, chosenColor });
       store.notify('look');
     }
-    if (store.params !== this.#seen) {
-      this.#seen = store.params;
-      store.sync();
-    }
-  }
-
-  #listen(): void {
-    const store = this.#store;
-    const on = <Event>(type: string, listener: (event: Event) => void) =>
-      this.#element.addEventListener(type, listener as EventListener, { signal: this.#listening.signal });
-    const showBackend = () => store.setBackend(this.#element.backend);
-    on('load', showBackend);
-    on('restored', showBackend);
-    on('generate', ({ detail }: CustomEvent<{ superseded: boolean }>) => {
-      const result = this.#owner.result();
-      if (result) store.showResult(result, detail.superseded);
-    });
-    on('progress', ({ detail }: ElementEventMap<K['stage']>['progress']) => store.setProgress(detail));
-    on('error', (event: CustomEvent<ErrorDetail>) => {
-      // The panel has words for it.
-      event.preventDefault();
-      if (event.detail.shown) store.setProgress(null);
-      else void store.fail(event.detail.error);
-    });
-  }
-
-  // … and the element the store, through its properties.
-
-  #follow(change: Change): void {
-    const store = this.#store;
-    if (change === 'look') Object.assign(this.#element, { view: store.view, color: store.chosenColor });
-    if (change === 'preferences') this.#dress();
-    if (change !== 'params' || store.params === this.#seen) return;
-    this.#seen = store.params;
-    try {
-      this.#element.params = store.params;
-    } catch (thrown) {
-      store.refuse(errorInfo(thrown));
-    }
+    this.#heard();
   }
 
   #actions(script: string | null): Actions<K> {

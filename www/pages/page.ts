@@ -1,8 +1,9 @@
 /** A page of one generator: wires an element, the controls and the address bar to one store, which has one history with the element. */
 
 import '../controls/stage-overlay.ts';
+import { couple, listensTo } from '../controls/coupling.ts';
 import { savePreferences } from '../controls/preferences.ts';
-import { UNAVAILABLE, errorInfo } from '../base/errors.ts';
+import { UNAVAILABLE } from '../base/errors.ts';
 import { historyOf } from '../element/generator-element.ts';
 import { lazily, onMissingFile, tellMissingFile } from '../base/lazy.ts';
 import { isLink } from '../table/link.ts';
@@ -53,7 +54,13 @@ export function openPage<K extends Kind>({
 }: Page<K>): Store<K> {
   const opening = readLink(location.search + location.hash);
   element.params = { ...opening.params, preset: opening.preset };
-  const store = newStore(opening, preferences, historyOf(element, hear));
+  const store = newStore(
+    opening,
+    preferences,
+    historyOf(element, () => {
+      if (heard()) element.camera = store.camera;
+    }),
+  );
   const stage = found('.stage');
   // What helps when a file cannot be had has to be there before that.
   const offline = lazily(() => import('./offline.ts'));
@@ -62,24 +69,8 @@ export function openPage<K extends Kind>({
   // The element follows the store …
 
   function follow(change: Change): void {
-    if (change === 'params') showParams();
-    if (change === 'look') Object.assign(element, { view: store.view, color: store.chosenColor });
     if (change === 'preferences') showPreferences();
     if (change === 'params' || change === 'look' || change === 'camera') scheduleAddress();
-  }
-
-  /** The parameters that element and store agreed on last. */
-  let seen = store.params;
-
-  function showParams(): void {
-    if (store.params === seen) return;
-    seen = store.params;
-    try {
-      // The preset is in the history, which both share.
-      element.params = store.params;
-    } catch (thrown) {
-      store.refuse(errorInfo(thrown));
-    }
   }
 
   function showPreferences(): void {
@@ -99,41 +90,18 @@ export function openPage<K extends Kind>({
 
   // … and tells it what happened.
 
-  function hear(): void {
-    if (store.params === seen) return;
-    seen = store.params;
-    if (store.sync()) element.camera = store.camera;
-  }
-
-  function listen<Event>(type: string, listener: (event: Event) => void): void {
-    element.addEventListener(type, listener as EventListener);
-  }
-
-  listen('load', () => {
-    store.setBackend(element.backend);
-    void offline.then(({ keepOffline }) => keepOffline());
-  });
-  listen('generate', ({ detail }: CustomEvent<{ superseded: boolean }>) => {
-    store.setBackend(element.backend);
-    const result = shown();
-    if (result) store.showResult(result, detail.superseded);
-    scheduleAddress();
-  });
-  listen('progress', ({ detail }: ElementEventMap<K['stage']>['progress']) => store.setProgress(detail));
-  listen('error', (event: ElementEventMap<string>['error']) => {
-    // The page has words for it.
-    event.preventDefault();
-    const { error, shown: isSaid } = event.detail;
-    if (UNAVAILABLE.test(error.name)) tellMissingFile(true);
-    if (isSaid) store.setProgress(null);
-    else void store.fail(error);
+  const listen = listensTo(element);
+  listen('load', () => void offline.then(({ keepOffline }) => keepOffline()));
+  listen('generate', scheduleAddress);
+  listen('error', ({ detail }: ElementEventMap<string>['error']) => {
+    if (UNAVAILABLE.test(detail.error.name)) tellMissingFile(true);
   });
   listen('restored', () => {
     // The plan that stands in says why by itself, until it goes.
-    const isSaid = store.backend === 'canvas2d' || element.backend === 'canvas2d';
-    store.setBackend(element.backend);
-    if (!isSaid) store.say((language) => translate(language, 'lostPicture'));
+    if (store.backend !== 'canvas2d' && element.backend !== 'canvas2d') store.say((language) => translate(language, 'lostPicture'));
   });
+  // After what looks at the backend that there was.
+  const heard = couple(store, element, shown);
   listen('notice', (event: ElementEventMap<string>['notice']) => {
     // The page says it, or offers the remedy beside the progress.
     event.preventDefault();

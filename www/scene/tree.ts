@@ -3,8 +3,10 @@
 import { addStyles } from '../base/document-styles.ts';
 import { MessageBox } from './message-box.ts';
 import type { Language } from '../base/language.ts';
-import { INLINE_STYLES, SCENE_STYLES } from './styles.ts';
+import SCENE_STYLES from '../styles/scene.css';
 
+/** Where the page's own rules leave the element inline (`* { all: revert }`): a box in its line, as an `<img>` is. */
+const INLINE_STYLES = ':host { display: inline-block !important }';
 /** A drag changes the picture all the time; what it shows is said when the hand rests. */
 const ANNOUNCE_AFTER_MS = 800;
 const HINT_MS = 1500;
