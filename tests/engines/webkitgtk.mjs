@@ -38,10 +38,16 @@ export async function openWebKitGtk(program, { env, timeoutMs }) {
       capabilities: { alwaysMatch: { timeouts: { script: timeoutMs, pageLoad: timeoutMs } } },
     });
     const session = `/session/${sessionId}`;
+    const execute = (expression) => send('POST', `${session}/execute/sync`, { script: `return ${expression}`, args: [] });
     return {
       version: capabilities.browserVersion,
       go: (url) => send('POST', `${session}/url`, { url }),
-      evaluate: (expression) => send('POST', `${session}/execute/sync`, { script: `return ${expression}`, args: [] }),
+      // On a busy machine a page may count as loaded while the one before it is still there, which then takes the question away with it.
+      evaluate: (expression) =>
+        execute(expression).catch((error) => {
+          if (!error.message.includes('before the unload event')) throw error;
+          return execute(expression);
+        }),
       screenshot: async () => Buffer.from(await send('GET', `${session}/screenshot`), 'base64'),
       complaints: () => [],
       close: driver.stop,
