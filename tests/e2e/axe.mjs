@@ -9,6 +9,7 @@ export const COLOR_RULES = ['color-contrast', 'link-in-text-block'];
 
 /** Every violation of every rule, or of these, as `rule: selector – what is wrong`. */
 export async function violations(page, rules = null) {
+  await page.evaluate(transitionsEnd);
   await page.evaluate(source);
   const found = await page.evaluate(
     async (only) => (await globalThis.axe.run(document, { resultTypes: ['violations'], ...(only && { runOnly: only }) })).violations,
@@ -17,4 +18,15 @@ export async function violations(page, rules = null) {
   return found.flatMap(({ id, nodes }) =>
     nodes.map(({ target, failureSummary }) => `${id}: ${target.flat().join(' ')} – ${failureSummary.replaceAll('\n', ' ')}`),
   );
+}
+
+/** In the page: after a change of theme, colours that are on their way have the contrast of neither theme. */
+async function transitionsEnd() {
+  const animations = (root) => [
+    ...root.getAnimations(),
+    ...[...root.querySelectorAll('*')].flatMap(({ shadowRoot }) => (shadowRoot ? animations(shadowRoot) : [])),
+  ];
+  const transitions = animations(document).filter((animation) => animation instanceof CSSTransition);
+  // One that is cut short by another is not finished, but it has ended.
+  await Promise.allSettled(transitions.map(({ finished }) => finished));
 }

@@ -17,3 +17,13 @@ export const address = async (page, pattern) => {
   await page.waitForURL(pattern);
   return page.url();
 };
+
+/** Follows a link on the open page, and gives it the time for its rocks. */
+export async function follow(page, link) {
+  await page.evaluate(async (link) => {
+    const followed = new Promise((resolve) => addEventListener('hashchange', resolve, { once: true }));
+    location.hash = link;
+    await followed;
+    await document.querySelector('rock-field').getField();
+  }, link);
+}
