@@ -42,6 +42,7 @@ const LONG_FILES = [
   'devices',
   'deaths',
   'places',
+  'still-pictures',
 ];
 
 /**

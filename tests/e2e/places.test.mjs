@@ -1,46 +1,18 @@
-// Where an element may stand and what may happen to it there: shadow roots, other documents, out of sight, zoomed, printed, under any style.
+// Where an element may stand and what may happen to it there: shadow roots, other documents, out of sight, zoomed, dropped on, under any style.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PATIENCE, holdTimers, launch, pageOf } from './browser.mjs';
-
-const ELEMENTS = {
-  'rock-field': '<rock-field image-width="200" image-height="150" radius="30 10"></rock-field>',
-  'wood-ear-log': '<wood-ear-log ground="none" density="10" log-spacing="6"></wood-ear-log>',
-};
+import { holdTimers } from './browser.mjs';
+import { ELEMENTS, launchPlaces, openPlace } from './places-page.mjs';
 
 let session;
-let html = '';
 
 before(async () => {
-  session = await launch({ intercept: pageOf('places.html', () => html) });
+  session = await launchPlaces();
 });
 
 after(() => session?.close());
 
-async function open(body, { lang = 'en', ready = true, ...options } = {}) {
-  html = `<!doctype html><html lang="${lang}"><meta charset="utf-8"><title>places</title><link rel="icon" href="data:,">
-<style>body { margin: 0 } rock-field, wood-ear-log { display: block; width: 400px; height: 300px }</style>${body}
-<script>
-  globalThis.until = async (test) => {
-    for (const end = performance.now() + ${PATIENCE}; !test(); await new Promise((resolve) => setTimeout(resolve, 20))) if (performance.now() > end) throw new Error('waited in vain: ' + test);
-  };
-  globalThis.colours = async (picture) => {
-    const bitmap = await createImageBitmap(picture);
-    const sheet = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
-    sheet.drawImage(bitmap, 0, 0);
-    return new Set(new Uint32Array(sheet.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
-  };
-</script>
-<script type="module" src="/rock-field.js"></script><script type="module" src="/wood-ear-log.js"></script>`;
-  // Of as many pixels as it says, since that is what is looked at; the elements are small.
-  const opened = await session.open('places.html', { deviceScaleFactor: 1, ...options });
-  await opened.page.evaluate(async (ready) => {
-    await Promise.all([customElements.whenDefined('rock-field'), customElements.whenDefined('wood-ear-log')]);
-    globalThis.a = document.querySelector('rock-field, wood-ear-log');
-    if (ready && a) await a.ready;
-  }, ready);
-  return opened;
-}
+const open = (body, options) => openPlace(session, body, options);
 
 for (const [name, element] of Object.entries(ELEMENTS)) {
   test(`${name}: everything is in the language of the nearest lang across shadow roots, and changes with it`, async () => {
@@ -133,103 +105,6 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
     });
     const row = ['strict', 'absolute', 'absolute', 'relative', true];
     assert.deepEqual([seen, errors], [{ results: [row, row, row, row, row], same: true }, []]);
-    await close();
-  });
-
-  test(`${name}: toBlob draws below the fold, lazy, without a box and in no visible tab, and settles by name elsewhere`, async () => {
-    const { page, close } = await open(`<div style="height: 5000px"></div>${element.replace('>', ' loading="lazy">')}`, { ready: false });
-    const seen = await page.evaluate(async () => {
-      const size = async (blob) => {
-        const { width, height } = await createImageBitmap(blob);
-        return [width, height, (await colours(blob)) > 20];
-      };
-      const refused = (promise) =>
-        promise.then(
-          () => 'given',
-          (error) => error.name,
-        );
-      const below = await size(await a.toBlob({ width: 100, height: 80 }));
-      a.style.display = 'none';
-      const boxless = await size(await a.toBlob({ width: 100, height: 80 }));
-      const own = await size(await a.toBlob());
-      const other = a.cloneNode(true);
-      other.style.display = 'none';
-      document.body.append(other);
-      const never = await size(await other.toBlob({ width: 60, height: 50 }));
-      const detached = await refused(a.cloneNode(true).toBlob());
-      const broken = a.cloneNode(true);
-      broken.setAttribute('backend', 'webgpu');
-      document.body.append(broken);
-      const withoutRenderer = await refused(broken.toBlob());
-      return { below, boxless, own, never, detached, withoutRenderer, again: await refused(broken.toBlob()) };
-    });
-    assert.deepEqual(seen, {
-      below: [100, 80, true],
-      boxless: [100, 80, true],
-      own: [300, 150, true],
-      never: [60, 50, true],
-      detached: 'NotConnected',
-      withoutRenderer: 'NoRenderer',
-      again: 'NoRenderer',
-    });
-    await close();
-  });
-
-  test(`${name}: toBlob settles when the element is taken out while nothing has arrived`, async () => {
-    const prepare = (page) => page.route('**/*_bg*.wasm', () => {});
-    const { page, close } = await open(element, { ready: false, prepare });
-    const seen = await page.evaluate(() => {
-      const waiting = a.toBlob().then(
-        () => 'given',
-        ({ name }) => name,
-      );
-      a.remove();
-      return waiting;
-    });
-    assert.equal(seen, 'NotConnected');
-    await close();
-  });
-
-  test(`${name}: a size that cannot be drawn is refused with key, value and bounds, and the picture stays`, async () => {
-    const { page, errors, close } = await open(element);
-    const seen = await page.evaluate(async () => {
-      const canvas = a.shadowRoot.querySelector('canvas');
-      const before = [canvas.width, canvas.height];
-      const sizes = [
-        { width: 9000, height: 20 },
-        { width: 20, height: 9000 },
-        { width: 0 },
-        { height: NaN },
-        { width: 10.5, height: 10 },
-        { width: -5, height: 5 },
-        { width: '20', height: 20 },
-        { width: Infinity },
-        { width: 100_000, height: 100_000 },
-      ];
-      const refused = [];
-      for (const size of sizes)
-        refused.push(
-          await a.toBlob(size).then(
-            () => 'given',
-            ({ name, key, value, min, max }) => [name, key, String(value), min >= 1, max >= 8192],
-          ),
-        );
-      const only = await createImageBitmap(await a.toBlob({ width: 200 }));
-      return { refused, only: [only.width, only.height], same: String([canvas.width, canvas.height]) === String(before) };
-    });
-    const wrong = (key, value) => ['OutOfRange', key, value, true, true];
-    assert.deepEqual(seen.refused, [
-      wrong('width', '9000'),
-      wrong('height', '9000'),
-      wrong('width', '0'),
-      wrong('height', 'NaN'),
-      wrong('width', '10.5'),
-      wrong('width', '-5'),
-      wrong('width', '20'),
-      wrong('width', 'Infinity'),
-      wrong('width', '100000'),
-    ]);
-    assert.deepEqual([seen.only, seen.same, errors], [[200, 150], true, []]);
     await close();
   });
 
@@ -451,31 +326,3 @@ test('what is dropped on the log is opened, also from a folder; what cannot be i
   );
   await close();
 });
-
-for (const webgpu of [false, true]) {
-  test(`while the page is printed a copy of the picture stands over it, ${webgpu ? 'WebGPU' : 'WebGL2'}`, async () => {
-    const own = await launch({ webgpu, intercept: pageOf('places.html', () => html) });
-    const old = session;
-    session = own;
-    try {
-      const { page, close } = await open(
-        `${ELEMENTS['rock-field']}<div style="height: 5000px"></div><rock-field image-width="200" image-height="150"></rock-field>`,
-      );
-      const seen = await page.evaluate(async () => {
-        const copies = () =>
-          [...document.querySelectorAll('rock-field')].map((element) => element.shadowRoot.querySelectorAll('canvas')[1]);
-        const [, below] = document.querySelectorAll('rock-field');
-        await until(() => below.backend && below.field);
-        dispatchEvent(new Event('beforeprint'));
-        const many = await Promise.all(copies().map(async (canvas) => (await colours(canvas)) > 20));
-        dispatchEvent(new Event('afterprint'));
-        return [a.backend, many, copies()];
-      });
-      assert.deepEqual(seen, [webgpu ? 'webgpu' : 'webgl', [true, true], [null, null].map(() => undefined)]);
-      await close();
-    } finally {
-      session = old;
-      await own.close();
-    }
-  });
-}
