@@ -30,6 +30,7 @@ test('a colony that is refused leaves the log and the colony that were there', a
 for (const backend of ['webgl', 'webgpu']) {
   test(`what is below the ground is hidden in every style (${backend})`, async () => {
     const { page, errors, close } = await session.open('artefact.html');
+    await page.addScriptTag({ content: String(pyramid) });
     const seen = await page.evaluate(drawSkirts, backend);
     assert.equal(seen.length, 7);
     for (const { subject, style, shown, skirt } of seen) {
@@ -90,6 +91,25 @@ async function draw() {
   return { bare, wood, refused, after, replaced, cleared: picture() };
 }
 
+/** In the page: a pyramid without its top, in rings of four corners: `[half the side, height]`, from above. */
+function pyramid(rings) {
+  const corners = [
+    [-1, -1],
+    [1, -1],
+    [1, 1],
+    [-1, 1],
+  ];
+  const positions = rings.flatMap(([half, z]) => corners.flatMap(([x, y]) => [50 + half * x, 50 + half * y, z]));
+  const normals = rings.flatMap(() => corners.flatMap(([x, y]) => [0.6 * x, 0.6 * y, 0.53]));
+  const sides = rings.slice(1).flatMap((_, ring) =>
+    corners.flatMap((_, k) => {
+      const [above, next] = [4 * ring + k, 4 * ring + ((k + 1) % 4)];
+      return [above, above + 4, next, next, above + 4, next + 4];
+    }),
+  );
+  return [Float32Array.from(positions), Float32Array.from(normals), Uint32Array.from([0, 1, 2, 0, 2, 3, ...sides])];
+}
+
 /**
  * In the page: of a rock and of a log, in every style, how much of the picture shows it, and how much changes when it goes on below
  * the ground, where it gets wider; per cent.
@@ -105,24 +125,6 @@ async function drawSkirts(backend) {
   renderer.resize(width, height, 1);
   const none = new Uint32Array();
   const place = Float32Array.of(0, 0, 0, 1);
-  /** A pyramid without its top, in rings of four corners: `[half the side, height]`, from above. */
-  const pyramid = (rings) => {
-    const corners = [
-      [-1, -1],
-      [1, -1],
-      [1, 1],
-      [-1, 1],
-    ];
-    const positions = rings.flatMap(([half, z]) => corners.flatMap(([x, y]) => [50 + half * x, 50 + half * y, z]));
-    const normals = rings.flatMap(() => corners.flatMap(([x, y]) => [0.6 * x, 0.6 * y, 0.53]));
-    const sides = rings.slice(1).flatMap((_, ring) =>
-      corners.flatMap((_, k) => {
-        const [above, next] = [4 * ring + k, 4 * ring + ((k + 1) % 4)];
-        return [above, above + 4, next, next, above + 4, next + 4];
-      }),
-    );
-    return [Float32Array.from(positions), Float32Array.from(normals), Uint32Array.from([0, 1, 2, 0, 2, 3, ...sides])];
-  };
   const bare = () => renderer.setField(100, 100, new Float32Array(), new Float32Array(), none, new Uint32Array(1), none, none);
   const subjects = {
     nothing: () => {
