@@ -84,14 +84,170 @@ async function calm(page) {
   }
 }
 
+let session;
+let opened;
+let page;
+/** The two pages, once they are open. */
+let scenes = [];
+
+/** One loss at a time, on a page with elements. */
+function losses(backend) {
+  test('a device that is lost once costs nobody more than a moment, and no word', async () => {
+    await page.evaluate((wanted) => allBack(lose, wanted), backend);
+    assert.deepEqual(await page.evaluate(() => told.filter(({ type }) => type === 'error')), []);
+    assert.equal(await boxes(page).count(), 0);
+  });
+
+  test('a picture that is taken while the device dies shows what it should', async () => {
+    const isWhole = await page.evaluate(async () => {
+      const [element] = all();
+      const taken = element.toBlob();
+      lose();
+      const again = element.toBlob();
+      return Promise.all([taken, again].map(async (blob) => isPicture(await blob)));
+    });
+    assert.deepEqual(isWhole, [true, true]);
+  });
+
+  test('a renderer whose wasm traps is replaced without a reload', async () => {
+    await page.evaluate(
+      (wanted) =>
+        allBack(() => {
+          faults.trap = true;
+          all()[0].camera = null;
+        }, wanted),
+      backend,
+    );
+    assert.ok(await page.evaluate(async () => isPicture(await all()[0].toBlob())));
+  });
+
+  test('lost while the page is hidden and no device is given: 3D is there when the page is seen', async () => {
+    await page.evaluate(() => {
+      hide(true);
+      faults.gone = true;
+      lose();
+    });
+    await page.waitForFunction(() => all().every((element) => element.backend === 'canvas2d'));
+    await page.evaluate(
+      (wanted) =>
+        allBack(() => {
+          faults.gone = false;
+          hide(false);
+        }, wanted),
+      backend,
+    );
+    assert.equal(await boxes(page).count(), 0);
+  });
+
+  test('no device for a while: the plan, true words and one button for each element; it works', async () => {
+    // Nothing comes back by itself: it is the buttons that bring it.
+    await page.evaluate(holdTimers);
+    await page.evaluate(() => {
+      faults.gone = true;
+      lose();
+    });
+    const words = boxes(page).filter({ hasText: 'The graphics device was lost' });
+    await words.nth(2).waitFor();
+    assert.equal(await boxes(page).count(), 3);
+    await page.evaluate(() => (faults.gone = false));
+    for (const of of [0, 1, 2]) await page.evaluate((k) => all()[k].shadowRoot.querySelector('[part=message] button').click(), of);
+    await page.waitForFunction((wanted) => all().every((element) => element.backend === wanted), backend);
+    assert.equal(await boxes(page).count(), 0);
+    await page.evaluate(() => releaseTimers());
+  });
+
+  test('a device that dies as soon as it is given leaves the plan with words, and then the picture', async () => {
+    await page.evaluate(async (options) => {
+      for (const element of all()) element.remove();
+      await new Promise((resolve) => setTimeout(resolve, 1200));
+      faults.dropped = true;
+      document.body.insertAdjacentHTML(
+        'beforeend',
+        `<rock-field ${options}></rock-field><wood-ear-log density="2" range="20" ground=""></wood-ear-log>`,
+      );
+    }, SMALL);
+    await page.waitForFunction((wanted) => all().every((element) => element.backend === wanted), backend);
+    assert.ok(await page.evaluate(async () => isPicture(await all()[0].toBlob())));
+  });
+}
+
+/** Loss after loss, on the two pages as well. */
+function lossesInARow(backend) {
+  test('on both pages, too, a device that is lost twice costs no more than a moment', async () => {
+    for (const [address, element] of [
+      ['index.html#preset=journal-fig1&w=200&h=200', 'rock-field'],
+      ['wood-ear.html#preset=thesis-default&d=2&r=20', 'wood-ear-log'],
+    ]) {
+      const scene = await session.open(address, { locale: 'en-US', prepare: (fresh) => fresh.addInitScript(SCRIPT) });
+      scenes.push(scene);
+      await scene.page.evaluate((name) => customElements.whenDefined(name).then(() => all()[0].ready), element);
+      for (let loss = 1; loss <= 2; loss += 1) await scene.page.evaluate((wanted) => allBack(lose, wanted), backend);
+      assert.deepEqual(await scene.page.evaluate(() => told.filter(({ type }) => type === 'error')), [], address);
+    }
+  });
+
+  test('every crash of the GPU process, four in a row, ends in a picture of every element and page: in 3D, or, where the browser gives none any more, in the plan with true words and a button', async () => {
+    const devtools = await session.browser.newBrowserCDPSession();
+    const pages = [page, ...scenes.map((scene) => scene.page)];
+    for (let crash = 1; crash <= 4; crash += 1) {
+      for (const each of pages) await each.evaluate(() => (told.length = 0));
+      await devtools.send('Browser.crashGpuProcess');
+      for (const each of pages) {
+        await each.waitForFunction(
+          (wanted) =>
+            all().every(
+              (element, of) =>
+                element.backend === 'canvas2d' ||
+                (element.backend === wanted && told.some((event) => event.type === 'restored' && event.of === of)),
+            ),
+          backend,
+        );
+        const lacking = await each.evaluate((wanted) => all().filter((element) => element.backend !== wanted).length, backend);
+        if (lacking > 0)
+          await boxes(each)
+            .filter({ hasText: 'The graphics device was lost' })
+            .getByRole('button', { name: 'Retry' })
+            .nth(lacking - 1)
+            .waitFor();
+        // The plan too may be blank until the browser has got over the crash.
+        const isBack = each.evaluate(async () => {
+          for (const element of all()) while (!(await isPicture(await element.toBlob())));
+          return true;
+        });
+        assert.ok(await Promise.race([isBack, each.waitForTimeout(PATIENCE)]), `crash ${crash}, ${each.url()}`);
+      }
+      for (const each of pages) await calm(each);
+    }
+  });
+
+  test('afterwards every scene of the pages is made and shown as before', async () => {
+    for (const { page: each } of scenes) {
+      const isNew = await each.evaluate(async () => {
+        const [element] = all();
+        element.seed = 5;
+        await element.generate();
+        return isPicture(await element.toBlob());
+      });
+      assert.ok(isNew, each.url());
+      await each.waitForURL(/seed=5/);
+    }
+  });
+
+  test('through all of it there was never more than one error a second, and nothing uncaught', async () => {
+    await calm(page);
+    for (const { errors } of [opened, ...scenes])
+      assert.deepEqual(
+        errors.filter((error) => !/GPU|WebGL|context/i.test(error)),
+        [],
+      );
+  });
+}
+
 for (const backend of ['webgl', 'webgpu']) {
+  // The tests of a backend follow one another on the same pages.
   describe(backend, { timeout: 10 * PATIENCE }, () => {
-    let session;
-    let opened;
-    let page;
-    /** The two pages, once they are open. */
-    const scenes = [];
     before(async () => {
+      scenes = [];
       session = await launch({ webgpu: backend === 'webgpu', intercept: pageOf('devices.html', () => HTML) });
       opened = await session.open('devices.html');
       page = opened.page;
@@ -102,151 +258,7 @@ for (const backend of ['webgl', 'webgpu']) {
     });
     after(() => session?.close());
 
-    test('a device that is lost once costs nobody more than a moment, and no word', async () => {
-      await page.evaluate((wanted) => allBack(lose, wanted), backend);
-      assert.deepEqual(await page.evaluate(() => told.filter(({ type }) => type === 'error')), []);
-      assert.equal(await boxes(page).count(), 0);
-    });
-
-    test('a picture that is taken while the device dies shows what it should', async () => {
-      const isWhole = await page.evaluate(async () => {
-        const [element] = all();
-        const taken = element.toBlob();
-        lose();
-        const again = element.toBlob();
-        return Promise.all([taken, again].map(async (blob) => isPicture(await blob)));
-      });
-      assert.deepEqual(isWhole, [true, true]);
-    });
-
-    test('a renderer whose wasm traps is replaced without a reload', async () => {
-      await page.evaluate(
-        (wanted) =>
-          allBack(() => {
-            faults.trap = true;
-            all()[0].camera = null;
-          }, wanted),
-        backend,
-      );
-      assert.ok(await page.evaluate(async () => isPicture(await all()[0].toBlob())));
-    });
-
-    test('lost while the page is hidden and no device is given: 3D is there when the page is seen', async () => {
-      await page.evaluate(() => {
-        hide(true);
-        faults.gone = true;
-        lose();
-      });
-      await page.waitForFunction(() => all().every((element) => element.backend === 'canvas2d'));
-      await page.evaluate(
-        (wanted) =>
-          allBack(() => {
-            faults.gone = false;
-            hide(false);
-          }, wanted),
-        backend,
-      );
-      assert.equal(await boxes(page).count(), 0);
-    });
-
-    test('no device for a while: the plan, true words and one button for each element; it works', async () => {
-      // Nothing comes back by itself: it is the buttons that bring it.
-      await page.evaluate(holdTimers);
-      await page.evaluate(() => {
-        faults.gone = true;
-        lose();
-      });
-      const words = boxes(page).filter({ hasText: 'The graphics device was lost' });
-      await words.nth(2).waitFor();
-      assert.equal(await boxes(page).count(), 3);
-      await page.evaluate(() => (faults.gone = false));
-      for (const of of [0, 1, 2]) await page.evaluate((k) => all()[k].shadowRoot.querySelector('[part=message] button').click(), of);
-      await page.waitForFunction((wanted) => all().every((element) => element.backend === wanted), backend);
-      assert.equal(await boxes(page).count(), 0);
-      await page.evaluate(() => releaseTimers());
-    });
-
-    test('a device that dies as soon as it is given leaves the plan with words, and then the picture', async () => {
-      await page.evaluate(async (options) => {
-        for (const element of all()) element.remove();
-        await new Promise((resolve) => setTimeout(resolve, 1200));
-        faults.dropped = true;
-        document.body.insertAdjacentHTML(
-          'beforeend',
-          `<rock-field ${options}></rock-field><wood-ear-log density="2" range="20" ground=""></wood-ear-log>`,
-        );
-      }, SMALL);
-      await page.waitForFunction((wanted) => all().every((element) => element.backend === wanted), backend);
-      assert.ok(await page.evaluate(async () => isPicture(await all()[0].toBlob())));
-    });
-
-    test('on both pages, too, a device that is lost twice costs no more than a moment', async () => {
-      for (const [address, element] of [
-        ['index.html#preset=journal-fig1&w=200&h=200', 'rock-field'],
-        ['wood-ear.html#preset=thesis-default&d=2&r=20', 'wood-ear-log'],
-      ]) {
-        const scene = await session.open(address, { locale: 'en-US', prepare: (fresh) => fresh.addInitScript(SCRIPT) });
-        scenes.push(scene);
-        await scene.page.evaluate((name) => customElements.whenDefined(name).then(() => all()[0].ready), element);
-        for (let loss = 1; loss <= 2; loss += 1) await scene.page.evaluate((wanted) => allBack(lose, wanted), backend);
-        assert.deepEqual(await scene.page.evaluate(() => told.filter(({ type }) => type === 'error')), [], address);
-      }
-    });
-
-    test('every crash of the GPU process, four in a row, ends in a picture of every element and page: in 3D, or, where the browser gives none any more, in the plan with true words and a button', async () => {
-      const devtools = await session.browser.newBrowserCDPSession();
-      const pages = [page, ...scenes.map((scene) => scene.page)];
-      for (let crash = 1; crash <= 4; crash += 1) {
-        for (const each of pages) await each.evaluate(() => (told.length = 0));
-        await devtools.send('Browser.crashGpuProcess');
-        for (const each of pages) {
-          await each.waitForFunction(
-            (wanted) =>
-              all().every(
-                (element, of) =>
-                  element.backend === 'canvas2d' ||
-                  (element.backend === wanted && told.some((event) => event.type === 'restored' && event.of === of)),
-              ),
-            backend,
-          );
-          const lacking = await each.evaluate((wanted) => all().filter((element) => element.backend !== wanted).length, backend);
-          if (lacking > 0)
-            await boxes(each)
-              .filter({ hasText: 'The graphics device was lost' })
-              .getByRole('button', { name: 'Retry' })
-              .nth(lacking - 1)
-              .waitFor();
-          // The plan too may be blank until the browser has got over the crash.
-          const isBack = each.evaluate(async () => {
-            for (const element of all()) while (!(await isPicture(await element.toBlob())));
-            return true;
-          });
-          assert.ok(await Promise.race([isBack, each.waitForTimeout(PATIENCE)]), `crash ${crash}, ${each.url()}`);
-        }
-        for (const each of pages) await calm(each);
-      }
-    });
-
-    test('afterwards every scene of the pages is made and shown as before', async () => {
-      for (const { page: each } of scenes) {
-        const isNew = await each.evaluate(async () => {
-          const [element] = all();
-          element.seed = 5;
-          await element.generate();
-          return isPicture(await element.toBlob());
-        });
-        assert.ok(isNew, each.url());
-        await each.waitForURL(/seed=5/);
-      }
-    });
-
-    test('through all of it there was never more than one error a second, and nothing uncaught', async () => {
-      await calm(page);
-      for (const { errors } of [opened, ...scenes])
-        assert.deepEqual(
-          errors.filter((error) => !/GPU|WebGL|context/i.test(error)),
-          [],
-        );
-    });
+    losses(backend);
+    lossesInARow(backend);
   });
 }
