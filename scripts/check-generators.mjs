@@ -93,10 +93,11 @@ function covers(pattern, file) {
 
 /** Lines in files that name every generator. */
 function textLines(generator, read) {
-  const { tag, wasm, cdn, page } = generator;
+  const { tag, wasm, compile, cdn, page } = generator;
   const href = page.file === 'index.html' ? './' : page.file;
   const lines = [
     ['Cargo.toml', `\n${wasm} = [`],
+    ['Cargo.toml', `[profile.${compile.profile}]`],
     ['src/bindings/mod.rs', `\nmod ${inRust(wasm)};`],
     ...['src/lib.rs', 'src/params/mod.rs'].map((file) => [file, `mod ${inRust(generator.name)};`]),
     ['www/controls/site.ts', `href: '${href}'`],

@@ -2,6 +2,7 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from './env.mjs';
+import { GENERATORS } from './generators.mjs';
 import { Failure, capture, inLanes, run, say, step } from './run.mjs';
 import { bindgenProgram } from './setup.mjs';
 import { silencePanics } from './silent-panics.mjs';
@@ -11,29 +12,9 @@ const WASM = 'wasm32-unknown-unknown';
 /** An instance can be replaced after a trap: a renderer's, and a generator's in Node and for `rock-field/core`, where there is no worker to be ended. */
 const RESET = ['--experimental-reset-state-function'];
 
-/** `feature` is the cargo feature and the name of the files in pkg/; the generator is made for speed, the renderers for size. */
+/** `feature` is the cargo feature and the name of the files in pkg/; the generators say themselves how they are made, the renderers are made for size. */
 export const artefacts = [
-  // Functions called once stay functions: V8 makes a third slower code of very large ones.
-  {
-    feature: 'generator',
-    profile: 'release',
-    optimise: ['-O3', '--one-caller-inline-max-function-size', '0'],
-    expected: '10–60 s',
-    bindgen: RESET,
-  },
-  // Small, and as fast as with everything: the size levels of the compiler are as large and half as fast; vectorised loops, the deepest
-  // inlining and loops unrolled in part take 2.6 kB and save no time that can be measured; what panics say, and where in the sources they
-  // are, takes 3.7 kB, and nobody reads it. Nor does anything need the names of the tools and of the features of wasm; and nothing is ever stored below
-  // address 1024, where the stack ends, which lets the optimiser join more addresses.
-  {
-    feature: 'wood-ear',
-    profile: 'wood-ear',
-    rustc: ['-C', 'no-vectorize-loops', '-C', 'llvm-args=-inline-threshold=150 -unroll-runtime=false -unroll-allow-partial=false'],
-    silent: true,
-    optimise: ['-Os', '--one-caller-inline-max-function-size', '0', '--low-memory-unused', '--strip-target-features', '--strip-producers'],
-    expected: '10–60 s',
-    bindgen: RESET,
-  },
+  ...GENERATORS.map(({ wasm, compile }) => ({ feature: wasm, expected: '10–60 s', bindgen: RESET, ...compile })),
   { feature: 'renderer-webgpu', profile: 'renderer', optimise: ['-Oz'], expected: '1–4 min the first time', bindgen: RESET },
   { feature: 'renderer-webgl', profile: 'renderer', optimise: ['-Oz'], expected: '2–6 min the first time', bindgen: RESET },
 ];
@@ -63,7 +44,8 @@ export async function buildWasm() {
   });
 }
 
-async function build({ feature, profile, rustc = [], silent = false, optimise, bindgen = [] }, tools) {
+async function build(artefact, tools) {
+  const { feature, profile, rustc = [], silent = false, optimise, bindgen = [] } = artefact;
   const stamp = stampFile(feature);
   rmSync(stamp, { force: true });
   const flags = ['--lib', '--no-default-features', '--features', feature, '--target', WASM, '--profile', profile];
@@ -87,14 +69,15 @@ async function build({ feature, profile, rustc = [], silent = false, optimise, b
   rmSync(staging, { recursive: true });
 
   const inputs = sourcesOf(path.join(folder, 'rock_field.d'));
-  writeFileSync(stamp, JSON.stringify({ tools, inputs, hash: hashFiles(inputs) }, null, 1));
+  writeFileSync(stamp, JSON.stringify({ tools: toolsOf(artefact, tools), inputs, hash: hashFiles(inputs) }, null, 1));
 }
 
-function isCurrent({ feature }, tools) {
+function isCurrent(artefact, tools) {
+  const { feature } = artefact;
   if (!existsSync(path.join(pkg, `${feature}_bg.wasm`)) || !existsSync(path.join(pkg, `${feature}.js`))) return false;
   try {
     const stamp = JSON.parse(readFileSync(stampFile(feature), 'utf8'));
-    return stamp.tools === tools && stamp.hash === hashFiles(stamp.inputs);
+    return stamp.tools === toolsOf(artefact, tools) && stamp.hash === hashFiles(stamp.inputs);
   } catch {
     return false;
   }
@@ -104,7 +87,12 @@ function stampFile(feature) {
   return path.join(pkg, `${feature}.stamp.json`);
 }
 
-/** Everything but the sources that decides the bytes. */
+/** All but the sources that decides the bytes of an artefact. */
+function toolsOf(artefact, tools) {
+  return hashOf(tools, JSON.stringify(artefact));
+}
+
+/** What decides the bytes of every artefact, beside its sources and its own settings. */
 function toolVersions() {
   const files = ['Cargo.toml', 'Cargo.lock', 'scripts/wasm.mjs', 'scripts/silent-panics.mjs', 'rust-toolchain.toml', '.cargo/config.toml'];
   const texts = files.map((file) => path.join(root, file)).map((file) => (existsSync(file) ? readFileSync(file) : ''));
