@@ -29,20 +29,22 @@ const HANGS_MS = 1_200_000;
 /** Browser tests that take long begin first, so that none of them runs on alone when the others have ended. */
 const LONG_FILES = [
   'docs',
+  'deaths',
   'wood-ear',
+  'many',
   'page',
+  'devices',
+  'deployment',
   'element-life',
   'element-values',
   'controls-opening',
   'wood-ear-natural',
-  'many',
   'natural',
   'page-panel',
   'wood-ear-files',
-  'devices',
-  'deaths',
   'places',
   'still-pictures',
+  'refused',
 ];
 
 /**
