@@ -7,7 +7,15 @@ import { GENERATORS, camelCase, entryFile } from './generators.mjs';
 import { Failure } from './run.mjs';
 import { tables } from './tables.mjs';
 
-const SHARED = ['www/element/generator-element.ts', 'www/scene/scene-element.ts'];
+/** The classes that every element inherits from, from the top layer down. */
+const SHARED = [
+  'www/element/generator-element.ts',
+  'www/element/attributes-element.ts',
+  'www/element/params-element.ts',
+  'www/scene/scene-element.ts',
+  'www/scene/drawn-element.ts',
+  'www/scene/stage-element.ts',
+];
 /** Each with the files that register it and that it is written in, where the package has its class, and where the types of its kind stand. */
 const ELEMENTS = GENERATORS.map(({ name, tag, classEntry, table, paramDocs, hasItemAttributes }) => ({
   registers: entryFile(tag),

@@ -72,6 +72,11 @@ export function scriptUnavailable(cause: unknown): RockFieldError {
   );
 }
 
+/** What needs a cycle of the element was asked for out of one. */
+export function notConnected(): RockFieldError {
+  return new RockFieldError({ name: 'NotConnected', message: 'put the element into the document first' });
+}
+
 /** Whether the same may succeed at another time: what failed was no parameter, but a file or a worker. */
 export function isPassing({ name }: ErrorInfo): boolean {
   return UNAVAILABLE.test(name) || name === 'WorkerLost' || name === 'Internal';

@@ -41,7 +41,7 @@ const FAILURES: Readonly<Record<string, string>> = {
   // base/errors.ts
   'a script could not be fetched ({reason}); reload the page':
     'スクリプトを取得できませんでした（{reason}）。ページを再読み込みしてください',
-  // scene/renderer-keeper.ts, scene/scene-element.ts
+  // scene/renderer-keeper.ts, scene/drawn-element.ts, scene/picture.ts
   'The rocks cannot be drawn here. {reason}': 'ここでは描画できません。{reason}',
   'the picture could not be made: {reason}': '画像を作成できませんでした：{reason}',
   'the picture could not be drawn: {reason}': '画像を描画できませんでした：{reason}',

@@ -10,9 +10,17 @@ import type { ElementAttributes } from './attribute-reader.ts';
 import type { ControlledElement, PanelModule } from './panel-owner.ts';
 import type { RowProperties } from './parameter-properties.ts';
 
-export interface Definition<K extends Kind, Owner extends ControlledElement> {
+/** What is known of the parameters. */
+export interface ParamsDefinition<K extends Kind> {
   table: Table<K>;
   properties: RowProperties<K>;
+  newRuns(host: RunsHost<K['params'], K['result'], K['stage']>): Runs<K['params'], K['result'], K['stage']>;
+  /** Width and height of the ground, px. */
+  groundSize(params: K['params']): [number, number];
+}
+
+/** What is known of the attributes. */
+export interface AttributesDefinition<K extends Kind> extends ParamsDefinition<K> {
   /** By attribute: the rows of the whole. */
   rowAttributes: ReadonlyMap<string, Row>;
   /** Attributes that tell the items. */
@@ -22,10 +30,10 @@ export interface Definition<K extends Kind, Owner extends ControlledElement> {
   /** What the items are called, as a property. */
   list: string;
   readAttributes(get: (name: string) => string | null): ElementAttributes<K>;
-  newRuns(host: RunsHost<K['params'], K['result'], K['stage']>): Runs<K['params'], K['result'], K['stage']>;
   lookOf(params: K['params']): Look;
-  /** Width and height of the ground, px. */
-  groundSize(params: K['params']): [number, number];
+}
+
+export interface Definition<K extends Kind, Owner extends ControlledElement> extends AttributesDefinition<K> {
   encode(state: Link<K>): string;
   /** What is shown, in a sentence. */
   describe(result: K['result'], metresPerPixel: number, language: Language): Promise<string>;

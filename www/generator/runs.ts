@@ -1,6 +1,6 @@
 /** The runs of one element: the latest wins, and whoever waits for a result gets that of the newest parameters. */
 
-import { errorInfo, isAbort, RockFieldError } from '../base/errors.ts';
+import { errorInfo, isAbort, notConnected } from '../base/errors.ts';
 import type { ErrorInfo } from '../base/errors.ts';
 import type { Progress } from './protocol.ts';
 
@@ -163,8 +163,4 @@ export class Runs<Request, Result, Stage extends string> {
     this.#client ??= this.#newClient({ onResult: this.#host.onResult });
     return this.#client;
   }
-}
-
-function notConnected(): RockFieldError {
-  return new RockFieldError({ name: 'NotConnected', message: 'put the element into the document first' });
 }

@@ -4,7 +4,8 @@ import { FIELD_ATTRIBUTES, LAYER_ATTRIBUTES, readAttributes } from './attributes
 import type { Field, FieldStats } from '../data/field.ts';
 import { GeneratorClient } from './client.ts';
 import type { StageName } from '../generator/protocol.ts';
-import { GeneratorElement, observedAttributes } from '../element/generator-element.ts';
+import { observedAttributes } from '../element/attributes-element.ts';
+import { GeneratorElement } from '../element/generator-element.ts';
 import type { Definition } from '../element/definition.ts';
 import type { ElementEventMap } from '../element/generator-element.ts';
 import { lazily } from '../base/lazy.ts';

@@ -1,9 +1,11 @@
 /** The picture as a file. */
 
-import { RockFieldError } from '../base/errors.ts';
+import { notConnected, RockFieldError } from '../base/errors.ts';
 import type { ErrorName } from '../base/errors.ts';
 import { errorText } from './renderer-keeper.ts';
-import type { CameraState, Quality } from '../base/view.ts';
+import type { CameraState } from '../base/view.ts';
+import type { Failures } from './failures.ts';
+import type { FramePacer } from './frame-pacer.ts';
 import type { SceneRenderer } from '../renderer/renderer.ts';
 import type { StageSize } from './stage-size.ts';
 import { MAX_PIXELS } from '../renderer/limits.ts';
@@ -21,42 +23,68 @@ export interface PictureOptions {
 /** Of a picture that has no place on the screen, px. */
 const UNSEEN_SIZE: [number, number] = [300, 150];
 
+/** How long a picture is waited for. */
+const PICTURE_TIMEOUT_MS = 120_000;
+
 /** A device that is lost again and again is waited for no longer than this. */
 const LOSSES_MS = 120_000;
 
 /** What the picture is of. */
 interface Pictured {
-  /** Resolves when there is what to draw and what to draw it with. */
-  drawable(): Promise<void>;
+  /** Begins to load, if that has not begun. */
+  start(): void;
+  /** Whether there is what to draw and what to draw it with. */
+  hasPicture(): boolean;
+  /** Whether the element is in a document, or has just been. */
+  isOpen(): boolean;
+  failures: Pick<Failures, 'error' | 'wait'>;
+  pacer: Pick<FramePacer, 'best' | 'redraw'>;
   renderer(): SceneRenderer | undefined;
   size(): StageSize | undefined;
-  best(): Quality | null;
   camera(aspect: number): CameraState;
-  redraw(): void;
 }
 
 /** The picture as a file, as soon as there is one; taken again when the device was lost meanwhile, since it is blank then. */
 export async function picture(options: PictureOptions, scene: Pictured): Promise<Blob> {
   for (const end = performance.now() + LOSSES_MS; ; ) {
-    await scene.drawable();
+    await drawable(scene);
     const renderer = scene.renderer();
     const stage = scene.size();
     if (!renderer || !stage) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
     // In a tab that nobody sees, nobody has told the size yet.
     if (stage.isEmpty) stage.measure();
     const size = pictureSize(options, stage.isEmpty ? UNSEEN_SIZE : stage.pixels);
-    const best = scene.best();
+    const best = scene.pacer.best;
     if (best) renderer.setQuality(best);
     const taken = takePicture(renderer, size, scene.camera(size[0] / size[1]), options);
     // In the same task the screen gets its own picture back.
     renderer.resize(...stage.pixels);
-    scene.redraw();
+    scene.pacer.redraw();
     const blob = await taken.catch((thrown: unknown) => {
       if (!renderer.isLost) throw thrown;
     });
     if (blob && (await isSound(renderer))) return blob;
     if (performance.now() > end) throw new RockFieldError({ name: 'NoPicture', message: 'the graphics device is lost again and again' });
   }
+}
+
+/** Resolves when there is a picture to take; rejects when there will be none, or the cycle ends. */
+function drawable(scene: Pictured): Promise<void> {
+  scene.start();
+  if (scene.hasPicture()) return Promise.resolve();
+  const failure = scene.isOpen() ? scene.failures.error : notConnected();
+  if (failure) return Promise.reject(failure);
+  return new Promise((resolve, reject) => {
+    const timer = setTimeout(
+      () => reject(new RockFieldError({ name: 'NoPicture', message: 'there was no picture within two minutes' })),
+      PICTURE_TIMEOUT_MS,
+    );
+    scene.failures.wait((error) => {
+      clearTimeout(timer);
+      if (error) reject(error);
+      else resolve();
+    });
+  });
 }
 
 /**

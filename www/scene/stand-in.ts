@@ -30,8 +30,22 @@ interface Host {
   scene(): Shown;
 }
 
-/** Resolves when it is over. A poster of the author's stays where it is: then only the words are shown. */
-export async function standIn({ isOver, tree, language, scene }: Host): Promise<void> {
+/** Where something stands in at present. */
+const standing = new WeakSet<SceneTree>();
+
+/** Resolves when it is over, or at once where something stands in already. */
+export async function standIn(host: Host): Promise<void> {
+  if (standing.has(host.tree)) return;
+  standing.add(host.tree);
+  try {
+    await standInUntilOver(host);
+  } finally {
+    standing.delete(host.tree);
+  }
+}
+
+/** A poster of the author's stays where it is: then only the words are shown. */
+async function standInUntilOver({ isOver, tree, language, scene }: Host): Promise<void> {
   let plan: SceneRenderer | undefined;
   let drawn = '';
   let last: Shown | undefined;

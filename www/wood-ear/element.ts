@@ -4,11 +4,12 @@ import { BaseHandles } from './base-handles.ts';
 import type { HandlesOwner } from './base-handles.ts';
 import type { Subject } from '../scene/camera/camera.ts';
 import type { WoodEarColony, WoodEarLog, WoodEarStats } from '../data/colony.ts';
-import { abortError, errorInfo, isAbort } from '../base/errors.ts';
+import { abortError, errorInfo, isAbort, RockFieldError } from '../base/errors.ts';
 import type { Field } from '../data/field.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { WoodEarStage } from './session.ts';
-import { GeneratorElement, observedAttributes } from '../element/generator-element.ts';
+import { observedAttributes } from '../element/attributes-element.ts';
+import { GeneratorElement } from '../element/generator-element.ts';
 import type { Definition } from '../element/definition.ts';
 import type { ElementEventMap } from '../element/generator-element.ts';
 import { lazily } from '../base/lazy.ts';
@@ -183,12 +184,15 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
         onProgress?.(fraction);
       };
       const { mesh, notices } = await readLogInWorker(source, { signal: loading.signal, onProgress: tell });
+      let isShown = false;
       const taken = (): void => {
+        isShown = true;
         for (const notice of notices) this.notify(notice[this.language]);
         this.emit('change', { params: this.params, held: false });
         this.invalidate();
       };
-      await this.adopt((params) => ({ ...params, mesh }), { signal: loading.signal, taken });
+      for (let isTried = false; !isTried; isTried = await this.tryOut({ ...this.params, mesh }, taken)) loading.signal.throwIfAborted();
+      if (!isShown) throw new RockFieldError({ name: 'RendererFailed', message: 'the log could not be shown' });
     } finally {
       signal?.removeEventListener('abort', onAbort);
       if (this.#loading === loading) {
@@ -220,8 +224,9 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     });
   }
 
-  /** Once for each run. */
-  protected override heard(progress: Progress<WoodEarStage> | null): void {
+  /** Says once for each run that it is slow. */
+  protected override tellProgress(progress: Progress<WoodEarStage> | null): void {
+    super.tellProgress(progress);
     if (this.#slow !== '' && progress?.stage !== 'collide') {
       this.unsay(this.#slow);
       this.#slow = '';
