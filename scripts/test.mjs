@@ -60,6 +60,7 @@ const STEPS = [
     expected: '3 s',
     work: () => node([path.join('node_modules', '@biomejs', 'biome', 'bin', 'biome'), 'ci', '--error-on-warnings', '.']),
   },
+  { name: 'lengths', expected: '1 s', work: async () => (await import('./check-lengths.mjs')).check() },
   { name: 'generators', expected: '1 s', work: async () => (await import('./check-generators.mjs')).check() },
   { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
   ...GENERATORS.map(({ wasm }) => ({
