@@ -24,6 +24,46 @@ fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(
   return out;
 }
 
+// The young are tan and the old red-brown to nearly black; thin at the rim, where it is paler. Dry, all are dark and grey.
+// `own` as in Varyings, `back` 1 on the velvet side; broad and fine noise, a vein and a hair where there is one.
+fn flesh_albedo(own: vec4f, wet: f32, back: f32, broad: f32, fine: f32, vein: f32, hair: f32) -> vec3f {
+  let variation = globals.flesh.y;
+  let age = mix(0.5, own.y, min(2.0 * variation, 1.0));
+  let old = mix(vec3f(0.115, 0.046, 0.019), vec3f(0.04, 0.013, 0.0085), smoothstep(0.4, 1.0, age));
+  let jelly = mix(vec3f(0.2, 0.098, 0.042), old, smoothstep(0.0, 0.6, age)) * mix(0.65, 1.25, own.x * own.x);
+  let mottled = 1.0 + 0.55 * broad + 0.35 * fine + 0.15 * vein;
+  let inner = mix(vec3f(0.026, 0.019, 0.016), jelly, wet) * mottled;
+  let skin = mix(vec3f(0.185, 0.162, 0.142), vec3f(0.086, 0.058, 0.041), wet) * mix(1.3, 0.75, age) * mix(0.7, 1.1, own.x);
+  let zones = 1.0 + 0.12 * sin(own.x * 26.0 + 3.0 * broad) * back;
+  let outer = skin * zones * (1.0 + 0.3 * broad + 0.25 * fine + 0.5 * hair);
+  return mix(inner, outer, back) * exp2(variation * (own.z - 0.5) * 2.2);
+}
+
+// Water levels out what is fine, and shows the sky between the trees; `film` 0…1.
+fn mirrored_sky(film: f32, base: vec3f, slope: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
+  let level = bumped(base, 0.35 * slope);
+  let mirrored = reflect(-to_eye, level);
+  let gaps = smoothstep(0.0, 0.45, noise3(mirrored * 2.3 + 17.0).w) * smoothstep(-0.1, 0.5, mirrored.z);
+  let grazing = 1.0 - max(dot(level, to_eye), 0.0);
+  let square = grazing * grazing;
+  return vec3f(0.95, 1.0, 1.06) * (film * film * gaps * seen * (0.05 + 0.8 * square * square * grazing));
+}
+
+// Light through the flesh: of the sun and the sky behind it, redder the thicker it is, and most at the rim. `thin` how much of it
+// comes through, `toward_rim` the share of the way there.
+fn light_through(thin: f32, toward_rim: f32, vein: f32, world: vec3f, base: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
+  let sun = field.sun.xyz;
+  let lit = dot(base, sun);
+  let behind = max(-lit, 0.0) + 0.25 * max(1.0 - abs(lit), 0.0);
+  // The shadow map has the flesh itself: asked is its lit side.
+  let toward_sun = select(-base, base, lit > 0.0);
+  let direct = sun_seen(world + sun * 0.15, toward_sun) * behind;
+  let scatter = 0.6 + 1.2 * pow(max(dot(-to_eye, sun), 0.0), 4.0);
+  let depth = mix(1.5, 0.5, toward_rim);
+  let tint = exp(-depth * vec3f(0.75, 2.1, 3.4) * (1.0 + 0.5 * vein));
+  return tint * thin * (sunshine() * direct * scatter * 0.6 + vec3f(0.36, 0.4, 0.45) * 0.12 * seen);
+}
+
 @fragment
 fn fs_main(
   @builtin(position) pixel: vec4f,
@@ -33,11 +73,7 @@ fn fs_main(
   @location(2) given: vec3f,
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
 ) -> @location(0) vec4f {
-  let across = dpdx(from_eye);
-  let down = dpdy(from_eye);
-  let step_x = dot(across, across);
-  let step_y = dot(down, down);
-  let footprint = sqrt(sqrt(step_x * step_y)) * 0.5 + sqrt(max(step_x, step_y)) * 0.5;
+  let footprint = footprint_of(dpdx(from_eye), dpdy(from_eye));
   let turn_x = dpdx(given);
   let turn_y = dpdy(given);
   // A single sheet shows its back as its inner side turned over.
@@ -75,16 +111,7 @@ fn fs_main(
     slope += 0.25 * hair.xyz;
   }
 
-  // The young are tan and the old red-brown to nearly black; thin at the rim, where it is paler. Dry, all are dark and grey.
-  let age = mix(0.5, own.y, min(2.0 * variation, 1.0));
-  let old = mix(vec3f(0.115, 0.046, 0.019), vec3f(0.04, 0.013, 0.0085), smoothstep(0.4, 1.0, age));
-  let jelly = mix(vec3f(0.2, 0.098, 0.042), old, smoothstep(0.0, 0.6, age)) * mix(0.65, 1.25, own.x * own.x);
-  let mottled = 1.0 + 0.55 * broad.w + 0.35 * fine + 0.15 * vein;
-  let inner = mix(vec3f(0.026, 0.019, 0.016), jelly, wet) * mottled;
-  let skin = mix(vec3f(0.185, 0.162, 0.142), vec3f(0.086, 0.058, 0.041), wet) * mix(1.3, 0.75, age) * mix(0.7, 1.1, own.x);
-  let zones = 1.0 + 0.12 * sin(own.x * 26.0 + 3.0 * broad.w) * back;
-  let outer = skin * zones * (1.0 + 0.3 * broad.w + 0.25 * fine + 0.5 * down_hair);
-  var albedo = mix(inner, outer, back) * exp2(variation * (own.z - 0.5) * 2.2);
+  var albedo = flesh_albedo(own, wet, back, broad.w, fine, vein, down_hair);
   var rough = mix(mix(0.62, 0.19, wet), 0.85, back);
   let relief = bumped(base, slope);
   let seen = mix(0.25, 1.0, sky_seen(world, base, pixel.xy));
@@ -99,30 +126,14 @@ fn fs_main(
   let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.3);
   rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
   var light = daylight(albedo, rough, world, base, towards, to_eye, seen);
-  // Water levels out what is fine, and shows the sky between the trees.
   let film = wet * (1.0 - back);
   if film > 0.0 {
-    let level = bumped(base, 0.35 * slope);
-    let mirrored = reflect(-to_eye, level);
-    let gaps = smoothstep(0.0, 0.45, noise3(mirrored * 2.3 + 17.0).w) * smoothstep(-0.1, 0.5, mirrored.z);
-    let grazing = 1.0 - max(dot(level, to_eye), 0.0);
-    let square = grazing * grazing;
-    light += vec3f(0.95, 1.0, 1.06) * (film * film * gaps * seen * (0.05 + 0.8 * square * square * grazing));
+    light += mirrored_sky(film, base, slope, to_eye, seen);
   }
 
-  // Light through the flesh: of the sun and the sky behind it, redder the thicker it is, and most at the rim.
   let thin = globals.flesh.z * wet * smoothstep(0.05, 1.0, own.x) * (1.0 - smoothstep(2.2, 2.9, own.w));
   if thin > 0.0 {
-    let sun = field.sun.xyz;
-    let lit = dot(base, sun);
-    let behind = max(-lit, 0.0) + 0.25 * max(1.0 - abs(lit), 0.0);
-    // The shadow map has the flesh itself: asked is its lit side.
-    let toward_sun = select(-base, base, lit > 0.0);
-    let direct = sun_seen(world + sun * 0.15, toward_sun) * behind;
-    let scatter = 0.6 + 1.2 * pow(max(dot(-to_eye, sun), 0.0), 4.0);
-    let depth = mix(1.5, 0.5, own.x);
-    let tint = exp(-depth * vec3f(0.75, 2.1, 3.4) * (1.0 + 0.5 * vein));
-    light += tint * thin * (sunshine() * direct * scatter * 0.6 + vec3f(0.36, 0.4, 0.45) * 0.12 * seen);
+    light += light_through(thin, own.x, vein, world, base, to_eye, seen);
   }
   return developed(light, far, pixel.xy);
 }

@@ -29,6 +29,90 @@ fn fissures(noise: vec4f, wide: f32) -> vec4f {
   return vec4f(noise.xyz * sign(noise.w) * 6.0 * t * (1.0 - t) / wide, t * t * (3.0 - 2.0 * t));
 }
 
+// Along the grain all is drawn out.
+const LONG = vec3f(0.17, 1.0, 1.0);
+const RIDGE = vec3f(0.2, 1.0, 1.0) / 1.9;
+const PLATE = vec3f(1.0, 0.6, 0.6) / 2.3;
+
+// What `bark` found, as structs are not passed in fragment code.
+var<private> bark_albedo: vec3f;
+// Slope of the relief; px per px
+var<private> bark_slope: vec3f;
+// 0 in fissures, 1 on the ridges
+var<private> bark_high: f32;
+// How much paler it is here than its colour
+var<private> bark_value: f32;
+
+// Ridges between fissures along the axis, cut across into plates, and scaly. `at` as the log has it, `broad` and `fiber` noise
+// there, `hue` 0 brown to 1 grey.
+fn bark(at: vec3f, broad: vec4f, fiber: vec4f, hue: f32, footprint: f32) {
+  let warped = at + vec3f(0.0, 0.6, 0.6) * broad.w;
+  var ridge = noise3(warped * RIDGE);
+  ridge = fissures(vec4f(ridge.xyz * RIDGE, ridge.w), 0.2);
+  var plate = noise3(warped * PLATE + 11.0) * shown(2.0, footprint);
+  plate = fissures(vec4f(plate.xyz * PLATE, plate.w + 0.15), 0.2);
+  // Cracks within the ridges.
+  var crack = vec4f(vec3f(0.0), 1.0);
+  if globals.scene.y > 0.0 {
+    crack = noise3(warped * RIDGE * 2.7 + 41.0) * shown(0.8, footprint);
+    crack = fissures(vec4f(crack.xyz * RIDGE * 2.7, crack.w), 0.16);
+    crack = mix(vec4f(vec3f(0.0), 1.0), crack, 0.5 * shown(0.8, footprint) * smoothstep(-0.4, 0.3, broad.w));
+  }
+  let high = ridge.w * mix(1.0, plate.w, 0.55) * crack.w;
+  var slope = 0.8 * ridge.xyz * mix(1.0, plate.w, 0.55) + (0.3 * plate.xyz + 0.22 * crack.xyz) * ridge.w;
+  var value = 0.3 * broad.w;
+  let scale_seen = shown(0.9, footprint);
+  if globals.scene.y > 0.0 && scale_seen > 0.0 {
+    let scales = noise3(at * vec3f(0.6, 1.0, 1.0) / 0.7 + 7.0) * scale_seen;
+    slope += 0.5 * scales.xyz * vec3f(0.6, 1.0, 1.0);
+    value += 1.0 * scales.w;
+  }
+  let micro_seen = shown(0.25, footprint);
+  if globals.scene.y > 1.0 && micro_seen > 0.0 {
+    let micro = noise3(at * vec3f(0.7, 1.0, 1.0) / 0.22) * micro_seen;
+    slope += 0.4 * micro.xyz;
+    value += 0.75 * micro.w;
+  }
+  value += 0.6 * fiber.w;
+  slope += 0.1 * fiber.xyz * LONG / 0.5 * ridge.w;
+  let albedo = mix(vec3f(0.066, 0.047, 0.034), mix(vec3f(0.135, 0.098, 0.07), vec3f(0.18, 0.157, 0.13), hue), high);
+  bark_albedo = albedo * max(1.0 + value, 0.25);
+  bark_slope = slope;
+  bark_high = high;
+  bark_value = value;
+}
+
+// What `bare_wood` found.
+var<private> wood_albedo: vec3f;
+// Slope of the relief; px per px
+var<private> wood_slope: vec3f;
+// 0 deep in a gap, 1 in the open
+var<private> wood_open: f32;
+
+// End grain: growth rings, unequal, each pale first and dark at last; the heart is darker, and checks gape along the rays.
+// `splinter` 1: torn along the grain instead.
+fn bare_wood(at: vec3f, broad: vec4f, fiber: vec4f, hue: f32, splinter: f32, footprint: f32) {
+  let radius = length(at.yz);
+  let ray = at.yz / max(radius, 0.01);
+  let grown = radius + 0.5 * broad.w + 0.4 * noise2(2.0 * ray + 5.0);
+  let years = grown / 0.46 + 2.0 * noise2(vec2f(grown / 1.3, 0.5));
+  let late = smoothstep(0.3, 0.9, fract(years)) * (1.0 - smoothstep(0.93, 1.0, fract(years)));
+  let rings = late * shown(0.42, footprint);
+  let check = fissures(noise3(vec3f(2.6 * ray, radius / 16.0 + 0.02 * at.x)), 0.05);
+  let gap = mix(check.w, 1.0, smoothstep(-0.15, 0.2, broad.w + 0.4 * noise2(3.0 * ray)) * smoothstep(1.5, 5.0, radius));
+  let rays = noise2(vec2f(23.0 * atan2(ray.y, ray.x), radius / 1.7)) * shown(0.25, footprint);
+  // Torn across, the fibres end in tufts.
+  let tuft = noise3(at * vec3f(0.25, 1.0, 1.0) / 0.55 + 3.0) * shown(0.5, footprint);
+  let stain = smoothstep(0.1, 0.6, noise2(at.yz / 4.7) + 0.5 * noise2(at.yz / 1.9));
+  var pale = mix(vec3f(0.27, 0.19, 0.115), vec3f(0.2, 0.17, 0.138), 0.5 + broad.x);
+  pale *= mix(vec3f(0.62, 0.52, 0.45), vec3f(1.0), smoothstep(0.3 * field.log.z, 0.6 * field.log.z, grown));
+  pale *= (1.0 - 0.3 * rings) * (1.0 + 0.25 * broad.w + 0.12 * rays + 0.5 * tuft.w) * (1.0 - 0.45 * stain);
+  let torn = mix(vec3f(0.28, 0.19, 0.11), vec3f(0.2, 0.175, 0.15), hue) * max(1.0 + 0.9 * fiber.w + 0.3 * broad.w, 0.2);
+  wood_albedo = mix(pale * mix(0.25, 1.0, gap), torn, splinter);
+  wood_slope = mix(0.28 * tuft.xyz * vec3f(0.25, 1.0, 1.0), 0.25 * fiber.xyz * LONG / 0.5, splinter);
+  wood_open = mix(0.6, 1.0, gap);
+}
+
 @fragment
 fn fs_main(
   @builtin(position) pixel: vec4f,
@@ -37,20 +121,14 @@ fn fs_main(
   @location(2) given: vec3f,
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
 ) -> @location(0) vec4f {
-  let across = dpdx(from_eye);
-  let down = dpdy(from_eye);
-  let step_x = dot(across, across);
-  let step_y = dot(down, down);
-  let footprint = sqrt(sqrt(step_x * step_y)) * 0.5 + sqrt(max(step_x, step_y)) * 0.5;
+  let footprint = footprint_of(dpdx(from_eye), dpdy(from_eye));
   let base = normalize(given);
   let world = inside + globals.eye.xyz;
   let far = length(from_eye);
   let to_eye = -from_eye / far;
   let quality = globals.scene.y;
 
-  // Along the grain all is drawn out.
   let at = about_log(world);
-  const LONG = vec3f(0.17, 1.0, 1.0);
   let broad = noise3(at * LONG / 7.0 + 3.0);
   let fiber_seen = shown(0.5, footprint);
   var fiber = vec4f(0.0);
@@ -61,71 +139,24 @@ fn fs_main(
   let splinter = smoothstep(1.35, 1.65, kind);
   let bare = end + splinter;
 
-  // Bark: ridges between fissures along the axis, cut across into plates, and scaly.
-  const RIDGE = vec3f(0.2, 1.0, 1.0) / 1.9;
-  const PLATE = vec3f(1.0, 0.6, 0.6) / 2.3;
-  let warped = at + vec3f(0.0, 0.6, 0.6) * broad.w;
-  var ridge = noise3(warped * RIDGE);
-  ridge = fissures(vec4f(ridge.xyz * RIDGE, ridge.w), 0.2);
-  var plate = noise3(warped * PLATE + 11.0) * shown(2.0, footprint);
-  plate = fissures(vec4f(plate.xyz * PLATE, plate.w + 0.15), 0.2);
-  // Cracks within the ridges.
-  var crack = vec4f(vec3f(0.0), 1.0);
-  if quality > 0.0 {
-    crack = noise3(warped * RIDGE * 2.7 + 41.0) * shown(0.8, footprint);
-    crack = fissures(vec4f(crack.xyz * RIDGE * 2.7, crack.w), 0.16);
-    crack = mix(vec4f(vec3f(0.0), 1.0), crack, 0.5 * shown(0.8, footprint) * smoothstep(-0.4, 0.3, broad.w));
-  }
-  let high = ridge.w * mix(1.0, plate.w, 0.55) * crack.w;
-  var slope = 0.8 * ridge.xyz * mix(1.0, plate.w, 0.55) + (0.3 * plate.xyz + 0.22 * crack.xyz) * ridge.w;
-  var value = 0.3 * broad.w;
-  let scale_seen = shown(0.9, footprint);
-  if quality > 0.0 && scale_seen > 0.0 {
-    let scales = noise3(at * vec3f(0.6, 1.0, 1.0) / 0.7 + 7.0) * scale_seen;
-    slope += 0.5 * scales.xyz * vec3f(0.6, 1.0, 1.0);
-    value += 1.0 * scales.w;
-  }
-  let micro_seen = shown(0.25, footprint);
-  if quality > 1.0 && micro_seen > 0.0 {
-    let micro = noise3(at * vec3f(0.7, 1.0, 1.0) / 0.22) * micro_seen;
-    slope += 0.4 * micro.xyz;
-    value += 0.75 * micro.w;
-  }
-  value += 0.6 * fiber.w;
-  slope += 0.1 * fiber.xyz * LONG / 0.5 * ridge.w;
   let hue = 0.5 + broad.x * 0.35;
-  var albedo = mix(vec3f(0.066, 0.047, 0.034), mix(vec3f(0.135, 0.098, 0.07), vec3f(0.18, 0.157, 0.13), hue), high);
-  albedo *= max(1.0 + value, 0.25);
+  bark(at, broad, fiber, hue, footprint);
+  let high = bark_high;
+  var albedo = bark_albedo;
+  var slope = bark_slope;
   var open = mix(0.65, 1.0, high);
   var rough = 0.9;
 
   // Lichen: pale crusts where the sky is seen, on the ridges.
   let spots = noise2(at.xy / 6.3 + 0.35 * at.z) + 0.6 * noise2(at.xz / 2.3) + 0.35 * noise2(at.xy / 0.7) * shown(0.7, footprint);
-  let lichen = smoothstep(0.66, 0.74, spots + 0.25 * base.z + 0.15 * value) * smoothstep(0.3, 0.8, high) * (1.0 - bare);
-  albedo = mix(albedo, vec3f(0.27, 0.29, 0.23) * (1.0 + 0.7 * value), 0.75 * lichen);
+  let lichen = smoothstep(0.66, 0.74, spots + 0.25 * base.z + 0.15 * bark_value) * smoothstep(0.3, 0.8, high) * (1.0 - bare);
+  albedo = mix(albedo, vec3f(0.27, 0.29, 0.23) * (1.0 + 0.7 * bark_value), 0.75 * lichen);
 
   if bare > 0.0 {
-    // Growth rings, unequal, each pale first and dark at last; the heart is darker, and checks gape along the rays.
-    let radius = length(at.yz);
-    let ray = at.yz / max(radius, 0.01);
-    let grown = radius + 0.5 * broad.w + 0.4 * noise2(2.0 * ray + 5.0);
-    let years = grown / 0.46 + 2.0 * noise2(vec2f(grown / 1.3, 0.5));
-    let late = smoothstep(0.3, 0.9, fract(years)) * (1.0 - smoothstep(0.93, 1.0, fract(years)));
-    let rings = late * shown(0.42, footprint);
-    let check = fissures(noise3(vec3f(2.6 * ray, radius / 16.0 + 0.02 * at.x)), 0.05);
-    let gap = mix(check.w, 1.0, smoothstep(-0.15, 0.2, broad.w + 0.4 * noise2(3.0 * ray)) * smoothstep(1.5, 5.0, radius));
-    let rays = noise2(vec2f(23.0 * atan2(ray.y, ray.x), radius / 1.7)) * shown(0.25, footprint);
-    // Torn across, the fibres end in tufts.
-    let tuft = noise3(at * vec3f(0.25, 1.0, 1.0) / 0.55 + 3.0) * shown(0.5, footprint);
-    let stain = smoothstep(0.1, 0.6, noise2(at.yz / 4.7) + 0.5 * noise2(at.yz / 1.9));
-    var pale = mix(vec3f(0.27, 0.19, 0.115), vec3f(0.2, 0.17, 0.138), 0.5 + broad.x);
-    pale *= mix(vec3f(0.62, 0.52, 0.45), vec3f(1.0), smoothstep(0.3 * field.log.z, 0.6 * field.log.z, grown));
-    pale *= (1.0 - 0.3 * rings) * (1.0 + 0.25 * broad.w + 0.12 * rays + 0.5 * tuft.w) * (1.0 - 0.45 * stain);
-    let torn = mix(vec3f(0.28, 0.19, 0.11), vec3f(0.2, 0.175, 0.15), hue) * max(1.0 + 0.9 * fiber.w + 0.3 * broad.w, 0.2);
-    let grain = mix(pale * mix(0.25, 1.0, gap), torn, splinter / bare);
-    albedo = mix(albedo, grain, bare);
-    slope = mix(slope, mix(0.28 * tuft.xyz * vec3f(0.25, 1.0, 1.0), 0.25 * fiber.xyz * LONG / 0.5, splinter / bare), bare);
-    open = mix(open, mix(0.6, 1.0, gap), bare);
+    bare_wood(at, broad, fiber, hue, splinter / bare, footprint);
+    albedo = mix(albedo, wood_albedo, bare);
+    slope = mix(slope, wood_slope, bare);
+    open = mix(open, wood_open, bare);
   }
   let relief = bumped(base, slope);
   let seen = sky_seen(world, base, pixel.xy);

@@ -51,8 +51,7 @@ fn fs_main(
   let world = inside + globals.eye.xyz;
   let far = length(from_eye);
   let to_eye = -from_eye / far;
-  // px of the world under a pixel of the picture; not stretched all the way at the rim, where nothing is seen anyway
-  let footprint = sqrt(sqrt(step_x * step_y)) * 0.5 + sqrt(max(step_x, step_y)) * 0.5;
+  let footprint = footprint_of(across, down);
 
   let random = floor(own * 255.0 + 0.5);
   let numbers = random.xyz / 255.0;

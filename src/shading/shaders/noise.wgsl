@@ -99,3 +99,11 @@ fn noise2(at: vec2f) -> f32 {
 fn shown(period: f32, footprint: f32) -> f32 {
   return 1.0 - smoothstep(0.3, 0.75, footprint / period);
 }
+
+// px of the world under a pixel of a surface that goes on by `across` and `down` to the next pixels; not stretched all the way at
+// the rim, where nothing is seen anyway.
+fn footprint_of(across: vec3f, down: vec3f) -> f32 {
+  let step_x = dot(across, across);
+  let step_y = dot(down, down);
+  return sqrt(sqrt(step_x * step_y)) * 0.5 + sqrt(max(step_x, step_y)) * 0.5;
+}

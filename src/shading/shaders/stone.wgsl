@@ -45,6 +45,38 @@ fn individual(albedo: vec3f, own: vec3f) -> vec3f {
   return albedo * value * vec3f(1.0 + warm, 1.0, 1.0 - warm);
 }
 
+// Interlocking grains of this size: dark mica, pale feldspar, grey quartz between them. What they add to the value and to the warmth.
+fn granite(at: vec3f, grain: f32, footprint: f32) -> vec2f {
+  let seen = shown(grain, footprint) * min(globals.scene.y, 1.0);
+  if seen <= 0.0 {
+    return vec2f(0.0);
+  }
+  let cell = grains(at / grain, max(1.5 * footprint / grain, 0.08));
+  let mica = 1.0 - smoothstep(0.15, 0.19, cell.y);
+  let feldspar = smoothstep(0.52, 0.58, cell.y);
+  let value = seen * (0.24 * feldspar - 0.55 * mica + 0.3 * (cell.z - 0.5) + 0.01);
+  return vec2f(value, seen * (0.1 + 0.1 * (cell.w - 0.5)) * feldspar);
+}
+
+// Gas bubbles of this size, cut open: how much darker they are.
+fn pits(at: vec3f, size: f32, footprint: f32) -> f32 {
+  let seen = shown(size, footprint) * min(globals.scene.y, 1.0);
+  if seen <= 0.0 {
+    return 0.0;
+  }
+  let cell = grains(at / size, 0.05);
+  let pit = select(0.0, 1.0 - smoothstep(0.1, 0.16 + 0.28 * cell.z, cell.x), cell.y < 0.55);
+  return 0.55 * pit * seen;
+}
+
+// Some stones are cut by a white line or two: 1 on it. `broad` and `mid` are noise that bends it.
+fn veins(kind: f32, own: vec3f, at: vec3f, broad: f32, mid: f32) -> f32 {
+  let vein_at = dot(at, normalize(vec3f(own.zx - 0.5, 0.35))) / 23.0 + 0.12 * broad + 0.1 * mid;
+  let vein = 1.0 - smoothstep(0.012, 0.035, abs(fract(vein_at) - 0.5));
+  let veined = select(0.0, 1.0, fract(own.x * 7.0 + own.y * 3.0) < 0.16 && (kind == 2.0 || kind == 5.0));
+  return vein * veined;
+}
+
 // `own` three random numbers of the rock, `at` in its own space, footprint px of the world under a pixel.
 fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let quality = globals.scene.y;
@@ -88,26 +120,12 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let bed = normalize(vec3f(tilt, 1.0));
   let along = dot(at, bed);
   if kind == 1.0 {
-    // Interlocking grains: dark mica, pale feldspar, grey quartz between them.
-    let grain = 0.5 * coarse;
-    let seen = shown(grain, footprint) * min(quality, 1.0);
-    if seen > 0.0 {
-      let cell = grains((at + 0.35 * mid.xyz) / grain, max(1.5 * footprint / grain, 0.08));
-      let mica = 1.0 - smoothstep(0.15, 0.19, cell.y);
-      let feldspar = smoothstep(0.52, 0.58, cell.y);
-      value += seen * (0.24 * feldspar - 0.55 * mica + 0.3 * (cell.z - 0.5) + 0.01);
-      warm += seen * (0.1 + 0.1 * (cell.w - 0.5)) * feldspar;
-    }
+    let speckled = granite(at + 0.35 * mid.xyz, 0.5 * coarse, footprint);
+    value += speckled.x;
+    warm += speckled.y;
     rough = 0.75;
   } else if kind == 2.0 {
-    // Gas bubbles, cut open.
-    let size = 2.4 * coarse;
-    let seen = shown(size, footprint) * min(quality, 1.0);
-    if seen > 0.0 {
-      let cell = grains(at / size, 0.05);
-      let pit = select(0.0, 1.0 - smoothstep(0.1, 0.16 + 0.28 * cell.z, cell.x), cell.y < 0.55);
-      value -= 0.55 * pit * seen;
-    }
+    value -= pits(at, 2.4 * coarse, footprint);
     slope *= 1.2;
     rough = 0.7;
   } else if kind == 3.0 || kind == 7.0 {
@@ -133,11 +151,7 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
     slope *= 0.7;
     rough = 0.55;
   }
-  // Veins: some stones are cut by a white line or two.
-  let vein_at = dot(at, normalize(vec3f(own.zx - 0.5, 0.35))) / 23.0 + 0.12 * broad.w + 0.1 * mid.w;
-  let vein = 1.0 - smoothstep(0.012, 0.035, abs(fract(vein_at) - 0.5));
-  let veined = select(0.0, 1.0, fract(own.x * 7.0 + own.y * 3.0) < 0.16 && (kind == 2.0 || kind == 5.0));
-  albedo = mix(individual(albedo, own), vec3f(0.45, 0.44, 0.41), max(pale, 0.75 * vein * veined * mid_seen));
+  albedo = mix(individual(albedo, own), vec3f(0.45, 0.44, 0.41), max(pale, 0.75 * veins(kind, own, at, broad.w, mid.w) * mid_seen));
   stone_albedo = max(albedo * max(1.0 + value, 0.2) * vec3f(1.0 + warm, 1.0, 1.0 - warm), vec3f(0.01));
   stone_slope = slope;
   stone_rough = rough;
