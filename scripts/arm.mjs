@@ -5,7 +5,7 @@ import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { cargoEnv, root } from './env.mjs';
 import { GENERATORS } from './generators.mjs';
-import { Failure, capture, isMain, main, run, say, step, which } from './run.mjs';
+import { Failure, capture, isMain, main, needed, run, say, step, which } from './run.mjs';
 import { setup } from './setup.mjs';
 
 const TARGET = 'aarch64-unknown-linux-gnu';
@@ -64,7 +64,7 @@ async function install() {
 }
 
 async function target() {
-  const sysroot = capture('rustc', ['--print', 'sysroot'], { cwd: root });
+  const sysroot = needed(capture('rustc', ['--print', 'sysroot'], { cwd: root }), 'answer from rustc about its folder');
   if (existsSync(path.join(sysroot, 'lib', 'rustlib', TARGET, 'lib'))) return;
   if (!which('rustup'))
     throw new Failure(`This Rust has no ${TARGET} target and there is no rustup to add it. Install rustup: https://rustup.rs`);

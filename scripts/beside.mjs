@@ -7,7 +7,7 @@ import { existsSync } from 'node:fs';
 import { readFile, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { root } from './env.mjs';
-import { Failure, say } from './run.mjs';
+import { Failure, needed, say } from './run.mjs';
 import { fromAbove, openStudio, photograph } from './studio.mjs';
 import { tables } from './tables.mjs';
 
@@ -61,7 +61,7 @@ async function pairUp(photos, presets) {
  * @returns {[name: string, metres?: number]}
  */
 function split(text) {
-  const [, name, metres] = /^(.*?)(?:@(\d*\.?\d+))?$/.exec(text);
+  const [, name, metres] = needed(/^(.*?)(?:@(\d*\.?\d+))?$/.exec(text), `name in ${text}`);
   return metres === undefined ? [name] : [name, Number(metres)];
 }
 

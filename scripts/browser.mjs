@@ -4,7 +4,7 @@
 import { existsSync } from 'node:fs';
 import path from 'node:path';
 import { root } from './env.mjs';
-import { Failure, capture, isMain, isProgram, main, run, say, step, which } from './run.mjs';
+import { Failure, capture, isMain, isProgram, main, messageOf, run, say, step, which } from './run.mjs';
 
 /**
  * `own` is asked before PATH. `packages` are Debian's: the program's, then what it needs here beside what it depends on.
@@ -109,7 +109,7 @@ export async function ensureBrowser(name = 'chromium') {
   try {
     await step(command, '1–3 min', install);
   } catch (error) {
-    throw new Failure(`no ${called} for the browser tests (${error.message}). ${remedy(name, command)}`);
+    throw new Failure(`no ${called} for the browser tests (${messageOf(error)}). ${remedy(name, command)}`);
   }
   const installed = await findBrowser(name);
   if (!installed) throw new Failure(`no ${called} for the browser tests, although the installation succeeded. ${remedy(name, command)}`);

@@ -4,14 +4,14 @@ import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { root } from './env.mjs';
 import { GENERATORS, addressFunction, entriesOf, entryFile, inRust, pageScript, workersOf } from './generators.mjs';
-import { Failure } from './run.mjs';
+import { Failure, needed } from './run.mjs';
 
 const TYPINGS = ['jsx', 'svelte', 'vue'].map((name) => `www/typings/${name}.d.ts`);
 
 /** Returns a sentence for everything that the generators lack; `read` gives the text of a file by its name in the repository, null without one. */
 export function generatorProblems(generators = GENERATORS, read = readText) {
   const texts = [...namesTwice(generators), ...generators.flatMap((generator) => ownFiles(generator, read))];
-  const manifest = JSON.parse(read('package.json'));
+  const manifest = JSON.parse(needed(read('package.json'), 'package.json'));
   texts.push(...generators.flatMap((generator) => packageLines(generator, manifest, generator === generators[0])));
   texts.push(...generators.flatMap((generator) => textLines(generator, read)));
   return texts;

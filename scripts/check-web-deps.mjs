@@ -76,7 +76,7 @@ export function webProblems(folder) {
   return [
     ...[...sources].flatMap(([file, source]) => [
       ...problemsOf(file, source),
-      ...graph.get(file).flatMap((imported) => arrowProblems(file, imported, sources)),
+      ...(graph.get(file) ?? []).flatMap((imported) => arrowProblems(file, imported, sources)),
     ]),
     ...circles(graph).map((files) => `a circle of imports: ${[...files, files[0]].join(' → ')}`),
   ];

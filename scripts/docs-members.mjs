@@ -3,7 +3,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { root } from './env.mjs';
 import { manifest } from './package-manifest.mjs';
-import { Failure } from './run.mjs';
+import { Failure, needed } from './run.mjs';
 import { tables } from './tables.mjs';
 
 const EXAMPLES = path.join(root, 'www', 'docs', 'examples');
@@ -55,7 +55,10 @@ export function problems(found, ids = [...readExamples().keys()]) {
 /** The members of the manifest, without examples. */
 export async function publicMembers() {
   const { PARAM_DOCS, PARAMS, attributeOf } = await tables();
-  const declaration = (await manifest()).modules[0].declarations.find(({ tagName }) => tagName === TAG);
+  const declaration = needed(
+    (await manifest()).modules[0].declarations.find(({ tagName }) => tagName === TAG),
+    `<${TAG}> in the manifest`,
+  );
   const properties = new Map(declaration.members.filter(({ kind }) => kind === 'field').map((member) => [member.name, member]));
   const paired = new Set(declaration.attributes.map(({ fieldName }) => fieldName));
   const specs = new Map(PARAMS.map((spec) => [attributeOf(spec), spec]));

@@ -5,6 +5,7 @@ import { ts } from '@custom-elements-manifest/analyzer';
 import { codeBlock, escaped, heading, inline, liveExample, markdown } from './docs-html.mjs';
 import { root } from './env.mjs';
 import { manifest } from './package-manifest.mjs';
+import { needed } from './run.mjs';
 import { tables } from './tables.mjs';
 
 const { ERRORS, encodeLink, presetLabel, presetName, presetParams, translate, word, LAYER_ROWS, PAPERS, PRESETS } = await tables();
@@ -97,7 +98,7 @@ function facts(member) {
     spec && spec.kind !== 'choice' ? [word('range'), range(spec)] : null,
     property ? [word('property'), `<code>${property.name}</code>: ${typeOf(property.type.text)}`] : null,
     spec ? [word('key'), `<code>${spec.url}</code>`] : null,
-  ].filter((fact) => fact?.[1]);
+  ].flatMap((fact) => (fact?.[1] ? [fact] : []));
   if (list.length === 0) return '';
   return `<dl class="facts">${list.map(([term, text]) => `<div><dt>${term}</dt><dd>${text}</dd></div>`).join('')}</dl>`;
 }
@@ -163,7 +164,10 @@ function groupedByKind(all) {
 
 /** Everything public of an element, in tables: what it is called, what it takes, what it is. */
 export async function elementTables(tag) {
-  const declaration = (await manifest()).modules.flatMap(({ declarations }) => declarations).find(({ tagName }) => tagName === tag);
+  const declaration = needed(
+    (await manifest()).modules.flatMap(({ declarations }) => declarations).find(({ tagName }) => tagName === tag),
+    `<${tag}> in the manifest`,
+  );
   const paired = new Set(declaration.attributes.map(({ fieldName }) => fieldName));
   const ofKind = (kind) => declaration.members.filter((member) => member.kind === kind);
   const methods = ofKind('method').map(({ return: returned, ...member }) => ({

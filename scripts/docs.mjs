@@ -6,6 +6,7 @@ import { GENERATORS } from './generators.mjs';
 import { errorNames, troubleshooting } from './docs-errors.mjs';
 import { frame, markdown } from './docs-html.mjs';
 import { members } from './docs-members.mjs';
+import { needed } from './run.mjs';
 import { elementTables, gallery, overview, sections, types } from './docs-reference.mjs';
 
 const SOURCES = path.join(root, 'www', 'docs');
@@ -99,7 +100,7 @@ export async function writeDocs(folder) {
 /** `{ heading, body, contents }`: the page's own words, and what its navigation lists. */
 async function render(page, all) {
   const intro = readProse(page.prose ?? path.basename(page.file, '.html'));
-  const heading = /<h1>(.*?)<\/h1>/.exec(intro.html)[1].replace(/<[^>]*>/g, '');
+  const heading = needed(/<h1>(.*?)<\/h1>/.exec(intro.html), `heading in the prose of ${page.file}`)[1].replace(/<[^>]*>/g, '');
   if (page.prose) return { heading, body: intro.html, contents: intro.headings.map(({ id, name }) => ({ id, name: decoded(name) })) };
   const { html, contents } = page.kinds
     ? await sections(

@@ -8,7 +8,7 @@
 import { canInstall, ensureBrowser } from './browser.mjs';
 import { build } from './build.mjs';
 import { dist } from './env.mjs';
-import { Failure, beginningWith, inLanes, isMain, main, say, seconds } from './run.mjs';
+import { Failure, beginningWith, inLanes, isMain, main, messageOf, say, seconds } from './run.mjs';
 import { serve } from './serve.mjs';
 
 /** Of one script in a page, and of loading it. Software rendering takes its time, more of it on a busy machine. */
@@ -74,8 +74,8 @@ async function attempt(engine, programs, url, found) {
   try {
     await within(ENGINE_MS, work());
   } catch (error) {
-    say(`  ✗ ${engine.name}: ${error.message}`);
-    found.problems.push(`${engine.name}: ${error.message}`);
+    say(`  ✗ ${engine.name}: ${messageOf(error)}`);
+    found.problems.push(`${engine.name}: ${messageOf(error)}`);
   } finally {
     await running?.close();
     await screen?.stop();
@@ -140,8 +140,8 @@ async function report(what, { problems }, work) {
   try {
     line('✓', await work());
   } catch (error) {
-    problems.push(`${what}: ${error.message}`);
-    line('✗', error.message);
+    problems.push(`${what}: ${messageOf(error)}`);
+    line('✗', messageOf(error));
   }
 }
 

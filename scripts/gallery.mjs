@@ -12,7 +12,7 @@ import { decodePng } from '../tests/engines/png.mjs';
 import { besides } from './beside.mjs';
 import { root } from './env.mjs';
 import { meanDifference } from './pixels.mjs';
-import { Failure, isMain, main, say } from './run.mjs';
+import { Failure, isMain, main, messageOf, say } from './run.mjs';
 import { openStudio, photograph } from './studio.mjs';
 import { tables } from './tables.mjs';
 
@@ -147,7 +147,7 @@ function readArguments() {
   try {
     ({ values, positionals } = parseArgs({ options, allowPositionals: true }));
   } catch (error) {
-    throw new Failure(error.message);
+    throw new Failure(messageOf(error));
   }
   const [width, height] = (/^(\d+)x(\d+)$/.exec(values.size) ?? []).slice(1).map(Number);
   if (!(width > 0 && height > 0)) throw new Failure(`--size takes a size like 1600x1000, not ${values.size}`);

@@ -3,7 +3,7 @@
 import { createHash } from 'node:crypto';
 import { mkdirSync, readFileSync, readdirSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { Failure } from './run.mjs';
+import { Failure, needed } from './run.mjs';
 
 /** The bundler's option, and what it comes to; www/pages/service-worker.ts recognises the same names. */
 export const HASHED_NAME = '[name]-[hash]';
@@ -58,11 +58,14 @@ export function withPlainNames(folder, meta, entryPoints) {
   const names = namesOf(meta);
   for (const [name, entryPoint] of Object.entries(entryPoints)) {
     const plain = `${name}.js`;
-    const hashed = names.get(plain);
+    const hashed = needed(names.get(plain), `${plain} in what was built`);
     writeFileSync(path.join(folder, plain), readFileSync(path.join(folder, hashed), 'utf8').replace(`${hashed}.map`, `${plain}.map`));
     renameSync(path.join(folder, `${hashed}.map`), path.join(folder, `${plain}.map`));
     rmSync(path.join(folder, hashed));
-    const [output] = Object.entries(meta.outputs).find(([, { entryPoint: entry }]) => entry === entryPoint);
+    const output = needed(
+      Object.keys(meta.outputs).find((file) => meta.outputs[file].entryPoint === entryPoint),
+      `output for ${entryPoint}`,
+    );
     for (const suffix of ['', '.map']) {
       meta.outputs[path.posix.join(path.posix.dirname(output), plain + suffix)] = meta.outputs[output + suffix];
       delete meta.outputs[output + suffix];

@@ -4,7 +4,7 @@ import path from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { dist, pkg, root } from './env.mjs';
 import { GENERATORS, addressFunction, entriesOf, entryFile, workersOf } from './generators.mjs';
-import { Failure } from './run.mjs';
+import { Failure, needed } from './run.mjs';
 import { bundle } from './web.mjs';
 
 const ENTRIES = [...GENERATORS.flatMap(entriesOf), 'core'].map(entryFile);
@@ -31,7 +31,7 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
     inject: ['www/entries/variants/inline.ts'],
     plugins: [inline()],
   });
-  const workers = new Map(outputFiles.map(({ path: file, text }) => [path.basename(file, '.js'), text]));
+  const workers = new Map(needed(outputFiles, 'output').map(({ path: file, text }) => [path.basename(file, '.js'), text]));
   await bundle({
     ...common,
     entryPoints: ENTRIES,

@@ -3,6 +3,7 @@
 import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
+import { needed } from './run.mjs';
 
 /** A plugin by which a file that is imported later also imports what is there already, whichever of `entryPoints` it is imported from: source files by the names of what is made of them. */
 export async function loadedBefore(entryPoints, options) {
@@ -16,7 +17,7 @@ export async function loadedBefore(entryPoints, options) {
     write: false,
     metafile: true,
   });
-  const before = filesBefore(metafile.inputs, Object.values(entryPoints));
+  const before = filesBefore(needed(metafile, 'list of what was built').inputs, Object.values(entryPoints));
   return {
     name: 'loaded-before',
     setup(build) {

@@ -43,13 +43,13 @@ export async function manifest() {
 async function modulesOf(element) {
   const { registers, written, inModule } = element;
   const { modules } = create({ modules: [registers, written, ...SHARED].map(parse), plugins: [], context: { dev: false } });
-  const definitions = modules.flatMap(({ exports }) => exports).filter(({ kind }) => kind === 'custom-element-definition');
+  const definitions = modules.flatMap(({ exports }) => exports ?? []).filter(({ kind }) => kind === 'custom-element-definition');
   if (definitions.length === 0) throw new Failure(`${registers} registers no element that the analyzer can see`);
   const known = await knowledge(element);
   const declarations = definitions.map(({ name, declaration }) =>
     publicPart(
       name,
-      modules.flatMap((module) => module.declarations).find((found) => found.name === declaration.name),
+      modules.flatMap((module) => module.declarations).find((found) => found?.name === declaration.name),
       known,
     ),
   );

@@ -3,7 +3,7 @@ import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node
 import path from 'node:path';
 import { dist, pkg, root } from './env.mjs';
 import { GENERATORS, entriesOf } from './generators.mjs';
-import { Failure, run } from './run.mjs';
+import { Failure, needed, run } from './run.mjs';
 
 const ENTRIES = [
   ...[...GENERATORS.flatMap(entriesOf), 'core'].map((name) => `www/entries/${name}.d.ts`),
@@ -25,7 +25,8 @@ export async function writeTypes() {
     const target = path.join(types, name);
     mkdirSync(path.dirname(target), { recursive: true });
     // Of the glue one type alone is named; the rest of it is nobody's, and needs a newer library.
-    if (name.startsWith('pkg/')) writeFileSync(target, `${/^export type InitInput = .*$/m.exec(read(emitted, name))[0]}\n`);
+    if (name.startsWith('pkg/'))
+      writeFileSync(target, `${needed(/^export type InitInput = .*$/m.exec(read(emitted, name)), `type InitInput in ${name}`)[0]}\n`);
     // The files stand beside no sources any more.
     else
       writeFileSync(

@@ -5,7 +5,7 @@ import os from 'node:os';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { root } from './env.mjs';
-import { Failure, isMain, main, npm, run, say, step } from './run.mjs';
+import { Failure, isMain, main, needed, npm, run, say, step } from './run.mjs';
 
 /** Files that a browser asks for beside those it imports. */
 const ADDRESSES = /new URL\("(\.\/[^"]+)",/g;
@@ -14,10 +14,11 @@ const ADDRESSES = /new URL\("(\.\/[^"]+)",/g;
 export async function pack() {
   const outside = mkdtempSync(path.join(os.tmpdir(), 'rock-field-'));
   await step('Packing the package', '5 s', () => npm(['pack', '--silent', '--pack-destination', outside], { cwd: root }));
-  const tarball = path.join(
-    outside,
-    readdirSync(outside).find((name) => name.endsWith('.tgz')),
+  const name = needed(
+    readdirSync(outside).find((file) => file.endsWith('.tgz')),
+    `tarball in ${outside}`,
   );
+  const tarball = path.join(outside, name);
   const modules = path.join(outside, 'node_modules');
   mkdirSync(modules);
   // Every system has a tar by now. By a relative name, since GNU's takes C:\ for another machine.
@@ -90,7 +91,7 @@ async function graph(folder, exports) {
         logLevel: 'error',
         ...options,
       });
-      return Object.keys(metafile.inputs);
+      return Object.keys(needed(metafile, 'list of what was bundled').inputs);
     } catch {
       throw new Failure('the package cannot be bundled; the reasons stand above');
     }

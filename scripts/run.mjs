@@ -10,6 +10,22 @@ import { fileURLToPath } from 'node:url';
 /** An error whose message is for the person at the terminal: printed without a stack trace. */
 export class Failure extends Error {}
 
+/**
+ * The value, which has to be there; otherwise a Failure says that there is no `what`.
+ *
+ * @template T
+ * @param {T} value
+ * @param {string} what
+ * @returns {NonNullable<T>}
+ */
+export function needed(value, what) {
+  if (value === null || value === undefined) throw new Failure(`there is no ${what}`);
+  return value;
+}
+
+/** The message of whatever was thrown. */
+export const messageOf = (thrown) => (thrown instanceof Error ? thrown.message : String(thrown));
+
 export function say(text) {
   process.stderr.write(`${text}\n`);
 }
@@ -108,7 +124,7 @@ export async function main(work) {
   try {
     await work();
   } catch (error) {
-    say(`\n${error instanceof Failure ? `✗ ${error.message}` : (error?.stack ?? error)}`);
+    say(`\n${error instanceof Failure ? `✗ ${error.message}` : error instanceof Error ? error.stack : error}`);
     process.exitCode = 1;
   }
 }

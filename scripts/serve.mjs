@@ -23,14 +23,15 @@ const TYPES = {
  * `port` 0 takes any free one; another that is taken moves on to the next. `intercept(request, response)` may answer a request
  * itself and return true: tests break files with it. `host` is this machine alone unless told otherwise.
  *
- * @typedef {(request: import('node:http').IncomingMessage, response: import('node:http').ServerResponse) => unknown} Intercept
+ * @typedef {import('node:http').IncomingMessage & { url: string }} Request with an address, as every server hears it
+ * @typedef {(request: Request, response: import('node:http').ServerResponse) => unknown} Intercept
  * @param {string} folder
  * @param {{ port?: number, host?: string, intercept?: Intercept }} [options]
  */
 export async function serve(folder, { port = 0, host = '127.0.0.1', intercept } = {}) {
   const server = createServer(async (request, response) => {
     try {
-      if (await intercept?.(request, response)) return;
+      if (await intercept?.(/** @type {Request} */ (request), response)) return;
       await answer(path.resolve(folder), request, response);
     } catch (error) {
       response.writeHead(500).end(String(error));
@@ -86,7 +87,7 @@ async function listen(server, port, host) {
       await once(server, 'listening');
       return /** @type {import('node:net').AddressInfo} */ (server.address()).port;
     } catch (error) {
-      if (error.code !== 'EADDRINUSE' || candidate === 0 || candidate >= port + 100) throw error;
+      if (/** @type {NodeJS.ErrnoException} */ (error).code !== 'EADDRINUSE' || candidate === 0 || candidate >= port + 100) throw error;
     }
   }
 }

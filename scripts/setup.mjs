@@ -2,13 +2,13 @@
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { cache, cargoEnv, lockedVersion, root } from './env.mjs';
-import { Failure, capture, isMain, isProgram, main, npm, run, say, step, which } from './run.mjs';
+import { Failure, capture, isMain, isProgram, main, needed, npm, run, say, step, which } from './run.mjs';
 
 const WASM = 'wasm32-unknown-unknown';
 const exe = process.platform === 'win32' ? '.exe' : '';
 
 /** Sets everything up; quick when it is there already. `components` are rustup components the tests need. */
-export async function setup({ components = [] } = {}) {
+export async function setup({ components = /** @type {string[]} */ ([]) } = {}) {
   const start = performance.now();
   say('• Checking the toolchain');
   checkNode();
@@ -76,7 +76,7 @@ function checkLinker() {
 }
 
 async function wasmTarget() {
-  const sysroot = capture('rustc', ['--print', 'sysroot'], { cwd: root });
+  const sysroot = needed(capture('rustc', ['--print', 'sysroot'], { cwd: root }), 'answer from rustc about its folder');
   if (existsSync(path.join(sysroot, 'lib', 'rustlib', WASM, 'lib'))) return;
   if (!which('rustup'))
     throw new Failure(`This Rust has no ${WASM} target and there is no rustup to add it. Install rustup: https://rustup.rs`);

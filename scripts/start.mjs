@@ -8,7 +8,7 @@ import path from 'node:path';
 import { parseArgs } from 'node:util';
 import { build } from './build.mjs';
 import { dist, root } from './env.mjs';
-import { Failure, main, say, seconds } from './run.mjs';
+import { Failure, main, messageOf, say, seconds } from './run.mjs';
 import { serve } from './serve.mjs';
 
 await main(async () => {
@@ -33,7 +33,7 @@ function options() {
     if (/^\d{1,5}$/.test(values.port) && Number(values.port) < 65536) return values;
     throw new Error(`--port ${values.port} is not a port number`);
   } catch (error) {
-    throw new Failure(error.message);
+    throw new Failure(messageOf(error));
   }
 }
 

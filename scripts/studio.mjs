@@ -100,7 +100,7 @@ async function show(attributes) {
   for (const [name, value] of Object.entries(attributes)) if (element.getAttribute(name) !== value) element.setAttribute(name, value);
   if ('getColony' in element) {
     const { stats } = await element.getColony();
-    return { place: element.scene.place, individuals: stats.individuals, triangles: stats.triangles };
+    return { place: element.scene?.place, individuals: stats.individuals, triangles: stats.triangles };
   }
   const { imageWidth, imageHeight, layers, stats } = await element.getField();
   const middle = [imageWidth / 2, imageHeight / 2];

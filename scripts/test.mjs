@@ -7,13 +7,12 @@
 import { existsSync, readdirSync, rmSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
-import { pipeline } from 'node:stream/promises';
 import { run as runFiles } from 'node:test';
 import { spec } from 'node:test/reporters';
 import { parseArgs } from 'node:util';
 import { cargoEnv, root } from './env.mjs';
 import { GENERATORS } from './generators.mjs';
-import { Failure, beginningWith, main, run, say, seconds } from './run.mjs';
+import { Failure, beginningWith, main, messageOf, run, say, seconds } from './run.mjs';
 import { runRustTests, withWasmTests } from './rust-tests.mjs';
 import { bindgenTestRunner, setup } from './setup.mjs';
 
@@ -52,6 +51,9 @@ const LONG_FILES = [
  *
  * The lanes begin when all steps without a lane are done, and run side by side, since each of their steps waits for a part of its time.
  * `prepare` comes before any lane begins: what it changes is used by several of them.
+ *
+ * @typedef {{ name: string, expected: string, needs?: string[], lane?: number, prepare?: () => Promise<unknown>, work: () => Promise<string | void> }} Step
+ * @type {Step[]}
  */
 const STEPS = [
   { name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
@@ -92,7 +94,7 @@ const STEPS = [
 const LANES = [1, 2];
 
 /** What `packed` resolves with. */
-let inPackage = null;
+let inPackage = /** @type {ReturnType<typeof import('./package.mjs').pack> | null} */ (null);
 
 await main(async () => {
   const start = performance.now();
@@ -112,6 +114,10 @@ await main(async () => {
   summarise(results, performance.now() - start);
 });
 
+/**
+ * @param {Pick<Step, 'name' | 'expected' | 'needs' | 'work'>} step
+ * @param {{ name: string, outcome: string }[]} [before]
+ */
 async function attempt({ name, expected, needs = [], work }, before = []) {
   say(`\n── ${name} (${expected})`);
   const start = performance.now();
@@ -124,7 +130,7 @@ async function attempt({ name, expected, needs = [], work }, before = []) {
     if (note) outcome = 'skipped';
   } catch (error) {
     outcome = 'FAIL';
-    note = error instanceof Failure ? error.message : String(error?.stack ?? error);
+    note = error instanceof Failure ? error.message : String(error instanceof Error ? error.stack : error);
     say(`✗ ${note}`);
   }
   return { name, outcome, note, ms: performance.now() - start };
@@ -144,7 +150,7 @@ function chosen() {
   try {
     ({ only } = parseArgs({ options: { only: { type: 'string' } } }).values);
   } catch (error) {
-    throw new Failure(error.message);
+    throw new Failure(messageOf(error));
   }
   if (only === undefined) return STEPS;
   const steps = STEPS.filter(({ name }) => only.split(',').some((wanted) => wanted && name.startsWith(wanted)));
@@ -183,7 +189,7 @@ async function webTests() {
 }
 
 async function types() {
-  for (const project of ['.', path.join('tests', 'web'), 'scripts'])
+  for (const project of ['.', path.join('tests', 'web'), path.join('tests', 'e2e'), 'scripts'])
     await node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit', '-p', project]);
 }
 
@@ -211,9 +217,7 @@ async function browserTests() {
   const running = runFiles({ files, concurrency: 2, timeout: HANGS_MS });
   const failed = new Set();
   running.on('test:fail', ({ file }) => failed.add(path.basename(file ?? 'a file')));
-  await pipeline(running.compose(new spec()), async (/** @type {AsyncIterable<string>} */ told) => {
-    for await (const text of told) process.stdout.write(text);
-  });
+  for await (const text of running.compose(new spec())) process.stdout.write(text);
   if (failed.size > 0) throw new Failure(`tests failed in ${[...failed].join(', ')}`);
 }
 

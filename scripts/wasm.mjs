@@ -3,7 +3,7 @@ import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, w
 import path from 'node:path';
 import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from './env.mjs';
 import { GENERATORS } from './generators.mjs';
-import { Failure, capture, inLanes, run, say, step } from './run.mjs';
+import { Failure, capture, inLanes, needed, run, say, step } from './run.mjs';
 import { bindgenProgram } from './setup.mjs';
 import { silencePanics } from './silent-panics.mjs';
 
@@ -57,7 +57,10 @@ async function build(artefact, tools) {
   const staging = path.join(pkg, `.${feature}`);
   rmSync(staging, { recursive: true, force: true });
   const options = ['--target', 'web', '--out-dir', staging, '--out-name', feature, ...bindgen];
-  await run(bindgenProgram('wasm-bindgen'), [path.join(folder, 'rock_field.wasm'), ...options]);
+  await run(needed(bindgenProgram('wasm-bindgen'), 'wasm-bindgen of the version in Cargo.lock'), [
+    path.join(folder, 'rock_field.wasm'),
+    ...options,
+  ]);
   const wasm = path.join(staging, `${feature}_bg.wasm`);
   if (silent) await silencePanics(wasm);
   const enable = WASM_FEATURES.map((name) => `--enable-${name}`);

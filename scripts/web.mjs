@@ -8,7 +8,7 @@ import { dist, hashOf, pkg, root } from './env.mjs';
 import { GENERATORS, entriesOf, entryFile, pageScript, withGround, workersOf } from './generators.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { loadedBefore } from './loaded-before.mjs';
-import { Failure, step } from './run.mjs';
+import { Failure, needed, step } from './run.mjs';
 import { PANELS, nodeless, panelApart, panelByAddress, sheetsAsText, templatesInOneLine } from './web-plugins.mjs';
 import { artefacts } from './wasm.mjs';
 
@@ -91,7 +91,8 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const wasm = artefacts.map(({ feature }) => `${feature}_bg.wasm`);
     const names = new Map(wasm.map((name) => [name, copyHashed(path.join(pkg, name), staging, mark)]));
     const built = async (options) => {
-      const { metafile: made } = await bundle({ ...hashed, ...options, plugins: [hashedAddresses(names), ...(options.plugins ?? [])] });
+      const { metafile } = await bundle({ ...hashed, ...options, plugins: [hashedAddresses(names), ...(options.plugins ?? [])] });
+      const made = needed(metafile, 'list of what was built');
       for (const [name, own] of namesOf(made)) names.set(name, own);
       return made;
     };
@@ -122,11 +123,12 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
 }
 
 async function docs(outdir, marking) {
-  const { metafile: made } = await bundle({ ...DOCS, outdir, metafile: true, ...marking });
+  const { metafile } = await bundle({ ...DOCS, outdir, metafile: true, ...marking });
+  const names = namesOf(needed(metafile, 'list of what was built'));
   await writeDocs(outdir);
   for (const name of readdirSync(outdir).filter((file) => file.endsWith('.html'))) {
     const file = path.join(outdir, name);
-    writeFileSync(file, withHashedNames(readFileSync(file, 'utf8'), namesOf(made)));
+    writeFileSync(file, withHashedNames(readFileSync(file, 'utf8'), names));
   }
 }
 
@@ -141,7 +143,9 @@ export async function bundle(options) {
     const define = options.platform === 'browser' ? { ...rendererBytes(), ...options.define } : options.define;
     return await esbuild.build({ ...common, ...options, define, plugins });
   } catch (error) {
-    throw new Failure(`the bundle has ${error.errors?.length ?? 1} error(s), printed above`);
+    throw new Failure(
+      `the bundle has ${/** @type {Partial<import('esbuild').BuildFailure>} */ (error).errors?.length ?? 1} error(s), printed above`,
+    );
   }
 }
 

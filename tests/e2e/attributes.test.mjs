@@ -35,6 +35,7 @@ function parameterRow(spec) {
 
 const ROWS = { ...Object.fromEntries(PARAMS.map((spec) => [attributeOf(spec), parameterRow(spec)])), ...OTHERS };
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 /** One for all rows: they take an element each. */
 let opened;
@@ -49,7 +50,11 @@ before(async () => {
 after(() => session?.close());
 
 test('every attribute of the element has a row, and every row an attribute', async () => {
-  const observed = await opened.page.evaluate(() => customElements.whenDefined('rock-field').then((element) => element.observedAttributes));
+  const observed = await opened.page.evaluate(() =>
+    customElements
+      .whenDefined('rock-field')
+      .then((element) => /** @type {typeof HTMLElement & { observedAttributes: string[] }} */ (element).observedAttributes),
+  );
   assert.deepEqual(Object.keys(ROWS).sort(), [...observed].sort());
 });
 
@@ -62,8 +67,8 @@ for (const [name, [valid, malformed]] of Object.entries(ROWS)) {
         await customElements.whenDefined('rock-field');
         const element = document.createElement('rock-field');
         const heard = [];
-        for (const type of ['notice', 'error'])
-          element.addEventListener(type, ({ detail }) => heard.push(`${type} ${detail.message ?? detail.error.message}`));
+        element.addEventListener('notice', ({ detail }) => heard.push(`notice ${detail.message}`));
+        element.addEventListener('error', ({ detail }) => heard.push(`error ${detail.error.message}`));
         element.setAttribute('backend', 'null');
         // Small, but where the size itself is asked about.
         for (const side of ['image-width', 'image-height']) if (side !== name) element.setAttribute(side, '256');

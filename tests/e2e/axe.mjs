@@ -7,7 +7,12 @@ const source = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe
 /** The rules that look at colours: what is left to ask in a second theme. */
 export const COLOR_RULES = ['color-contrast', 'link-in-text-block'];
 
-/** Every violation of every rule, or of these, as `rule: selector – what is wrong`. */
+/**
+ * Every violation of every rule, or of these, as `rule: selector – what is wrong`.
+ *
+ * @param {import('playwright-core').Page} page
+ * @param {string[] | null} [rules]
+ */
 export async function violations(page, rules = null) {
   await page.evaluate(transitionsEnd);
   await page.evaluate(source);
@@ -16,7 +21,7 @@ export async function violations(page, rules = null) {
     rules,
   );
   return found.flatMap(({ id, nodes }) =>
-    nodes.map(({ target, failureSummary }) => `${id}: ${target.flat().join(' ')} – ${failureSummary.replaceAll('\n', ' ')}`),
+    nodes.map(({ target, failureSummary }) => `${id}: ${target.flat().join(' ')} – ${(failureSummary ?? '').replaceAll('\n', ' ')}`),
   );
 }
 

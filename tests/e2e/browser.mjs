@@ -65,15 +65,16 @@ const NO_GPU = ['--disable-gpu', '--disable-3d-apis', '--disable-software-raster
  * @param {boolean} [options.gpu] false: neither
  * @param {string} [options.folder] what is served, default dist/
  * @param {number} [options.port] default: any free one
- * @param {(request, response) => boolean | Promise<boolean>} [options.intercept] may answer a request in the server's stead
+ * @param {import('../../scripts/serve.mjs').Intercept} [options.intercept] may answer a request in the server's stead
  * @param {string[]} [options.args] more flags for the browser
  * @param {boolean} [options.backForwardCache] whether pages that are left are kept; Playwright switches that off
- * @returns {Promise<{ browser, server, url: string, open: Function, close: () => Promise<void> }>}
+ *
+ * @typedef {Awaited<ReturnType<typeof launch>>} Session
  */
 export async function launch({ webgpu = false, gpu = true, folder = dist, port = 0, intercept, args = [], backForwardCache = false } = {}) {
   const executablePath = await findBrowser();
   if (!executablePath) throw new Error('no Chrome or Chromium found; npm test installs one');
-  const asRoot = process.platform === 'linux' && process.getuid() === 0;
+  const asRoot = process.platform === 'linux' && process.getuid?.() === 0;
   const server = await serve(folder, { port, intercept });
   const flags = [...QUIET, ...(gpu ? [...WEBGL, ...(webgpu ? WEBGPU : WEBGL_ALONE)] : NO_GPU), ...args];
   try {
@@ -88,7 +89,9 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
       await browser.close();
       await server.close();
     };
-    return { browser, server, url: server.url, open: (address, options) => open(browser, server.url, address, options), close };
+    /** @type {(address?: string, options?: OpenOptions) => ReturnType<typeof open>} */
+    const openWith = (address, options) => open(browser, server.url, address, options);
+    return { browser, server, url: server.url, open: openWith, close };
   } catch (error) {
     await server.close();
     throw error;
@@ -103,12 +106,12 @@ export async function launch({ webgpu = false, gpu = true, folder = dist, port =
  * A software GPU pays by the pixel: pictures have a sixteenth of them, unless a test that looks at one asks for `deviceScaleFactor: 1`.
  * The other options are Playwright's context options (viewport, colorScheme, locale …).
  *
- * @typedef {import('playwright-core').BrowserContextOptions} ContextOptions
  * @typedef {import('playwright-core').Page} Page
+ * @typedef {import('playwright-core').BrowserContextOptions & { prepare?: (page: Page) => unknown }} OpenOptions
  * @param {import('playwright-core').Browser} browser
  * @param {string} base
  * @param {string} [address]
- * @param {ContextOptions & { prepare?: (page: Page) => unknown }} [options]
+ * @param {OpenOptions} [options]
  */
 async function open(browser, base, address = '', { serviceWorkers = 'block', prepare, deviceScaleFactor = 0.25, ...context } = {}) {
   const owner = await browser.newContext({ serviceWorkers, deviceScaleFactor, ...context });
@@ -119,7 +122,9 @@ async function open(browser, base, address = '', { serviceWorkers = 'block', pre
   );
   owner.once('close', () => clearTimeout(guard));
   const page = await owner.newPage();
+  /** @type {string[]} */
   const errors = [];
+  /** @type {string[]} */
   const warnings = [];
   owner.on('console', (message) => {
     const from = `${message.text()} (${message.location().url})`;
@@ -147,6 +152,8 @@ export const untilIn = (page, condition) => until(() => page.evaluate(condition)
 /**
  * In the page, by `addInitScript` or `evaluate`: from then on timers of `least` ms and more do not fire. `passTime()` fires those that are
  * held and goes on holding; `releaseTimers()` fires them and holds no more.
+ *
+ * @param {number | void} [least]
  */
 export function holdTimers(least = 1000) {
   const { setTimeout: later, clearTimeout: clear } = globalThis;
@@ -178,6 +185,7 @@ export function holdTimers(least = 1000) {
  * run is under way for as long as a test needs. `results.held` of them wait. Everything else that workers say comes through.
  */
 export function holdResults() {
+  /** @type {(() => void)[] | null} */
   let held = null;
   globalThis.Worker = class extends Worker {
     constructor(/** @type {ConstructorParameters<typeof Worker>} */ ...args) {

@@ -5,6 +5,7 @@ import { holdTimers } from './browser.mjs';
 import { SMALL, launchControls, openControls, openPanel, panel } from './controls-page.mjs';
 import { closeClean } from './shown.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -33,7 +34,9 @@ test('panel and element have one history, and the panel shows what either of the
   assert.equal((await state()).width, 1024);
   const undone = await page.evaluate(() => [a.undo(), a.layers.length, a.undo(), a.layers.length, a.undo(), a.undo(), a.packing, a.undo()]);
   assert.deepEqual(undone, [true, 3, true, 2, true, true, 0.7, false]);
-  await page.waitForFunction(() => a.shadowRoot.querySelector('.controls-panel').shadowRoot.querySelector('[aria-label=Undo]').disabled);
+  await page.waitForFunction(
+    () => a.shadowRoot.querySelector('.controls-panel').shadowRoot.querySelector('button[aria-label=Undo]').disabled,
+  );
   assert.equal(await at.locator('#cd-number').inputValue(), '0.7');
   await at.getByRole('button', { name: 'Redo' }).click();
   assert.equal((await state()).packing, 0.5);
@@ -54,7 +57,7 @@ test('panel and element have one history, and the panel shows what either of the
     shown,
   );
   await page.evaluate(() => a.getField());
-  assert.deepEqual(await page.evaluate(() => [heard.error ?? 0, heard.generate > 1]), [0, true]);
+  assert.deepEqual(await page.evaluate(() => [eventCounts.error ?? 0, eventCounts.generate > 1]), [0, true]);
   await closeClean(opened);
 });
 
@@ -85,7 +88,9 @@ test('attributes and properties that change show in the open panel, and disturb 
     a.color = 'plain';
     a.border = 'drop';
   });
-  await page.waitForFunction(() => a.shadowRoot.querySelector('.controls-panel').shadowRoot.querySelector('#seed-number').value === '11');
+  await page.waitForFunction(
+    () => a.shadowRoot.querySelector('.controls-panel').shadowRoot.querySelector('input#seed-number').value === '11',
+  );
   assert.deepEqual([await checked('view'), await checked('color'), await checked('border')], ['diagrams', 'plain', 'drop']);
   await at.locator('input[name=view][value=wireframe]').check();
   assert.equal(await page.evaluate(() => a.view), 'wireframe');
@@ -144,7 +149,7 @@ test('keys, text and radio buttons in the panel reach neither the picture nor th
   await page.keyboard.press('Control+z');
   await at.locator('input[name=color]:checked').focus();
   await page.keyboard.press('ArrowRight');
-  assert.deepEqual(await page.evaluate(() => [a.color, heard['camera-change'] ?? 0, a.framed]), ['rock', 0, true]);
+  assert.deepEqual(await page.evaluate(() => [a.color, eventCounts['camera-change'] ?? 0, a.framed]), ['rock', 0, true]);
   assert.deepEqual(await page.evaluate(() => keys.filter((key) => !/Control/.test(key) && key !== 'keyup z')), []);
   await page.keyboard.press('Control+s');
   assert.ok(await page.evaluate(() => keys.includes('keydown s')), 'what is with Ctrl is the page’s');

@@ -6,6 +6,7 @@ import { screenshotPath } from './browser.mjs';
 import { button, launchControls, openControls, openPanel, panel } from './controls-page.mjs';
 import { closeClean } from './shown.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -20,11 +21,11 @@ for (const touch of [false, true]) {
   test(`small, tall and wide${touch ? ', by touch' : ''}: the panel stays inside, every control can be reached, and the picture is where it can be seen`, async () => {
     const opened = await open(undefined, { size: [640, 640], ...(touch && { hasTouch: true, isMobile: true }) });
     const { page } = opened;
-    for (const [[width, height], layout] of [
-      [[300, 150], 'over'],
-      [[360, 300], 'over'],
-      [[360, 640], 'below'],
-      [[640, 400], 'beside'],
+    for (const { width, height, layout } of [
+      { width: 300, height: 150, layout: 'over' },
+      { width: 360, height: 300, layout: 'over' },
+      { width: 360, height: 640, layout: 'below' },
+      { width: 640, height: 400, layout: 'beside' },
     ]) {
       const name = `${width}x${height}${touch ? ' touch' : ''}`;
       await page.setViewportSize({ width: touch ? width + 40 : 760, height: height + 140 });
@@ -65,7 +66,7 @@ for (const lang of ['en', 'ja']) {
   test(`axe finds nothing, closed or open, in light and in dark colours: ${lang}`, async () => {
     const opened = await open(undefined, { lang });
     const { page } = opened;
-    for (const colorScheme of ['light', 'dark']) {
+    for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
       await page.emulateMedia({ colorScheme });
       assert.deepEqual(await violations(page), [], colorScheme);
       await openPanel(page);
@@ -88,7 +89,7 @@ test('axe finds nothing on the page, wide or narrow, light or dark', async () =>
     const opened = await session.open('#w=256&h=192&r=40,16', { colorScheme: 'light', viewport, locale: 'en-US' });
     const { page } = opened;
     await page.locator('.summary').waitFor();
-    for (const colorScheme of ['light', 'dark']) {
+    for (const colorScheme of /** @type {const} */ (['light', 'dark'])) {
       await page.emulateMedia({ colorScheme });
       const name = `${colorScheme}, ${viewport.width} px`;
       assert.deepEqual(await violations(page), [], name);

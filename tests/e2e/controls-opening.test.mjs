@@ -6,11 +6,12 @@ import { plainName } from '../../scripts/hashed-names.mjs';
 import { serve } from '../../scripts/serve.mjs';
 import { holdTimers } from './browser.mjs';
 import { SMALL, button, focused, launchControls, openControls, openPanel, panel } from './controls-page.mjs';
-import { closeClean } from './shown.mjs';
+import { boxOf, closeClean } from './shown.mjs';
 
 /** Answers requests for panel.js in the server's stead. */
-let panelFile = null;
+let panelFile = /** @type {import('./controls-page.mjs').PanelFile | null} */ (null);
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -24,7 +25,7 @@ const open = (body, options) => openControls(session, body, options);
 test('nothing of the panel is fetched before it is wanted; it opens beside the picture and gives it back', async () => {
   const opened = await open();
   const { page, requests } = opened;
-  const stage = () => page.locator('rock-field .stage').boundingBox();
+  const stage = () => boxOf(page.locator('rock-field .stage'));
   const whole = await stage();
   assert.ok(!requests.includes('panel.js'));
   assert.deepEqual(await button(page).evaluate((at) => [at.ariaLabel, at.ariaExpanded, at.offsetWidth >= 24 && at.offsetHeight >= 24]), [
@@ -35,21 +36,12 @@ test('nothing of the panel is fetched before it is wanted; it opens beside the p
   await openPanel(page);
   assert.ok(requests.includes('panel.js'));
   assert.equal(await focused(page), 'panel');
-  const [side, rest] = [await panel(page).boundingBox(), await stage()];
+  const [side, rest] = [await boxOf(panel(page)), await stage()];
   assert.deepEqual([rest.x + rest.width, side.x + side.width, side.height], [side.x, whole.x + whole.width, whole.height]);
   const texts = await panel(page).innerText();
-  for (const [word, is] of [
-    ['Preset', true],
-    ['Layers', true],
-    ['Ground and method', true],
-    ['Statistics', true],
-    ['WebGL2', true],
-    ['Copy embed code', true],
-    ['Language', false],
-    ['Keys and gestures', false],
-  ]) {
-    assert.equal(texts.includes(word), is, word);
-  }
+  for (const word of ['Preset', 'Layers', 'Ground and method', 'Statistics', 'WebGL2', 'Copy embed code'])
+    assert.ok(texts.includes(word), word);
+  for (const word of ['Language', 'Keys and gestures']) assert.ok(!texts.includes(word), word);
   assert.deepEqual(
     requests.filter((name) => name === 'icon.svg' || name.endsWith('.css')),
     ['host.css'],
@@ -75,9 +67,10 @@ test('by keyboard alone: after the picture comes the button, Escape brings the f
   for (let presses = 0; presses < 12 && names.at(-1) !== 'seed-number'; presses += 1) {
     await page.keyboard.press('Tab');
     names.push(
-      await page.evaluate(
-        () => a.shadowRoot.activeElement.shadowRoot.activeElement.id || a.shadowRoot.activeElement.shadowRoot.activeElement.ariaLabel,
-      ),
+      await page.evaluate(() => {
+        const focused = a.shadowRoot.activeElement?.shadowRoot?.activeElement;
+        return focused?.id || focused?.ariaLabel;
+      }),
     );
   }
   // Undo and redo have nothing to do yet.
@@ -108,7 +101,10 @@ test('a panel that cannot be loaded is said, and comes when it is asked for agai
   await message.waitFor();
   assert.match(await message.innerText(), /could not be loaded.*try again/);
   assert.deepEqual(
-    [await button(page).evaluate((at) => at.title === at.ariaLabel && /try again/.test(at.title)), await page.evaluate(() => heard.notice)],
+    [
+      await button(page).evaluate((at) => at.title === at.ariaLabel && /try again/.test(at.title)),
+      await page.evaluate(() => eventCounts.notice),
+    ],
     [true, 1],
   );
   await openPanel(page);
@@ -144,7 +140,7 @@ test('open begins open without taking the focus; disabled and removal close it',
   const opened = await open(`<rock-field controls="open" ${SMALL}></rock-field>`);
   const { page } = opened;
   await panel(page).locator('.panel-body').waitFor();
-  assert.equal(await page.evaluate(() => document.activeElement.localName), 'body');
+  assert.equal(await page.evaluate(() => document.activeElement?.localName), 'body');
   await page.evaluate(() => {
     a.disabled = true;
     a.setAttribute('disabled', '');
@@ -179,7 +175,7 @@ test('an element that is removed leaves no panel and no listener behind', async 
   assert.ok(await page.evaluate(() => listeners.size > 0), 'the element listens while it is there');
   await page.evaluate(() => {
     globalThis.gone = ['.controls-panel', '.stage'].map((name) => new WeakRef(a.shadowRoot.querySelector(name)));
-    gone[0] = new WeakRef(gone[0].deref().shadowRoot.querySelector('.panel'));
+    gone[0] = new WeakRef(a.shadowRoot.querySelector('.controls-panel').shadowRoot.querySelector('.panel'));
     a.remove();
   });
   await page.waitForFunction(() => a.shadowRoot.querySelector('.controls-panel') === null);
@@ -188,7 +184,7 @@ test('an element that is removed leaves no panel and no listener behind', async 
   await page.locator('h1').click();
   await page.waitForFunction(
     () => {
-      globalThis.gc();
+      gc?.();
       return gone[0].deref() === undefined;
     },
     undefined,

@@ -7,7 +7,12 @@ export const SMALL = 'image-width="256" image-height="192" radius="40 16" area-f
 let html = '';
 let headers = {};
 
-/** A browser that is served the page, by the name `controls.html`. `panelFile` may answer a request for panel.js in the server's stead. */
+/**
+ * A browser that is served the page, by the name `controls.html`. `panelFile` may answer a request for panel.js in the server's stead.
+ *
+ * @typedef {(response: import('node:http').ServerResponse) => unknown} PanelFile
+ * @param {{ panelFile?: PanelFile }} [options]
+ */
 export function launchControls({ panelFile } = {}) {
   const page = pageOf('controls.html', () => html);
   return launch({
@@ -20,7 +25,13 @@ export function launchControls({ panelFile } = {}) {
   });
 }
 
-/** A page with this body, whose first element is `a`; `heard` counts its events by type. */
+/**
+ * A page with this body, whose first element is `a`; `eventCounts` has the numbers of its events by type.
+ *
+ * @param {import('./browser.mjs').Session} session
+ * @param {string} [body]
+ * @param {import('./browser.mjs').OpenOptions & { lang?: string, size?: number[], script?: string, kind?: string, csp?: string }} [options]
+ */
 export async function openControls(
   session,
   body = `<rock-field controls ${SMALL}></rock-field>`,
@@ -67,8 +78,8 @@ const HOST = `
   }
   const a = document.querySelector('rock-field');
   const b = document.querySelectorAll('rock-field')[1];
-  const heard = {};
-  for (const type of ['generate', 'error', 'notice', 'progress', 'camera-change']) a.addEventListener(type, () => (heard[type] = (heard[type] ?? 0) + 1));
+  const eventCounts = {};
+  for (const type of ['generate', 'error', 'notice', 'progress', 'camera-change']) a.addEventListener(type, () => (eventCounts[type] = (eventCounts[type] ?? 0) + 1));
 `;
 
 export const button = (page, element = page.locator('rock-field').first()) => element.locator('[part=controls-button]');

@@ -23,15 +23,21 @@ const PAGES = {
   '/wood-ears.html': html('<wood-ear-log backend="null" ground="riverbed" range="20" density="2"></wood-ear-log>', 'wood-ear-log.js'),
 };
 
+/** @type {import('./browser.mjs').Session} */
 let session;
-/** Answers requests in the server's stead: file → what to do with the response. */
+/**
+ * Answers requests in the server's stead: file → what to do with the response.
+ *
+ * @typedef {(response: import('node:http').ServerResponse) => unknown} Answer
+ * @type {Record<string, Answer>}
+ */
 let broken = {};
 
 before(async () => {
   session = await launch({
     intercept(request, response) {
       const { pathname } = new URL(request.url, 'http://localhost');
-      const act = broken[Object.keys(broken).find((name) => pathname.includes(name))];
+      const act = Object.entries(broken).find(([name]) => pathname.includes(name))?.[1];
       if (act) {
         act(response);
         return true;
@@ -45,13 +51,16 @@ before(async () => {
 
 after(() => session?.close());
 
+/** @type {(text: string) => Answer} */
 const script = (text) => (response) => response.writeHead(200, { 'content-type': 'text/javascript' }).end(text);
+/** @type {(type: string, bytes: string) => Answer} */
 const stalled = (type, bytes) => (response) => void response.writeHead(200, { 'content-type': type }).write(bytes);
 
 const ROCKS = ['rocks.html', 'worker', 'generator_bg'];
 const WOOD = ['wood-ears.html', 'wood-ear-worker', 'wood-ear_bg'];
 
-for (const [what, [page, worker, wasm], files, wanted] of [
+/** @type {[what: string, files: string[], broken: { worker?: Answer, wasm?: Answer }, wanted: string][]} */
+const BROKEN = [
   ['a script that is empty', WOOD, { worker: script('') }, 'WorkerUnavailable'],
   [
     'a page in the place of its script',
@@ -64,7 +73,9 @@ for (const [what, [page, worker, wasm], files, wanted] of [
   ['a script that stops arriving', ROCKS, { worker: stalled('text/javascript', '// ') }, 'WorkerUnavailable'],
   ['wasm that stops arriving', WOOD, { wasm: stalled('application/wasm', '\0asm') }, 'WasmUnavailable'],
   ['rocks whose wasm stops arriving', [WOOD[0], ROCKS[1], ROCKS[2]], { wasm: stalled('application/wasm', '\0asm') }, 'WasmUnavailable'],
-]) {
+];
+
+for (const [what, [page, worker, wasm], files, wanted] of BROKEN) {
   test(`${page.replace('.html', '')}: ${what} is a named error, and the next run starts another worker`, async () => {
     broken = Object.fromEntries(Object.entries(files).map(([kind, act]) => [kind === 'worker' ? `/${worker}` : wasm, act]));
     const opened = await session.open(page);
@@ -96,8 +107,8 @@ test('messages that get lost on their way to the worker are asked again', async 
       page.addInitScript(() => {
         const { postMessage } = Worker.prototype;
         let lost = 0;
-        Worker.prototype.postMessage = function (...args) {
-          if (lost++ > 0) postMessage.apply(this, args);
+        Worker.prototype.postMessage = function (/** @type {unknown} */ message, /** @type {any} */ transfer) {
+          if (lost++ > 0) postMessage.call(this, message, transfer);
         };
       }),
   });
@@ -157,11 +168,13 @@ test('the plan is drawn again when the browser restores its canvas', async () =>
   await opened.close();
 });
 
+/** @type {Answer} */
 const missing = (response) => response.writeHead(404, { 'content-type': 'text/plain' }).end('gone');
 /** Everything that is said over the picture, by the element and by the page. */
 const boxes = (page) => page.locator('[part=message], stage-overlay .message').filter({ visible: true });
 
-for (const [address, lang, file, words, label] of [
+/** @type {[address: string, lang: string, file: string, words: RegExp, label: string][]} */
+const MISSING = [
   ['index.html#preset=journal-fig1&w=200&h=200', 'en', '/worker-', /^the generator's worker could not be started/, 'Retry'],
   ['wood-ear.html#preset=thesis-default&d=5&r=20', 'ja', '/wood-ear-worker-', /^生成用のワーカーを起動できませんでした/, '再試行'],
   [
@@ -180,7 +193,9 @@ for (const [address, lang, file, words, label] of [
     'Retry',
   ],
   ['wood-ears3d.html', 'en', '/renderer-webgl_bg-', /^The 3D renderer could not be loaded; the plan is shown instead/, 'Retry'],
-]) {
+];
+
+for (const [address, lang, file, words, label] of MISSING) {
   test(`${address.replace(/#.*/, '')} in ${lang} without ${file}…: one box that is true, whose button works once the file is there`, async () => {
     broken = { [file]: missing };
     // No new try comes by itself: it is the button that helps.
@@ -195,7 +210,7 @@ for (const [address, lang, file, words, label] of [
     await boxes(page).getByRole('button', { name: label }).click();
     await page.waitForFunction(() => {
       const element = document.querySelector('rock-field, wood-ear-log');
-      return element.field && /webgl|null/.test(element.backend);
+      return element.field && /webgl|null/.test(String(element.backend));
     });
     // The second failure is told a second after the first: by now it is overcome.
     await page.evaluate(() => passTime());
@@ -204,15 +219,18 @@ for (const [address, lang, file, words, label] of [
   });
 }
 
-for (const [address, lang, words] of [
+/** @type {[address: string, lang: string, words: RegExp][]} */
+const SLOW = [
   ['index.html#preset=journal-fig1&w=200&h=200', 'en', /^Loading the renderer 40 %/],
   ['wood-ears3d.html', 'ja', /^3D 描画プログラムを読み込み中：40 %/],
-]) {
+];
+
+for (const [address, lang, words] of SLOW) {
   test(`${address.replace(/#.*/, '')} in ${lang}: while a slow network brings the renderer, the plan and how much of it has come`, async () => {
-    const file = readdirSync(dist).find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
+    const file = wasmOf('renderer-webgl');
     const bytes = readFileSync(path.join(dist, file));
-    let release;
-    const held = new Promise((resolve) => (release = resolve));
+    let release = () => {};
+    const held = new Promise((resolve) => (release = () => resolve(undefined)));
     broken = {
       [file]: async (response) => {
         let sent = Math.round(0.42 * bytes.length);
@@ -244,6 +262,13 @@ for (const [address, lang, words] of [
   });
 }
 
+/** The one file of an artefact. */
+function wasmOf(artefact) {
+  const names = readdirSync(dist).filter((name) => name.startsWith(`${artefact}_bg-`) && name.endsWith('.wasm'));
+  assert.equal(names.length, 1, `${artefact}: ${names}`);
+  return names[0];
+}
+
 /** The one script of the page that has these words. */
 function scriptWith(words) {
   const names = readdirSync(dist).filter(
@@ -264,7 +289,8 @@ function withImports(names) {
 }
 
 const NO_RENDERER = /^The 3D renderer could not be loaded; the plan is shown instead/;
-for (const [when, hanging, words, plan] of [
+/** @type {[when: string, hanging: string[], words: RegExp, plan: string | null][]} */
+const SILENT = [
   ['after its scripts', [], NO_RENDERER, 'canvas2d'],
   [
     'before the words about it',
@@ -279,13 +305,15 @@ for (const [when, hanging, words, plan] of [
     /^a script could not be fetched \(it does not arrive\)/,
     null,
   ],
-]) {
+];
+
+for (const [when, hanging, words, plan] of SILENT) {
   test(`a network that falls silent while it brings the renderer, ${when}: what can be drawn, true words and a button`, async () => {
     const parts = ['#cd5e3c', 'content security policy|unsafe-eval', 'The 3D renderer could not be loaded', 'WebGL2RenderingContext'];
     const silent = hanging.map(scriptWith);
     const arriving = withImports(parts.map(scriptWith).filter((name) => !silent.includes(name)));
-    const renderer = readdirSync(dist).find((name) => /^renderer-webgl_bg-.*\.wasm$/.test(name));
-    const generator = readdirSync(dist).find((name) => /^generator_bg-.*\.wasm$/.test(name));
+    const renderer = wasmOf('renderer-webgl');
+    const generator = wasmOf('generator');
     const send = (name, response) =>
       response
         .writeHead(200, { 'content-type': name.endsWith('.js') ? 'text/javascript' : 'application/wasm' })

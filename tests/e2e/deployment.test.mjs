@@ -14,6 +14,7 @@ const folderOf = (build) => path.join(root, '.cache', 'deployment', build);
 const EMBED = `<!doctype html><meta charset="utf-8"><title>host</title><link rel="icon" href="data:,"><script type="module" src="/rock-field.js"></script>
 <rock-field controls preset="journal-fig1" image-width="256" image-height="256"></rock-field>`;
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 /** The build that lies on the server. */
 let deployed = 'first';
@@ -30,7 +31,7 @@ before(async () => {
       // Two copies of the page on one origin, /a/ and /b/, beside that at the root.
       request.url = request.url.replace(/^\/[ab]\//, '/');
       const name = new URL(request.url, 'http://localhost').pathname.slice(1) || 'index.html';
-      const isThere = readdirSync(folderOf(deployed), { recursive: true }).includes(name);
+      const isThere = readdirSync(folderOf(deployed), { recursive: true, encoding: 'utf8' }).includes(name);
       log.push([name, isThere ? deployed : null]);
       if (name === 'embed.html') response.writeHead(200, { 'content-type': 'text/html' }).end(EMBED);
       else if (isThere || missing === 404) await answer(folderOf(deployed), request, response);
@@ -97,7 +98,8 @@ async function stopServiceWorker(context, page) {
 /** Leaves the page, and waits until the service worker that has waited for that is in charge. */
 async function leave(context, page) {
   const devtools = await context.newCDPSession(page);
-  let [waiting, inCharge] = [];
+  let waiting;
+  let inCharge;
   devtools.on('ServiceWorker.workerVersionUpdated', ({ versions }) => {
     waiting ??= versions.find(({ status }) => status === 'installed')?.versionId;
     inCharge = versions.find(({ status }) => status === 'activated')?.versionId ?? inCharge;
@@ -129,11 +131,11 @@ async function grown(page) {
 
 const offer = (page) => page.locator('stage-overlay .message', { hasText: 'There is a newer version of this page' });
 
-for (const [name, address, stopped] of [
+for (const [name, address, stopped] of /** @type {[string, string, boolean][]} */ ([
   ['rocks', LINK, false],
   ['rocks, the service worker stopped', LINK, true],
   ['wood ears, the service worker stopped', 'wood-ear.html#preset=thesis-default&d=20&r=25&seed=11', true],
-]) {
+])) {
   test(`with its files kept, a page goes on in its own build: ${name}`, async () => {
     const { page, context, close } = await openPage(address, { serviceWorkers: 'allow' });
     await kept(page);
@@ -174,14 +176,17 @@ const refusedPicture = (page) =>
       .catch((error) => error.name),
   );
 
-for (const [what, serviceWorkers, status, trigger] of [
+/** @type {[what: string, serviceWorkers: 'allow' | 'block', status: number, trigger: string][]} */
+const GONE = [
   ['without a service worker', 'block', 404, 'a script'],
   ['without a service worker', 'block', 404, 'a worker'],
   ['without a service worker, where a missing file is a page', 'block', 200, 'a script'],
   ['without a service worker, where a missing file is a page', 'block', 200, 'a worker'],
   ['whose caches were cleared', 'allow', 404, 'a script'],
   ['whose caches were cleared, where a missing file is a page', 'allow', 200, 'a worker'],
-]) {
+];
+
+for (const [what, serviceWorkers, status, trigger] of GONE) {
   test(`a page ${what} says that there is a newer version when ${trigger} cannot be had; one button brings it with what was edited, and without undo where it says so`, async () => {
     const { page, close } = await openPage(LINK, { serviceWorkers });
     await page.evaluate(() => document.querySelector('rock-field').ready);
@@ -191,7 +196,8 @@ for (const [what, serviceWorkers, status, trigger] of [
       await page.getByRole('button', { name: 'Next seed' }).click();
       await page.waitForURL(/seed=12/);
     }
-    [deployed, missing] = ['second', status];
+    deployed = 'second';
+    missing = status;
     await page.evaluate(async () => Promise.all((await caches.keys()).map((name) => caches.delete(name))));
     if (trigger === 'a script') assert.equal(await refusedPicture(page), 'ScriptUnavailable');
     else await killAndEdit(page);
@@ -239,7 +245,7 @@ test('two copies of the page on one origin leave each other’s caches alone', a
   const names = () => other.evaluate(() => caches.keys());
   const scopes = async () => (await names()).map((name) => name.split(':')[1]).sort();
   assert.deepEqual([...new Set(await scopes())], ['/a/', '/b/']);
-  await other.evaluate(async () => (await navigator.serviceWorker.ready).active.postMessage({ type: 'keep', urls: [] }));
+  await other.evaluate(async () => (await navigator.serviceWorker.ready).active?.postMessage({ type: 'keep', urls: [] }));
   await page.reload();
   assert.deepEqual([...new Set(await scopes())], ['/a/', '/b/']);
   await close();

@@ -84,6 +84,7 @@ async function calm(page) {
   }
 }
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 let opened;
 let page;

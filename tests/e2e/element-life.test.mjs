@@ -6,6 +6,7 @@ import { decodePng } from '../engines/png.mjs';
 import { holdTimers, launch } from './browser.mjs';
 import { SMALL, launchElement, openElement, pageWith, pause, quiet, until } from './element-page.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -69,7 +70,7 @@ test('out of sight nothing is drawn, and the newest field is there when it comes
     () =>
       new Promise((resolve) => {
         scrollTo(0, 4000);
-        new IntersectionObserver((entries) => entries.at(-1).isIntersecting || resolve()).observe(a);
+        new IntersectionObserver((entries) => entries.at(-1)?.isIntersecting || resolve(true)).observe(a);
       }),
   );
   await pause(page, 300);
@@ -200,7 +201,7 @@ test('a context that is lost again and again ends in the plan with true words; a
 });
 
 test('keys and pointer move the camera; frame all brings it back, with and without motion', async () => {
-  for (const reducedMotion of ['no-preference', 'reduce']) {
+  for (const reducedMotion of /** @type {const} */ (['no-preference', 'reduce'])) {
     const { page, errors, close } = await open(undefined, { reducedMotion });
     await page.locator('rock-field').hover();
     await page.mouse.down();
@@ -268,12 +269,13 @@ test('without any GPU it draws the plan and says so, in the language of the page
         const [x, y] = [(at / 4) % canvas.width, Math.floor(at / 4 / canvas.width)];
         (x % (canvas.width - 1) === 0 || y % (canvas.height - 1) === 0 ? border : colors).add(color(at));
       }
-      return [a.backend, a.shadowRoot.querySelector('[part=message]').innerText, colors.size, border.size];
+      const words = a.shadowRoot.querySelector('[part=message]').innerText;
+      return { backend: a.backend, words, colors: colors.size, border: border.size };
     });
-    assert.equal(seen[0], 'canvas2d');
-    assert.match(seen[1], /平面図/);
-    assert(seen[2] > 10, `a picture of ${seen[2]} colours`);
-    assert.equal(seen[3], 1, 'the plan has a margin on all sides');
+    assert.equal(seen.backend, 'canvas2d');
+    assert.match(seen.words, /平面図/);
+    assert(seen.colors > 10, `a picture of ${seen.colors} colours`);
+    assert.equal(seen.border, 1, 'the plan has a margin on all sides');
   } finally {
     await blind.close();
   }

@@ -4,6 +4,7 @@ import { after, before, test } from 'node:test';
 import { holdTimers } from './browser.mjs';
 import { SMALL, launchElement, openElement, pause, quiet, until } from './element-page.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -16,13 +17,13 @@ const open = (body, options) => openElement(session, body, options);
 
 test('without any attribute it shows the first preset: one run, one load, then silence', async () => {
   const { page, errors, warnings, close } = await open('<rock-field id="a"></rock-field><script>listenTo(a)</script>');
-  await until(page, () => a.shadowRoot.getElementById('description').textContent !== '');
+  await until(page, () => a.shadowRoot.querySelector('#description').textContent !== '');
   const state = await page.evaluate(() => ({
     preset: a.params.layers.length,
     rocks: a.field.stats.rocks,
     backend: a.backend,
     types: types(),
-    label: a.shadowRoot.getElementById('description').textContent,
+    label: a.shadowRoot.querySelector('#description').textContent,
   }));
   assert.equal(state.preset, 3);
   assert.equal(state.backend, 'webgl');
@@ -155,11 +156,12 @@ test('a wrong value from code is thrown by name and changes nothing', async () =
   const seen = await page.evaluate(() => {
     const before = JSON.stringify(a.params);
     const caught = [];
-    for (const set of [() => (a.params = { ...a.params, packing: 2 }), () => (a.view = 'sideways'), () => (a.color = 3)]) {
+    for (const wrong of [{ params: { ...a.params, packing: 2 } }, { view: 'sideways' }, { color: 3 }]) {
       try {
-        set();
+        Object.assign(a, wrong);
       } catch (error) {
-        caught.push([error.name, error.key]);
+        const { name, key } = /** @type {ErrorInfo} */ (error);
+        caught.push([name, key]);
       }
     }
     return { caught, same: JSON.stringify(a.params) === before, view: a.view };

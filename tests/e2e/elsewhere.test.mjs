@@ -26,6 +26,7 @@ const SEEN = `
   };
 `;
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 let far;
 let folder;
@@ -59,13 +60,13 @@ after(async () => {
   rmSync(folder, { recursive: true, force: true });
 });
 
-function document(body, head = '') {
+function pageWith(body, head = '') {
   return `<!doctype html><html lang="en"><meta charset="utf-8"><title>elsewhere</title><link rel="icon" href="data:,">${head}<script>${SEEN}</script>${body}`;
 }
 
 /** What the elements of a page come to. */
 async function look(body, { names = ['rock-field'], header = {}, head = '' } = {}) {
-  html = { 'elsewhere.html': document(body, head) };
+  html = { 'elsewhere.html': pageWith(body, head) };
   headers = header;
   const { page, errors, close } = await session.open('elsewhere.html');
   const seen = await page.evaluate((all) => Promise.all(all.map((name) => globalThis.seen(name))), names);
@@ -77,11 +78,11 @@ async function look(body, { names = ['rock-field'], header = {}, head = '' } = {
 /** As `look`, of a page in a frame of this page. */
 async function lookInside(body, attributes, names = ['rock-field']) {
   html = {
-    'inner.html': document(body),
-    'elsewhere.html': document(`<iframe ${attributes} src="/inner.html" width="400" height="300"></iframe>`),
+    'inner.html': pageWith(body),
+    'elsewhere.html': pageWith(`<iframe ${attributes} src="/inner.html" width="400" height="300"></iframe>`),
   };
   const { page, errors, close } = await session.open('elsewhere.html');
-  const frame = await (await page.waitForSelector('iframe')).contentFrame();
+  const frame = /** @type {import('playwright-core').Frame} */ (await (await page.waitForSelector('iframe')).contentFrame());
   await frame.waitForFunction(() => globalThis.seen !== undefined && document.readyState === 'complete');
   const seen = await frame.evaluate((all) => Promise.all(all.map((name) => globalThis.seen(name))), names);
   await close();

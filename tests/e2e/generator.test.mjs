@@ -17,14 +17,21 @@ const HTML = `<!doctype html><meta charset="utf-8"><title>generator</title><link
 <rock-field backend="null" seed="1"></rock-field>
 <script type="module" src="/rock-field.js"></script>`;
 
+/** @type {(Partial<import('../../www/rocks/params.ts').Params> & { preset: keyof typeof presets })[]} */
 const CASES = [
   { preset: 'journal-fig1', seed: 42 },
   { preset: 'conference-fig1', seed: 7, imageWidth: 500, imageHeight: 300 },
   { preset: 'journal-fig12b', seed: 4294967295, border: 'drop', swing: 'separate', darts: 'attempts' },
 ];
 
+/** @type {import('./browser.mjs').Session} */
 let session;
-/** Answers requests in the server's stead, per test: path → [status, type, body]. */
+/**
+ * Answers requests in the server's stead, per test: path → [status, type, body].
+ *
+ * @typedef {Record<string, [status: number, type: string, body: string]>} Files
+ * @type {Files}
+ */
 let broken = {};
 
 before(async () => {
@@ -41,6 +48,7 @@ before(async () => {
 
 after(() => session?.close());
 
+/** @param {import('./browser.mjs').OpenOptions & { files?: Files }} [options] */
 async function open({ files = {}, ...options } = {}) {
   broken = files;
   return session.open('element.html', options);
@@ -73,8 +81,8 @@ test('the worker makes the same bytes as Node', async () => {
   const g = await createGenerator();
   for (const request of CASES) {
     const wanted = hashOf(listsOf(await g.generate(request)));
-    const params = { ...presets[request.preset], ...request };
-    delete params.preset;
+    const { preset, ...rest } = request;
+    const params = { ...presets[preset], ...rest };
     const parts = await page.evaluate(async (given) => {
       const element = document.querySelector('rock-field');
       element.params = given;
@@ -190,18 +198,16 @@ test('a worker that is killed, idle or in a run, is replaced and the page goes o
 
   const run = edit(3, 4096);
   await page.waitForTimeout(60);
-  await page
-    .workers()
-    .at(-1)
-    .evaluate(() => self.close())
-    .catch(() => {});
+  const workers = page.workers();
+  await workers[workers.length - 1].evaluate(() => self.close()).catch(() => {});
   assert.equal(await run, 4096);
   assert.deepEqual(await page.evaluate(() => heard.filter(({ type }) => type === 'error')), []);
   assert.deepEqual(errors, []);
   await close();
 });
 
-for (const [what, files, wanted] of [
+/** @type {[what: string, files: Files, wanted: RegExp][]} */
+const MISSING = [
   [
     'wasm that is missing',
     { '/generator_bg.wasm': [404, 'text/plain', 'no'] },
@@ -215,7 +221,9 @@ for (const [what, files, wanted] of [
   ['damaged wasm', { '/generator_bg.wasm': [200, 'application/wasm', '\0asm\x01\0\0\0junk'] }, /wasm could not be started/],
   ['a worker script that is missing', { '/worker.js': [404, 'text/plain', 'no'] }, /worker could not be started/],
   ['a worker script served as a page', { '/worker.js': [200, 'text/html', '<!doctype html>'] }, /worker could not be started/],
-]) {
+];
+
+for (const [what, files, wanted] of MISSING) {
   test(`${what} is a readable message in the element, and it recovers when the file is back`, async () => {
     const { page, errors, close } = await open({ files });
     await until(page, () => heard.some(({ type }) => type === 'error'));

@@ -2,6 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, pageOf } from './browser.mjs';
+import { boxOf } from './shown.mjs';
 
 const HTML = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>gestures</title><link rel="icon" href="data:,">
 <style>body { margin: 0; height: 3000px } rock-field { width: 320px; height: 240px; margin: 300px 20px }</style>
@@ -10,10 +11,11 @@ const HTML = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="v
   const a = document.querySelector('rock-field');
   let framings = 0;
   a.addEventListener('camera-change', ({ detail }) => (framings += detail.framed));
-  globalThis.state = () => ({ scroll: scrollY, scale: visualViewport.scale, framings, ...a.camera, framed: a.framed });
+  globalThis.cameraState = () => ({ scroll: scrollY, scale: visualViewport.scale, framings, ...a.camera, framed: a.framed });
 </script>
 <script type="module" src="/rock-field.js"></script>`;
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -29,15 +31,20 @@ async function open(options) {
   await page.evaluate(() => customElements.whenDefined('rock-field').then(() => document.querySelector('rock-field').ready));
   await page.evaluate(() => scrollTo(0, 200));
   await page.waitForFunction(() => scrollY === 200);
-  const box = await page.locator('rock-field').boundingBox();
-  const state = () => page.evaluate(() => globalThis.state());
+  const box = await boxOf(page.locator('rock-field'));
+  const state = () => page.evaluate(() => cameraState());
   return { ...opened, state, mid: { x: box.x + box.width / 2, y: box.y + box.height / 2 } };
 }
 
 async function phone() {
   const opened = await open({ hasTouch: true, isMobile: true });
   const device = await opened.context.newCDPSession(opened.page);
-  /** Fingers as the device reports them: `[x, y]` each. */
+  /**
+   * Fingers as the device reports them: `[x, y]` each.
+   *
+   * @param {'Start' | 'Move' | 'End'} type
+   * @param {number[][]} points
+   */
   const touch = (type, ...points) =>
     device.send('Input.dispatchTouchEvent', { type: `touch${type}`, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   /** Fingers from here to there, several reports on the way. */
@@ -75,13 +82,13 @@ test('the wheel scrolls the page; after a click on the picture, or with ctrl, it
   await page.keyboard.down('Control');
   await page.mouse.wheel(0, 40);
   await page.keyboard.up('Control');
-  await page.waitForFunction((distance) => state().distance > distance, first.distance);
+  await page.waitForFunction((distance) => cameraState().distance > distance, first.distance);
   const zoomed = await state();
   assert.deepEqual([zoomed.scroll, zoomed.scale], [240, 1]);
 
   await page.mouse.click(mid.x, mid.y - 40);
   await page.mouse.wheel(0, -40);
-  await page.waitForFunction((distance) => state().distance < distance, zoomed.distance);
+  await page.waitForFunction((distance) => cameraState().distance < distance, zoomed.distance);
   assert.equal((await state()).scroll, 240);
 
   // The focus elsewhere, the page has the wheel again.
@@ -192,7 +199,7 @@ test('two taps frame all, once', async () => {
   assert.ok(!(await state()).framed);
   await page.waitForTimeout(400);
   await Promise.all([tap(mid.x, mid.y), tap(mid.x, mid.y)]);
-  await page.waitForFunction(() => state().framed);
+  await page.waitForFunction(() => cameraState().framed);
   await settle(page);
   const last = await state();
   assert.deepEqual([last.framings, last.scroll, last.scale], [1, 200, 1]);

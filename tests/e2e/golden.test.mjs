@@ -9,7 +9,7 @@ import { launch } from './browser.mjs';
 
 const golden = JSON.parse(await readFile(new URL('../data/golden.json', import.meta.url), 'utf8'));
 const colonies = JSON.parse(await readFile(new URL('../data/wood-ear-golden.json', import.meta.url), 'utf8'));
-const names = Object.keys(presets);
+const names = /** @type {(keyof typeof presets)[]} */ (Object.keys(presets));
 
 test('the file of golden hashes holds every preset and no other', () => {
   assert.deepEqual(Object.keys(golden).sort(), [...names].sort());
@@ -33,14 +33,17 @@ test('every preset has its golden hash in a browser', async () => {
   });
   try {
     const { page, errors } = await session.open('golden.html');
-    const grown = await page.evaluate(async (presets) => {
-      const [{ createWoodEarGenerator }, { hashColony }] = await Promise.all([import('/core.js'), import('/golden.mjs')]);
-      const generator = await createWoodEarGenerator();
-      const hashes = {};
-      for (const preset of presets) hashes[preset] = await hashColony(await generator.generate({ preset }));
-      generator.dispose();
-      return hashes;
-    }, Object.keys(woodEarPresets));
+    const grown = await page.evaluate(
+      async (presets) => {
+        const [{ createWoodEarGenerator }, { hashColony }] = await Promise.all([import('/core.js'), import('/golden.mjs')]);
+        const generator = await createWoodEarGenerator();
+        const hashes = {};
+        for (const preset of presets) hashes[preset] = await hashColony(await generator.generate({ preset }));
+        generator.dispose();
+        return hashes;
+      },
+      /** @type {(keyof typeof woodEarPresets)[]} */ (Object.keys(woodEarPresets)),
+    );
     assert.deepEqual(grown, colonies);
     const found = await page.evaluate(async (presets) => {
       const [{ createGenerator }, { hashField }] = await Promise.all([import('/core.js'), import('/golden.mjs')]);

@@ -24,6 +24,7 @@ const WINDOWS = [
   [1440, 900],
 ];
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -32,7 +33,12 @@ before(async () => {
 
 after(() => session?.close());
 
-/** The page with its first picture. `fingers`: a touch screen. */
+/**
+ * The page with its first picture. `fingers`: a touch screen.
+ *
+ * @param {string} address
+ * @param {import('./browser.mjs').OpenOptions & { fingers?: boolean }} [options]
+ */
 async function open(address, { fingers = false, ...options } = {}) {
   const opened = await session.open(address, {
     viewport: { width: 960, height: 640 },
@@ -58,14 +64,15 @@ function misfits(page) {
     const everything = [...document.querySelectorAll('*')].filter(isShown);
     // Nothing moves sideways, and up and down only the panel's controls.
     const isScroller = (element) => !/^(visible|clip)/.test(getComputedStyle(element).overflow);
-    for (const element of [document.scrollingElement, ...everything.filter(isScroller)]) {
+    for (const element of [document.documentElement, ...everything.filter(isScroller)]) {
       const before = [element.scrollLeft, element.scrollTop];
       element.scrollTo(1e4, element.matches('.panel-body') ? before[1] : 1e4);
       if ((element.scrollLeft !== 0 || element.scrollTop !== before[1]) && !element.matches('select, input, textarea'))
         found.push(`${nameOf(element)} scrolls to ${element.scrollLeft}, ${element.scrollTop}`);
-      element.scrollTo(...before);
+      element.scrollTo(before[0], before[1]);
     }
-    if (visualViewport.width < width - 1 || visualViewport.pageLeft !== 0) found.push('the page pans');
+    const seen = /** @type {VisualViewport} */ (visualViewport);
+    if (seen.width < width - 1 || seen.pageLeft !== 0) found.push('the page pans');
     // The whole of every control is in the window, but for those that the panel's controls are scrolled to.
     const controls = everything.filter(
       (element) =>
@@ -74,8 +81,9 @@ function misfits(page) {
     );
     for (const element of controls) {
       const box = element.getBoundingClientRect();
-      const isScrolled = element.closest('.panel-body') !== null;
-      const bounds = (isScrolled ? element.closest('.panel-body') : document.documentElement).getBoundingClientRect();
+      const scroller = element.closest('.panel-body');
+      const isScrolled = scroller !== null;
+      const bounds = (scroller ?? document.documentElement).getBoundingClientRect();
       if (box.left < bounds.left - 0.5 || box.right > bounds.right + 0.5)
         found.push(`${nameOf(element)} reaches from ${box.left} to ${box.right} of ${bounds.left} to ${bounds.right}`);
       if (!isScrolled && (box.top < -0.5 || box.bottom > height + 0.5))
@@ -91,9 +99,9 @@ function misfits(page) {
       if (element.matches('.icon-button') && Math.abs(box.width - box.height) > 1)
         found.push(`${nameOf(element)} is drawn out to ${box.width} × ${box.height}`);
     }
-    const apart = controls.map((element) => [element, element.getBoundingClientRect()]);
-    for (const [index, [one, a]] of apart.entries()) {
-      for (const [other, b] of apart.slice(index + 1)) {
+    const apart = controls.map((element) => ({ element, box: element.getBoundingClientRect() }));
+    for (const [index, { element: one, box: a }] of apart.entries()) {
+      for (const { element: other, box: b } of apart.slice(index + 1)) {
         const overlap =
           Math.min(a.right, b.right) - Math.max(a.left, b.left) > 1 && Math.min(a.bottom, b.bottom) - Math.max(a.top, b.top) > 1;
         const inOneBox = (one.closest('.panel-body') === null) === (other.closest('.panel-body') === null);
@@ -109,11 +117,13 @@ for (const fingers of [false, true]) {
     const found = [];
     for (const address of PAGES) {
       const { page, errors, close } = await open(address, { fingers });
-      await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
+      await page.locator('details').evaluateAll((parts) => parts.forEach((part) => part.setAttribute('open', '')));
       // A picture in every size would cost a software GPU minutes.
       await page.addStyleTag({ content: '.picture { display: none }' });
       for (const language of ['en', 'ja']) {
-        await page.locator(`input[name="language"][value="${language}"]`).evaluate((button) => button.click());
+        await page
+          .locator(`input[name="language"][value="${language}"]`)
+          .evaluate((/** @type {HTMLInputElement} */ button) => button.click());
         await page.waitForFunction(
           (name) => document.querySelector('.share').getAttribute('aria-label') === name,
           language === 'ja' ? '共有' : 'Share',
@@ -139,20 +149,20 @@ for (const fingers of [false, true]) {
 test('what looks for hidden words, or brings them into view, moves the panel and not the page', async () => {
   for (const address of PAGES) {
     const { page, errors, close } = await open(address, { viewport: { width: 960, height: 500 } });
-    await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
+    await page.locator('details').evaluateAll((parts) => parts.forEach((part) => part.setAttribute('open', '')));
     const { moved, isSeen } = await page.evaluate(() => {
       const hidden = [...document.querySelectorAll('.panel-body .visually-hidden[id]')];
       for (const words of hidden) words.scrollIntoView({ block: 'center' });
-      document.querySelector('.panel-body').lastElementChild.scrollIntoView({ block: 'start' });
-      window.find('decides');
+      document.querySelector('.panel-body > :last-child').scrollIntoView({ block: 'start' });
+      /** @type {Window & { find?: (words: string) => boolean }} */ (window).find?.('decides');
       const { top } = document.querySelector('.toolbar').getBoundingClientRect();
-      const last = hidden.at(-1);
+      const last = hidden[hidden.length - 1];
       last.scrollIntoView();
       const control = document.querySelector(`[aria-describedby~="${last.id}"]`).getBoundingClientRect();
       return {
         moved: [
           top,
-          ...[document.scrollingElement, document.body, document.querySelector('.app'), document.querySelector('.panel')].map(
+          ...[document.documentElement, document.body, document.querySelector('.app'), document.querySelector('.panel')].map(
             ({ scrollTop }) => scrollTop,
           ),
         ],

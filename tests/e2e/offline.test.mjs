@@ -11,6 +11,7 @@ const folder = path.join(root, '.cache', 'offline-test');
 /** The page with few rocks. */
 const SMALL = '#preset=journal-fig1&w=256&h=256';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 let down = false;
 const served = [];

@@ -20,7 +20,7 @@ async function open(session, address) {
   await opened.page.waitForFunction(
     () => {
       globalThis.scenes = [...document.querySelectorAll('rock-field, wood-ear-log')];
-      return scenes.length > 0 && scenes.every((scene) => scene.ready && scene.backend && (scene.field ?? scene.scene));
+      return scenes.length > 0 && scenes.every((scene) => scene.backend && (scene.field ?? scene.scene));
     },
     undefined,
     { polling: 100 },
@@ -63,20 +63,22 @@ for (const [backend, address] of [
     test('a page that is left and come back to has its picture, its worker and its panel', async () => {
       const { page, errors } = opened;
       await page.evaluate(() => {
-        globalThis.given = [];
+        const given = [];
+        Object.assign(globalThis, { given });
         addEventListener('pageshow', ({ persisted }) => given.push(persisted));
       });
       await page.goto(`${session.url}elsewhere.html`);
       await page.evaluate(() => history.back()).catch(() => undefined);
       await page.waitForFunction(
-        () => globalThis.given?.length > 0 || (!globalThis.given && document.querySelector('rock-field, wood-ear-log')?.ready),
+        () => (globalThis.given ?? []).length > 0 || (!globalThis.given && document.querySelector('rock-field, wood-ear-log')?.ready),
         undefined,
         { polling: 100 },
       );
       assert.deepEqual(await page.evaluate(() => globalThis.given ?? []), [true], 'it was loaded anew: this test shows nothing');
       const colours = await page.evaluate(async () => {
         const bitmap = await createImageBitmap(await scenes[0].toBlob());
-        const context = new OffscreenCanvas(bitmap.width, bitmap.height).getContext('2d');
+        const sheet = new OffscreenCanvas(bitmap.width, bitmap.height);
+        const context = /** @type {OffscreenCanvasRenderingContext2D} */ (sheet.getContext('2d'));
         context.drawImage(bitmap, 0, 0);
         return new Set(new Uint32Array(context.getImageData(0, 0, bitmap.width, bitmap.height).data.buffer)).size;
       });

@@ -4,6 +4,7 @@ import { after, before, test } from 'node:test';
 import { copied, hidePictures, launch } from './browser.mjs';
 import { MESSAGE, address, closeClean, follow, hash, message, openRocks, params, stats } from './rock-page.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -53,7 +54,7 @@ test('the embed code shows the same rocks', async () => {
   const shown = await page.evaluate(async (src) => {
     const element = document.createElement('rock-field');
     element.setAttribute('backend', 'null');
-    element.setAttribute('src', src);
+    element.setAttribute('src', src ?? '');
     document.body.append(element);
     const { params } = element;
     element.remove();
@@ -74,6 +75,7 @@ test('the embed code shows the same rocks', async () => {
   await closeClean(opened);
 });
 
+/** @type {[what: string, link: string, pattern: RegExp][]} */
 const BAD_LINKS = [
   ['an unknown key', '#seed=1&nonsense=1', /nonsense/],
   ['text for a number', '#w=abc', /w: “abc”/],

@@ -3,8 +3,9 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hidePictures, holdResults, launch, until } from './browser.mjs';
-import { address, closeClean, hash, message, openRocks, params, stats } from './rock-page.mjs';
+import { address, boxOf, closeClean, hash, message, openRocks, params, stats } from './rock-page.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -22,7 +23,7 @@ test('every slider moves something, and its number says so', async () => {
   await hidePictures(page);
   for (const name of ['Layer 2', 'Layer 3']) await page.getByRole('button', { name }).first().click();
   await page.locator('[data-param="fill-2"] input[value="count"]').check();
-  await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
+  await page.locator('details').evaluateAll((parts) => parts.forEach((part) => part.setAttribute('open', '')));
   const looks = ['sa', 'se'];
   const ids = (await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id))).filter((id) => !looks.includes(id));
   assert.equal(ids.length, 3 + 3 * 12);
@@ -53,7 +54,8 @@ test('a drag is one step of undo, and the picture follows it', async () => {
   });
   const slider = page.locator('[id="h1-0"]');
   await slider.scrollIntoViewIfNeeded();
-  const box = await slider.boundingBox();
+  const box = await boxOf(slider);
+  /** @type {(share: number) => [x: number, y: number]} */
   const at = (share) => [box.x + share * box.width, box.y + box.height / 2];
   await page.mouse.move(...at(0.2));
   await page.mouse.down();
@@ -83,7 +85,7 @@ test('what is too large for the memory is said under the parameter to change; th
   await page.locator('[id="r-0-number"]').fill('1');
   const problem = page.locator('[data-param="r-0"] .control-problem');
   await problem.waitFor();
-  assert.match(await problem.textContent(), /MiB.*MiB/);
+  assert.match((await problem.textContent()) ?? '', /MiB.*MiB/);
   assert.equal(await page.locator('[id="r-0-number"]').getAttribute('aria-invalid'), 'true');
   await page.locator('[id="r-0-number"]').fill('200');
   await problem.waitFor({ state: 'detached' });
@@ -97,7 +99,7 @@ test('a number out of bounds is said while it is typed, and clamped when it is l
   await hidePictures(page);
   const field = page.locator('[id="r-0-number"]');
   await field.fill('99999');
-  assert.match(await page.locator('[data-param="r-0"] .control-problem').textContent(), /1 to 8192/);
+  assert.match((await page.locator('[data-param="r-0"] .control-problem').textContent()) ?? '', /1 to 8192/);
   assert.equal((await params(page)).layers[0].radius, 90);
   await field.press('Tab');
   await page.waitForFunction(() => document.querySelector('rock-field').params.layers[0].radius === 8192);
@@ -119,7 +121,7 @@ test('a long run shows its progress and can be cancelled, back to what is shown'
   await page.evaluate(() => results.hold());
   await page.locator('[id="r-0-number"]').fill('3');
   await page.locator('stage-overlay .progress').waitFor();
-  assert.match(await page.locator('.progress-text').textContent(), /Generating: \w+, \d+%/);
+  assert.match((await page.locator('.progress-text').textContent()) ?? '', /Generating: \w+, \d+%/);
   await page.getByRole('button', { name: 'Cancel' }).click();
   await page.locator('stage-overlay .progress').waitFor({ state: 'detached' });
   await page.evaluate(() => results.release());
@@ -175,7 +177,9 @@ test('after a layer or a base is added, copied or removed, the focus is on the n
   const { page } = opened;
   await hidePictures(page);
   const at = () =>
-    page.evaluate(() => document.activeElement?.closest('.layer')?.dataset.layer ?? document.activeElement?.textContent.trim());
+    page.evaluate(
+      () => document.activeElement?.closest('.layer')?.getAttribute('data-layer') ?? document.activeElement?.textContent.trim(),
+    );
   const press = async (name) => {
     await page.getByRole('button', { name, exact: true }).focus();
     await page.keyboard.press('Enter');
@@ -183,7 +187,7 @@ test('after a layer or a base is added, copied or removed, the focus is on the n
   };
   for (let n = 2; n < 8; n += 1) {
     await press('Add layer');
-    await page.waitForFunction((index) => document.activeElement.closest('.layer')?.dataset.layer === String(index), n);
+    await page.waitForFunction((index) => document.activeElement?.closest('.layer')?.getAttribute('data-layer') === String(index), n);
   }
   const colors = await page.locator('.layer .chip').evaluateAll((chips) => chips.map(({ dataset }) => dataset.color));
   assert.equal(new Set(colors).size, 8);
@@ -241,7 +245,7 @@ test('fingers take a slider by its thumb; a tap beside it and a scroll that begi
   const { page } = opened;
   const slider = page.locator('[id="cd"]');
   await slider.scrollIntoViewIfNeeded();
-  const box = await slider.boundingBox();
+  const box = await boxOf(slider);
   const y = box.y + box.height / 2;
   const thumb = box.x + 10 + 0.7 * (box.width - 20);
   const state = async () => [
@@ -261,7 +265,7 @@ test('fingers take a slider by its thumb; a tap beside it and a scroll that begi
   await finger('touchEnd');
   assert.deepEqual(await state(), before, 'a scroll');
   await slider.scrollIntoViewIfNeeded();
-  const now = await slider.boundingBox();
+  const now = await boxOf(slider);
   await finger('touchStart', thumb, now.y + now.height / 2);
   for (let step = 1; step <= 10; step += 1) await finger('touchMove', thumb - 6 * step, now.y + now.height / 2);
   await finger('touchEnd');
@@ -276,14 +280,15 @@ test('the wheel over a number that has the focus scrolls the panel and leaves th
   const { page } = opened;
   const field = page.locator('[id="h1-0-number"]');
   await field.click();
-  const before = [await field.inputValue(), await page.locator('.panel-body').evaluate(({ scrollTop }) => scrollTop)];
+  const value = await field.inputValue();
+  const scrolled = await page.locator('.panel-body').evaluate(({ scrollTop }) => scrollTop);
   await page.mouse.wheel(0, 120);
-  await page.waitForFunction((top) => document.querySelector('.panel-body').scrollTop > top, before[1]);
-  assert.equal(await field.inputValue(), before[0]);
+  await page.waitForFunction((top) => document.querySelector('.panel-body').scrollTop > top, scrolled);
+  assert.equal(await field.inputValue(), value);
   assert.deepEqual(
     await page
       .locator('[id="w1-0-number"], [id="h1-0-number"], [id="w-number"]')
-      .evaluateAll((fields) => fields.map(({ inputMode }) => inputMode).sort()),
+      .evaluateAll((fields) => fields.map((one) => one.getAttribute('inputmode')).sort()),
     ['decimal', 'numeric', 'text'],
   );
   await closeClean(opened);
@@ -312,10 +317,11 @@ test('every control has a name, what describes it exists, and what is chosen can
   const nameless = await page.evaluate(() =>
     [...document.querySelectorAll('button, input, select')]
       .filter((element) => {
+        const { labels } = /** @type {HTMLInputElement} */ (element);
         const name =
           element.getAttribute('aria-label') ||
           element.textContent.trim() ||
-          [...(element.labels ?? [])].map(({ textContent }) => textContent.trim()).join('');
+          [...(labels ?? [])].map(({ textContent }) => textContent.trim()).join('');
         return !name;
       })
       .map(({ outerHTML }) => outerHTML),

@@ -4,8 +4,9 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
 import { hidePictures, holdResults, launch, screenshotPath, until } from './browser.mjs';
-import { MESSAGE, address, closeClean, follow, hash, openRocks, params, stats } from './rock-page.mjs';
+import { MESSAGE, address, boxOf, closeClean, follow, hash, openRocks, params, stats } from './rock-page.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -94,7 +95,7 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
   const opened = await followNatural('#preset=journal-fig1&w=256&h=256');
   const { page } = opened;
   const button = page.locator('#preset');
-  const focused = () => page.evaluate(() => document.activeElement?.dataset.preset ?? document.activeElement?.id);
+  const focused = () => page.evaluate(() => document.activeElement?.getAttribute('data-preset') ?? document.activeElement?.id);
   await button.focus();
   await page.keyboard.press('Enter');
   await page.getByRole('listbox').waitFor();
@@ -115,7 +116,10 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
   assert.deepEqual(await violations(page), []);
   const isDrawn = (name) =>
     page.evaluate((preset) => {
-      const { data } = document.querySelector(`[data-preset="${preset}"] canvas`).getContext('2d').getImageData(0, 0, 192, 128);
+      const { data } = document
+        .querySelector(/** @type {`${string}canvas`} */ (`[data-preset="${preset}"] canvas`))
+        .getContext('2d')
+        .getImageData(0, 0, 192, 128);
       return data.some((value) => value !== 0);
     }, name);
   await until(() => isDrawn('riverbed'), 'the picture of the riverbed');
@@ -166,13 +170,13 @@ test('in plans there is no colour to choose; a chosen word is as wide as before;
 test('the keyboard’s focus on the picture is seen', async () => {
   const opened = await open('#preset=journal-fig1&w=64&h=64&r=20', { deviceScaleFactor: 1 });
   const { page } = opened;
-  await page.locator('rock-field').evaluate((element) => element.shadowRoot.querySelector('.stage').focus());
+  await page.locator('rock-field .stage').evaluate((stage) => stage.focus());
   await page.keyboard.press('Shift');
-  const box = await page.locator('rock-field').boundingBox();
+  const box = await boxOf(page.locator('rock-field'));
   const shot = (await page.screenshot({ clip: { x: box.x, y: box.y + box.height / 2, width: 4, height: 1 } })).toString('base64');
   const edge = await page.evaluate(async (data) => {
     const image = await createImageBitmap(await (await fetch(`data:image/png;base64,${data}`)).blob());
-    const context = new OffscreenCanvas(4, 1).getContext('2d');
+    const context = /** @type {OffscreenCanvasRenderingContext2D} */ (new OffscreenCanvas(4, 1).getContext('2d'));
     context.drawImage(image, 0, 0);
     return [...context.getImageData(0, 0, 1, 1).data.slice(0, 3)];
   }, shot);
@@ -227,7 +231,7 @@ test('the page works by keyboard alone', async () => {
     const name = await page.evaluate(() => {
       const { activeElement: element } = document;
       if (!element?.closest('.panel')) return null;
-      return `${element.id || element.getAttribute('aria-label') || element.name || element.textContent.trim()}`;
+      return `${element.id || element.getAttribute('aria-label') || element.getAttribute('name') || element.textContent.trim()}`;
     });
     if (name === null) break;
     reached.add(name);

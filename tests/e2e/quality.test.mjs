@@ -7,10 +7,10 @@ import { launch, pageOf } from './browser.mjs';
 
 const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>quality</title><link rel="icon" href="data:,"><style>rock-field { width: 160px; height: 100px }</style>
 <script>
-  globalThis.frames = 0;
+  globalThis.counts = { frames: 0 };
   const request = requestAnimationFrame;
   globalThis.frame = () => new Promise((resolve) => request(resolve));
-  globalThis.requestAnimationFrame = (callback) => (frames += 1, request(callback));
+  globalThis.requestAnimationFrame = (callback) => (counts.frames += 1, request(callback));
 </script>
 <script type="module" src="/rock-field.js"></script><rock-field preset="riverbed" image-width="200" image-height="200" color="natural"></rock-field>`;
 
@@ -18,12 +18,12 @@ const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>qualit
 function settle() {
   return (async () => {
     await document.querySelector('rock-field').ready;
-    for (let before = -1; before !== frames; ) {
-      before = frames;
+    for (let before = -1; before !== counts.frames; ) {
+      before = counts.frames;
       await frame();
       await new Promise((resolve) => setTimeout(resolve, 1000));
     }
-    return frames;
+    return counts.frames;
   })();
 }
 

@@ -10,7 +10,7 @@ const element = (
 <${name} id="a" backend="null" ${attributes}></${name}>
 <script>
   const heard = [];
-  for (const type of ['generate', 'error', 'change']) a.addEventListener(type, ({ detail }) => heard.push(detail.error?.name ?? type));
+  for (const type of ['generate', 'error', 'change']) a.addEventListener(type, () => heard.push({ type }));
 </script>
 <script type="module" src="/${name}.js"></script>`;
 
@@ -19,6 +19,7 @@ const PAGES = {
   '/logs.html': element('wood-ear-log', 'density="4" log-length="400" ground="v=1&preset=journal-fig1&r=200&a=0.3"'),
 };
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -81,7 +82,7 @@ async function refuses(page, wanted, setters) {
 test('rock-field: what code, a property, an attribute or a link sets and the generator refuses changes nothing', async () => {
   const { page, errors, close } = await open('rocks.html');
   await refuses(page, 'OverBudget radius', {
-    params: () => (a.params = { ...a.params, seed: 3, layers: [{ radius: 1 }] }),
+    params: () => Object.assign(a, { params: { ...a.params, seed: 3, layers: [{ radius: 1 }] } }),
     layers: () => (a.layers = [{ radius: 200 }, { radius: 1 }]),
     'a property': () => (a.radius = [1]),
     'an attribute': () => a.setAttribute('radius', '1'),
@@ -113,10 +114,10 @@ test('an edit whose run has not ended survives the refusal of the next one, also
   const seen = await page.evaluate(async () => {
     const { now } = performance;
     const outcomes = [];
-    for (const [later, isSameTask] of [
-      [5000, true],
-      [0, false],
-      [0, true],
+    for (const { later, isSameTask } of [
+      { later: 5000, isSameTask: true },
+      { later: 0, isSameTask: false },
+      { later: 0, isSameTask: true },
     ]) {
       a.seed = 5;
       // The run begins at the end of the task; its result cannot be here yet.
@@ -143,10 +144,10 @@ test('an edit whose run has not ended survives the refusal of the next one, also
 test('before the first picture a refused edit gives way to what was to be shown', async () => {
   const { page, close } = await open('rocks.html');
   const seen = await page.evaluate(async () => {
-    const b = a.cloneNode();
+    const b = /** @type {typeof a} */ (a.cloneNode());
     b.removeAttribute('id');
     document.body.append(b);
-    b.params = { ...b.params, layers: [{ radius: 1 }] };
+    Object.assign(b, { params: { ...b.params, layers: [{ radius: 1 }] } });
     const error = await b.generate().catch(({ name }) => name);
     return [error, (await b.getField()).layers[0].radius, b.params.layers.length];
   });
@@ -172,8 +173,8 @@ test('wood-ear-log: what code, a property, an attribute or a link sets and eithe
   const { page, errors, close } = await open('logs.html');
   await refuses(page, 'OverBudget ground', {
     'an attribute': () => a.setAttribute('ground', 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1'),
-    'a property': () => (a.ground = 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1&seed=2'),
-    params: () => (a.params = { ...a.params, density: 5, ground: 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1' }),
+    'a property': () => Object.assign(a, { ground: 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1&seed=2' }),
+    params: () => Object.assign(a, { params: { ...a.params, density: 5, ground: 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1' } }),
     'a link': () =>
       (a.src = '#preset=wrinkled&d=4&ll=400&view=wireframe&camera=1,0.5,300,9,9,0&ground=preset=journal-fig1%26r=1,1,1,1,1,1,1,1'),
   });
@@ -182,15 +183,16 @@ test('wood-ear-log: what code, a property, an attribute or a link sets and eithe
     const seen = () => JSON.stringify([a.params, a.shareURL(), heard]);
     const before = seen();
     try {
-      a.params = { ...a.params, mesh: { positions: [0, 0, 0, 1, 1, 1, 2, 2, 2], indices: [0, 1, 2] } };
+      Object.assign(a, { params: { ...a.params, mesh: { positions: [0, 0, 0, 1, 1, 1, 2, 2, 2], indices: [0, 1, 2] } } });
       return 'taken';
-    } catch ({ name, key }) {
+    } catch (error) {
+      const { name, key } = /** @type {ErrorInfo} */ (error);
       return [name, key, seen() === before, a.undo()];
     }
   });
   assert.deepEqual(atOnce, ['LogNoArea', 'log', true, false]);
   const later = await page.evaluate(async () => {
-    a.ground = 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1';
+    Object.assign(a, { ground: 'v=1&preset=journal-fig1&r=1,1,1,1,1,1,1,1' });
     await a.generate().catch(() => undefined);
     a.density = 6;
     await a.getColony();
@@ -210,13 +212,14 @@ test('a bad camera is refused with key, value and bounds, and nothing moves', as
       const bad = [{ distance: -1 }, { azimuth: NaN }, { elevation: 9 }, { target: [0, 0] }, { target: [0, 0, 2e6] }];
       const told = bad.map((part) => {
         try {
-          a.camera = { ...a.camera, ...part };
+          Object.assign(a, { camera: { ...a.camera, ...part } });
           return 'taken';
-        } catch ({ name, key, value, min, max }) {
+        } catch (error) {
+          const { name, key, value, min, max } = /** @type {ErrorInfo} */ (error);
           return [name, key, String(value), min ?? null, max ?? null];
         }
       });
-      return [told, JSON.stringify(a.camera) === before, a.framed, heard.filter((name) => name !== 'generate')];
+      return [told, JSON.stringify(a.camera) === before, a.framed, heard.filter(({ type }) => type !== 'generate')];
     });
     assert.deepEqual(seen, [
       [
@@ -252,7 +255,7 @@ test('a control keeps the value that was refused, with its message; address, Sha
   for (const undone of [false, true]) {
     await page.locator('[id="r-0-number"]').fill('1');
     await problem.waitFor();
-    assert.match(await problem.textContent(), /MiB.*MiB/);
+    assert.match((await problem.textContent()) ?? '', /MiB.*MiB/);
     await page.locator('[id="r-0-number"]').blur();
     assert.deepEqual(
       [await page.locator('[id="r-0-number"]').inputValue(), await page.locator('[id="r-0"]').getAttribute('aria-valuetext')],
@@ -286,7 +289,7 @@ test("a control of an element's own panel keeps the value that was refused, with
     }, kept);
     await number.fill(refusable);
     await problem.waitFor();
-    assert.match(await problem.textContent(), /MiB.*MiB/);
+    assert.match((await problem.textContent()) ?? '', /MiB.*MiB/);
     await number.blur();
     assert.equal(await number.inputValue(), refusable);
     assert.deepEqual(await page.evaluate((name) => [JSON.stringify(a.params), a.shareURL(), a[name] === before], kept), [...before, true]);
@@ -318,16 +321,7 @@ test('a link that is refused leaves the picture, its view, colour and camera, an
   const seen = () =>
     page.evaluate(() => {
       const { params, view, color, camera } = document.querySelector('rock-field');
-      return [
-        params,
-        view,
-        color,
-        camera,
-        ...document
-          .querySelectorAll('.overlay-start input:checked')
-          .values()
-          .map(({ value }) => value),
-      ];
+      return [params, view, color, camera, ...[...document.querySelectorAll('.overlay-start input:checked')].map(({ value }) => value)];
     });
   const [before, address] = [await seen(), await hash(page)];
   await page.evaluate(() => (location.hash = '#preset=riverbed&w=2048&h=2048&r=1&view=wireframe&color=plain&camera=0,1,300,9,9,0'));

@@ -7,6 +7,7 @@ import { launch, pageOf } from './browser.mjs';
 
 const PAGE = '<!doctype html><meta charset="utf-8"><title>artefact</title><link rel="icon" href="data:,">';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -60,10 +61,11 @@ async function draw() {
     renderer.render();
     const copy = document.createElement('canvas');
     [copy.width, copy.height] = [64, 48];
-    copy.getContext('2d').drawImage(canvas, 0, 0, 64, 48, 0, 0, 64, 48);
+    copy.getContext('2d')?.drawImage(canvas, 0, 0, 64, 48, 0, 0, 64, 48);
     return copy.toDataURL();
   };
   // A tent over the middle of the field.
+  /** @returns {[Float32Array, Float32Array, Uint32Array]} */
   const tent = (size) => [
     Float32Array.of(-size, -size, 0, size, -size, 0, 0, size, 0, 0, 0, size),
     Float32Array.of(-0.6, -0.6, 0.5, 0.6, -0.6, 0.5, 0, 0.9, 0.5, 0, 0, 1),
@@ -81,7 +83,7 @@ async function draw() {
     // Of three individuals each would have a vertex and a third.
     setColony(Uint32Array.of(1, 2, 3));
   } catch (error) {
-    refused = error.message;
+    refused = /** @type {Error} */ (error).message;
   }
   const after = picture();
   setLog(25);
@@ -152,7 +154,7 @@ async function drawSkirts(backend) {
     renderer.render();
     const copy = document.createElement('canvas');
     [copy.width, copy.height] = [width, height];
-    const context = copy.getContext('2d');
+    const context = /** @type {CanvasRenderingContext2D} */ (copy.getContext('2d'));
     context.drawImage(canvas, 0, 0, width, height, 0, 0, width, height);
     return context.getImageData(0, 0, width, height).data;
   };

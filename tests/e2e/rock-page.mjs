@@ -1,7 +1,7 @@
 // The page of rocks, for tests that open it and ask what it shows.
 import { hashOf } from './shown.mjs';
 
-export { MESSAGE, closeClean, message, openPage as openRocks, params } from './shown.mjs';
+export { MESSAGE, boxOf, closeClean, message, openPage as openRocks, params } from './shown.mjs';
 
 /** A hash (FNV-1a, by bytes) of the field of the present parameters, once it is finished. */
 export function hash(page) {

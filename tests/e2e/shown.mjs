@@ -4,7 +4,13 @@ import assert from 'node:assert/strict';
 /** Not the element's own, which is inside it. */
 export const MESSAGE = 'stage-overlay > .message';
 
-/** A page with its first picture, small: a software GPU pays by the pixel. `options` are Playwright's context options. */
+/**
+ * A page with its first picture, small: a software GPU pays by the pixel.
+ *
+ * @param {import('./browser.mjs').Session} session
+ * @param {string} [address]
+ * @param {import('./browser.mjs').OpenOptions} [options]
+ */
 export async function openPage(session, address = '', options = {}) {
   const opened = await session.open(address, { viewport: { width: 960, height: 640 }, locale: 'en-US', colorScheme: 'light', ...options });
   // By the clock, not by frames: those may be slow to come.
@@ -27,6 +33,17 @@ export async function hashOf(page, arrays) {
   });
   await found.dispose();
   return text;
+}
+
+/**
+ * Where something that is shown is, CSS px of the page.
+ *
+ * @param {import('playwright-core').Locator} locator
+ */
+export async function boxOf(locator) {
+  const box = await locator.boundingBox();
+  assert.ok(box, `not shown: ${locator}`);
+  return box;
 }
 
 /** Closes what was opened; fails if the page has said an error that matches none of the known patterns. */

@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { ELEMENTS, launchPlaces, openPlace } from './places-page.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -30,12 +31,13 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
       a.style.display = 'none';
       const boxless = await size(await a.toBlob({ width: 100, height: 80 }));
       const own = await size(await a.toBlob());
-      const other = a.cloneNode(true);
+      const copy = () => /** @type {typeof a} */ (a.cloneNode(true));
+      const other = copy();
       other.style.display = 'none';
       document.body.append(other);
       const never = await size(await other.toBlob({ width: 60, height: 50 }));
-      const detached = await refused(a.cloneNode(true).toBlob());
-      const broken = a.cloneNode(true);
+      const detached = await refused(copy().toBlob());
+      const broken = copy();
       broken.setAttribute('backend', 'webgpu');
       document.body.append(broken);
       const withoutRenderer = await refused(broken.toBlob());
@@ -73,6 +75,7 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
     const seen = await page.evaluate(async () => {
       const canvas = a.shadowRoot.querySelector('canvas');
       const before = [canvas.width, canvas.height];
+      /** @type {object[]} */
       const sizes = [
         { width: 9000, height: 20 },
         { width: 20, height: 9000 },

@@ -5,6 +5,7 @@ import { after, before, test } from 'node:test';
 import { hidePictures, holdTimers, launch, screenshotPath } from './browser.mjs';
 import { MESSAGE, closeClean, colony, hash, openWoodEars, params } from './wood-ear-page.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -38,19 +39,21 @@ test('a log from a file carries the colony; a broken, foreign or empty file is r
   const { page } = opened;
   await hidePictures(page);
   const grown = await hash(page);
-  for (const [name, text, words] of [
-    ['notes.txt', 'hello', /neither a GLB nor an OBJ/],
-    ['page.glb', '<!doctype html>', /is a web page, neither a GLB nor an OBJ/],
-    ['half.glb', 'glTF\u0002', /no whole GLB/],
-    ['points.obj', 'v 0 0 0\nv 1 0 0\n', /no triangles/],
-    ['nan.obj', 'v a b c\nv 1 0 0\nv 1 1 0\nf 1 2 3\n', /line 1: "a" is not a number/],
+  for (const { name, text, words } of [
+    { name: 'notes.txt', text: 'hello', words: /neither a GLB nor an OBJ/ },
+    { name: 'page.glb', text: '<!doctype html>', words: /is a web page, neither a GLB nor an OBJ/ },
+    { name: 'half.glb', text: 'glTF\u0002', words: /no whole GLB/ },
+    { name: 'points.obj', text: 'v 0 0 0\nv 1 0 0\n', words: /no triangles/ },
+    { name: 'nan.obj', text: 'v a b c\nv 1 0 0\nv 1 1 0\nf 1 2 3\n', words: /line 1: "a" is not a number/ },
   ]) {
     await drop(page, name, text);
     const said = page.locator(`${MESSAGE} p, .control-problem`).filter({ hasText: words });
     await said.first().waitFor();
     assert.equal(await hash(page), grown, name);
     // Some are said in the panel.
-    await page.locator(`${MESSAGE} button`).evaluateAll((buttons) => buttons.forEach((button) => button.click()));
+    await page
+      .locator(`${MESSAGE} button`)
+      .evaluateAll((/** @type {HTMLElement[]} */ buttons) => buttons.forEach((button) => button.click()));
   }
   await drop(page, 'box.obj', OBJ);
   await page.waitForFunction(() => document.querySelector('wood-ear-log').params.mesh !== null);
@@ -75,8 +78,8 @@ test('a log that the generator refuses leaves the old one, on the element, in th
   const { page } = opened;
   await hidePictures(page);
   await page.evaluate(() => {
-    window.changes = [];
-    document.querySelector('wood-ear-log').addEventListener('change', ({ detail }) => window.changes.push(detail.params.mesh !== null));
+    globalThis.changes = [];
+    document.querySelector('wood-ear-log').addEventListener('change', ({ detail }) => changes.push(detail.params.mesh !== null));
   });
   const before = { hash: await hash(page), params: await params(page), address: page.url() };
   await drop(page, 'slivers.obj', SLIVERS);
@@ -93,7 +96,7 @@ test('a log that the generator refuses leaves the old one, on the element, in th
   // Edits still work.
   await page.locator('[id="d"]').press('PageDown');
   assert.notEqual(await hash(page), before.hash);
-  assert.deepEqual(await page.evaluate(() => window.changes), []);
+  assert.deepEqual(await page.evaluate(() => changes), []);
   // An edit while a log is tried is kept, with the log.
   const kept = await page.evaluate(async (text) => {
     const element = document.querySelector('wood-ear-log');
@@ -106,7 +109,7 @@ test('a log that the generator refuses leaves the old one, on the element, in th
     return [element.density, element.params.mesh !== null, element.colony.log.indices.length];
   }, OBJ);
   assert.deepEqual(kept, [59, true, 36]);
-  assert.deepEqual(await page.evaluate(() => window.changes), [true]);
+  assert.deepEqual(await page.evaluate(() => changes), [true]);
   await closeClean(opened);
 });
 
@@ -120,7 +123,7 @@ test('of several files the latest is shown, others are given up by name, and wha
     const errors = [];
     element.addEventListener('error', ({ detail }) => errors.push(detail.error.name));
     const settled = await Promise.allSettled([element.loadLog(box('100')), element.loadLog(box('110')), element.loadLog(box('130'))]);
-    const size = () => Math.max(...element.params.mesh.positions);
+    const size = () => Math.max(...(element.params.mesh?.positions ?? []));
     const latest = size();
     // In the moment in which the first is tried.
     const first = element.loadLog(box('140'));
@@ -132,14 +135,14 @@ test('of several files the latest is shown, others are given up by name, and wha
     const names = [];
     for (const wrong of [undefined, null, 'https://example.org/log.glb', {}, new URL('https://example.org/'), 7, []]) {
       await element
-        .loadLog(wrong)
+        .loadLog(/** @type {File} */ (wrong))
         .catch(({ name, key, message }) => names.push([name, key, /file, a Blob or an ArrayBuffer/.test(message)].join()));
     }
     await element.loadLog(new Uint8Array(await box('170').arrayBuffer()));
     return {
-      settled: settled.map(({ status, reason }) => reason?.name ?? status),
+      settled: settled.map((one) => (one.status === 'rejected' ? one.reason.name : one.status)),
       latest,
-      both: both.at(1).status,
+      both: both[1].status,
       cancelled: await cancelled,
       names: [...new Set(names)],
       last: size(),

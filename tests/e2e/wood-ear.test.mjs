@@ -6,6 +6,7 @@ import { violations } from './axe.mjs';
 import { copied, hidePictures, launch, pageOf, screenshotPath, until } from './browser.mjs';
 import { MESSAGE, SMALL, baseOnScreen, closeClean, colony, hash, message, openWoodEars, params } from './wood-ear-page.mjs';
 
+/** @type {import('./browser.mjs').Session} */
 let session;
 
 before(async () => {
@@ -61,7 +62,7 @@ test('every slider changes the colony or the picture, its number says so, and un
   const opened = await open('#preset=thesis-default&d=12&r=25&m=90&co=pressed&dr=0.3&th=0.1&ft=0.3&pi=0.5&w=60&lb=0.5');
   const { page } = opened;
   await hidePictures(page);
-  await page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
+  await page.locator('details').evaluateAll((parts) => parts.forEach((part) => part.setAttribute('open', '')));
   const looks = ['sa', 'se'];
   const ids = (await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id))).filter((id) => !looks.includes(id));
   assert.ok(ids.length >= 18, ids.join());
@@ -231,7 +232,7 @@ test('a phone has the picture and a sheet of controls, and Japanese has all its 
   const opened = await open(SMALL, { viewport: { width: 360, height: 720 }, deviceScaleFactor: 1, locale: 'ja-JP', hasTouch: true });
   const { page } = opened;
   assert.equal(await page.locator('html').getAttribute('lang'), 'ja');
-  assert.match(await page.locator('.summary').textContent(), /キクラゲ/);
+  assert.match((await page.locator('.summary').textContent()) ?? '', /キクラゲ/);
   assert.equal(await page.evaluate(() => document.documentElement.scrollWidth), 360);
   await page.locator('.sheet-toggle').click();
   assert.equal(await page.locator('label[for="m"]').textContent(), '含水率');
@@ -244,14 +245,14 @@ test('a long run is told once, beside the offer of the other rule, clear of what
   const { page } = opened;
   // Its own run has to be over, or the news of that would come in between.
   await colony(page);
-  const tell = (progress) => page.evaluate((given) => document.querySelector('wood-ear-log').tellProgress(given), progress);
+  const tell = (progress) => page.evaluate((given) => document.querySelector('wood-ear-log')['tellProgress'](given), progress);
   const box = page.locator('[part=message]');
   const offer = page.locator('.progress-offer');
   for (const [language, words] of [
     ['en', 'about 40 seconds'],
     ['ja', '約40 秒'],
   ]) {
-    await page.locator(`input[name="language"][value="${language}"]`).evaluate((button) => button.click());
+    await page.locator(`input[name="language"][value="${language}"]`).evaluate((/** @type {HTMLInputElement} */ button) => button.click());
     await tell({ stage: 'collide', fraction: 0.31, secondsLeft: 40 });
     await offer.filter({ hasText: words }).waitFor();
     assert.ok(!(await box.innerText()).includes(words), 'it is said twice');
@@ -259,7 +260,7 @@ test('a long run is told once, beside the offer of the other rule, clear of what
     await page.evaluate(() =>
       document
         .querySelector('wood-ear-log')
-        .say('Words of the picture itself, long enough to need a second line where the window is no wider than a phone.'),
+        ['say']('Words of the picture itself, long enough to need a second line where the window is no wider than a phone.'),
     );
     for (const [width, height] of [
       [1280, 800],
@@ -284,7 +285,7 @@ test('a long run is told once, beside the offer of the other rule, clear of what
   // On another page the element says it by itself.
   const said = await page.evaluate(() => {
     document.body.innerHTML = '<wood-ear-log backend="null" density="4" collisions="thesis"></wood-ear-log>';
-    const element = document.body.firstChild;
+    const element = document.querySelector('wood-ear-log');
     const box = element.shadowRoot.querySelector('[part=message]');
     const words = () => (box.hidden ? '' : box.innerText);
     return element.getColony().then(() => {
@@ -294,7 +295,7 @@ test('a long run is told once, beside the offer of the other rule, clear of what
         { stage: 'collide', fraction: 0.32, secondsLeft: 30 },
         null,
       ]) {
-        element.tellProgress(progress);
+        element['tellProgress'](/** @type {import('../../www/generator/protocol.ts').Progress<'collide'> | null} */ (progress));
         heard.push(words());
       }
       return heard;
@@ -307,7 +308,7 @@ test('a long run is told once, beside the offer of the other rule, clear of what
 for (const colorScheme of ['light', 'dark']) {
   test(`axe finds nothing to complain about in ${colorScheme} colours`, async () => {
     const opened = await open(SMALL, { colorScheme });
-    await opened.page.locator('details').evaluateAll((parts) => parts.forEach((part) => (part.open = true)));
+    await opened.page.locator('details').evaluateAll((parts) => parts.forEach((part) => part.setAttribute('open', '')));
     assert.deepEqual(await violations(opened.page), []);
     await closeClean(opened);
   });
@@ -325,10 +326,11 @@ test('an element on another page takes attributes, properties and its own panel'
     element.density = 60;
     element.logLength = 120;
     const after = (await element.getColony()).stats.individuals;
-    let thrown = null;
+    let thrown;
     try {
       element.params = { ...element.params, density: 900 };
-    } catch ({ name, key, value, max }) {
+    } catch (error) {
+      const { name, key, value, max } = /** @type {ErrorInfo} */ (error);
       thrown = { name, key, value, max };
     }
     return { before, after, thrown, bases: element.bases.length, rocks: element.field.stats.rocks, length: element.params.log.length };

@@ -1,6 +1,6 @@
 // What is asked of the element, of rocks or of wood ears, in the page itself: it is loaded before the element is defined, so that nothing
 // goes unheard.
-import { hashColony, hashField } from './golden.mjs';
+import { hashColony, hashField } from '/golden.mjs';
 
 const WAIT_MS = 90_000;
 
@@ -11,7 +11,7 @@ const generated = [];
 const workers = { started: 0, ended: 0 };
 
 globalThis.Worker = class extends Worker {
-  constructor(...args) {
+  constructor(/** @type {ConstructorParameters<typeof Worker>} */ ...args) {
     super(...args);
     workers.started += 1;
   }
@@ -63,8 +63,8 @@ async function bringLog(file, name) {
   await element.loadLog(new File([bytes], name));
   const { stats } = await element.getColony();
   await painted();
-  const { mesh, ...params } = element.params;
-  const plain = { positions: Array.from(mesh.positions), indices: Array.from(mesh.indices) };
+  const { mesh, ...params } = document.querySelector('wood-ear-log').params;
+  const plain = { positions: Array.from(mesh?.positions ?? []), indices: Array.from(mesh?.indices ?? []) };
   return { hash: await hash(), params: { ...params, mesh: plain }, individuals: stats.individuals, complaints };
 }
 

@@ -30,7 +30,7 @@ export function start(program, args, { env = {}, stdio = [], scratch } = {}) {
     detached: !isWindows,
   });
   let said = '';
-  for (const stream of [child.stdout, child.stderr]) stream.on('data', (text) => (said = (said + text).slice(-SAID_MAX)));
+  for (const stream of [child.stdout, child.stderr]) stream?.on('data', (text) => (said = (said + text).slice(-SAID_MAX)));
   child.on('error', (error) => (said += `could not be started: ${error.message}`));
   running.set(child, scratch);
   const ended = new Promise((resolve) => {
@@ -70,7 +70,7 @@ export function guard() {
 export async function startScreen(xvfb) {
   const screen = start(xvfb, ['-displayfd', '3', '-screen', '0', '1280x1024x24', '-nolisten', 'tcp'], { stdio: ['pipe'] });
   const number = await new Promise((resolve, reject) => {
-    screen.child.stdio[3].once('data', (text) => resolve(String(text).trim()));
+    screen.child.stdio[3]?.once('data', (text) => resolve(String(text).trim()));
     screen.ended.then(() => reject(new Error(`Xvfb ended: ${screen.said()}`)));
   });
   // On a desktop under Wayland browsers would choose that.

@@ -12,7 +12,7 @@
   // The next visit gets the page from the server, with this script in it.
   if (globalThis.ServiceWorkerContainer) ServiceWorkerContainer.prototype.register = () => new Promise(() => {});
 
-  if (document.currentScript.dataset.allowed === 'webgl') Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined });
+  if (document.currentScript?.dataset.allowed === 'webgl') Object.defineProperty(Navigator.prototype, 'gpu', { get: () => undefined });
 
   const told = {};
   addEventListener('message', ({ data }) => {

@@ -63,7 +63,7 @@ export async function serverOf(project, program, args) {
   };
   const address = new Promise((resolve) => {
     let said = '';
-    server.stdout.on('data', (chunk) => {
+    server.stdout?.on('data', (chunk) => {
       said += chunk;
       const [, url] = /(http:\/\/[\w.:]+\d)\/?\s/.exec(said) ?? [];
       if (url) resolve(url);

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
-import { Failure, inLanes, isMain, main, run, say, seconds } from '../../scripts/run.mjs';
+import { Failure, inLanes, isMain, main, messageOf, run, say, seconds } from '../../scripts/run.mjs';
 import { pack } from '../../scripts/package.mjs';
 import { install, next, nextServer, tool, vite, vitePage, viteServer, webpack } from './projects.mjs';
 import { openCdn, show } from './show.mjs';
@@ -115,7 +115,7 @@ export async function check({ outside, folder }, chosen = Object.keys(HOSTS)) {
         await hosts[name](site, folder);
         say(`✓ ${name} (${seconds(performance.now() - start)} s)`);
       } catch (error) {
-        say(`✗ ${name}: ${error.message}`);
+        say(`✗ ${name}: ${messageOf(error)}`);
         failed.push(name);
       }
     },

@@ -21,7 +21,7 @@ const TIMEOUT_MS = 120_000;
 export async function show({ site, url, cdn, policy, live = false, look }) {
   const session = await launch({
     ...(site && { folder: site }),
-    intercept: policy && ((_request, response) => void response.setHeader('content-security-policy', policy)),
+    ...(policy && { intercept: (_request, response) => void response.setHeader('content-security-policy', policy) }),
   });
   try {
     const asked = new Set();
@@ -43,7 +43,7 @@ export async function show({ site, url, cdn, policy, live = false, look }) {
     if (live) await answers(page, { rocks, params });
     await look?.(session, page);
     assert.deepEqual([errors, warnings], [[], []]);
-    const known = [url ?? session.url, cdn].filter(Boolean).map((address) => new URL(address).origin);
+    const known = [url ?? session.url, cdn].flatMap((address) => (address ? [new URL(address).origin] : []));
     const foreign = [...asked].filter((address) => /^https?:/.test(address) && !known.includes(new URL(address).origin));
     assert.deepEqual(foreign, [], 'others than our own were asked');
     return [...asked];
