@@ -8,10 +8,9 @@ import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
 import { parseArgs } from 'node:util';
-import { decodePng } from '../tests/engines/png.mjs';
 import { besides } from './beside.mjs';
 import { root } from './env.mjs';
-import { meanDifference } from './pixels.mjs';
+import { meanDifference, readPicture } from './pixels.mjs';
 import { Failure, isMain, main, messageOf, say } from './run.mjs';
 import { openStudio, photograph } from './studio.mjs';
 import { tables } from './tables.mjs';
@@ -66,7 +65,7 @@ function compare(pictures) {
   const [first, second] = BACKENDS.map((wanted) => pictures.filter(({ backend }) => backend === wanted));
   return first.flatMap(({ subject, camera, png }) => {
     const other = second.find((picture) => picture.subject === subject && picture.camera === camera);
-    return other ? [{ subject, camera, percent: meanDifference(decodePng(png), decodePng(other.png)) }] : [];
+    return other ? [{ subject, camera, percent: meanDifference(readPicture(png), readPicture(other.png)) }] : [];
   });
 }
 

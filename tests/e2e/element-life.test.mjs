@@ -2,7 +2,7 @@
 // said otherwise.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { decodePng } from '../engines/png.mjs';
+import { readPicture } from '../../scripts/pixels.mjs';
 import { holdTimers, launch } from './browser.mjs';
 import { SMALL, launchElement, openElement, pageWith, pause, quiet, until } from './element-page.mjs';
 
@@ -24,8 +24,8 @@ test('before the first picture one sees what the page has put behind the element
     prepare: (page) => page.route('**/generator_bg-*', (route) => route.abort()),
   });
   await page.waitForFunction(() => types().includes('error') && a.shadowRoot.querySelector('.stage canvas'), undefined, { polling: 100 });
-  const { data, width, channels } = decodePng(await page.screenshot({ scale: 'css', clip: { x: 0, y: 0, width: 400, height: 100 } }));
-  assert.deepEqual([...data.subarray(channels * (50 * width + 200)).subarray(0, 3)], [0, 160, 0]);
+  const { data, width } = readPicture(await page.screenshot({ scale: 'css', clip: { x: 0, y: 0, width: 400, height: 100 } }));
+  assert.deepEqual([...data.subarray(4 * (50 * width + 200)).subarray(0, 3)], [0, 160, 0]);
   await page.unrouteAll();
   await page.evaluate(() => a.generate());
   await page.evaluate(() => a.ready);

@@ -1,8 +1,7 @@
 // Quality as it is seen: a still of `auto` is one of `high`, and no frame follows it.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { meanDifference } from '../../scripts/pixels.mjs';
-import { decodePng } from '../engines/png.mjs';
+import { meanDifference, readPicture } from '../../scripts/pixels.mjs';
 import { launch, pageOf } from './browser.mjs';
 
 const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>quality</title><link rel="icon" href="data:,"><style>rock-field { width: 160px; height: 100px }</style>
@@ -34,7 +33,7 @@ test('a still of auto is one of high, also after a motion, and nothing is drawn 
     const shoot = async (quality) => {
       if (quality) await page.evaluate((level) => document.querySelector('rock-field').setAttribute('quality', level), quality);
       await page.evaluate(settle);
-      return decodePng(await page.locator('rock-field').screenshot());
+      return readPicture(await page.locator('rock-field').screenshot());
     };
     const first = await shoot();
     const turned = await page.evaluate(async () => {

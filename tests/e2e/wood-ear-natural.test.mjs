@@ -5,14 +5,14 @@
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { asPicture, asText, meanDifference, tiles } from '../../scripts/pixels.mjs';
+import { asPicture, asText, meanDifference, readPicture, tiles } from '../../scripts/pixels.mjs';
 import { openStudio } from '../../scripts/studio.mjs';
 import { tables } from '../../scripts/tables.mjs';
-import { decodePng } from '../engines/png.mjs';
 
 const STORED = new URL('../data/wood-ear-natural-golden.json', import.meta.url);
 const BACKENDS = ['webgpu', 'webgl'];
 const SIZE = { width: 320, height: 200 };
+/** @type {[columns: number, rows: number]} */
 const TILES = [32, 20];
 /** As in natural.test.mjs: mean absolute errors over all channels, per cent of full scale. Less than one colony is from another. */
 const MOST = { stored: 1, backends: 1 };
@@ -37,14 +37,14 @@ const beside = ([x, y]) => ({ azimuth: 0.2, elevation: 0.35, distance: 65, targe
 
 async function picture(backend, attributes) {
   const { place } = await studio.show(backend, { color: 'natural', quality: 'high', ...attributes });
-  return decodePng((await studio.take(backend, { ...SIZE, camera: beside(place) })).png);
+  return readPicture((await studio.take(backend, { ...SIZE, camera: beside(place) })).png);
 }
 
 for (const preset of names) {
   test(`${preset} looks as it did, on WebGPU and WebGL2 alike`, async () => {
     const pictures = [];
     for (const backend of BACKENDS) pictures.push(await picture(backend, { preset }));
-    const between = meanDifference(...pictures);
+    const between = meanDifference(pictures[0], pictures[1]);
     const seen = pictures.map((each) => tiles(each, ...TILES));
     found[preset] = asText(seen[0]);
     const errors = process.env.UPDATE ? [] : seen.map((each) => meanDifference(each, asPicture(stored[preset], ...TILES)));
@@ -65,7 +65,7 @@ test('every natural preset is stored, and each unlike the others by more than is
   assert.deepEqual(Object.keys(stored).sort(), [...names].sort());
   for (const [index, one] of names.entries()) {
     for (const other of names.slice(index + 1)) {
-      const between = meanDifference(...[one, other].map((name) => asPicture(stored[name], ...TILES)));
+      const between = meanDifference(asPicture(stored[one], ...TILES), asPicture(stored[other], ...TILES));
       assert(between > 2 * MOST.stored, `${one} and ${other} are ${between.toFixed(2)} % apart`);
     }
   }

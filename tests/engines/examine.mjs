@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { screenshotPath } from '../e2e/browser.mjs';
 import { ask, same } from './ask.mjs';
-import { decodePng } from './png.mjs';
+import { changedShare, readPicture } from '../../scripts/pixels.mjs';
 import { faults, statistics } from './statistics.mjs';
 import { hashInNode, interceptVisits } from './visits.mjs';
 
@@ -82,14 +82,14 @@ async function show(engine, address, backend, name) {
 async function look(engine, name) {
   const shot = await engine.screenshot();
   writeFileSync(screenshotPath(name), shot);
-  return decodePng(shot);
+  return readPicture(shot);
 }
 
 /** `toBlob` gives a PNG of the size asked for, with a picture in it. */
 async function file(engine) {
   const { type, address } = await ask(engine, `picture(${JSON.stringify({ ...FILE, type: 'image/png' })})`);
   same(type, 'image/png', 'type of the file');
-  const picture = decodePng(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
+  const picture = readPicture(Buffer.from(address.slice(address.indexOf(',') + 1), 'base64'));
   same([picture.width, picture.height], [FILE.width, FILE.height], 'size of the file');
   const { layers } = statistics(picture, { x: 0, y: 0, ...FILE }, WHITE);
   assert(
@@ -103,22 +103,9 @@ async function edit(engine, before, box) {
   const { hash, fields } = await ask(engine, `change("seed", "${OTHER_SEED}")`);
   same(hash, await hashInNode({ preset: 'journal-fig1', seed: OTHER_SEED }), 'hash of the field of another seed');
   same(fields, 1, 'fields for one attribute');
-  const after = decodePng(await engine.screenshot());
+  const after = readPicture(await engine.screenshot());
   const changed = changedShare(before, after, box);
   assert(changed > 0.1, `another seed changed only ${(100 * changed).toFixed(1)} % of the pixels`);
-}
-
-function changedShare(a, b, { x, y, width, height }) {
-  same([a.width, a.height, a.channels], [b.width, b.height, b.channels], 'size of the screenshots');
-  let changed = 0;
-  for (let row = y; row < y + height; row += 1) {
-    for (let column = x; column < x + width; column += 1) {
-      const at = (row * a.width + column) * a.channels;
-      // Less than this is noise of a device.
-      if ([0, 1, 2].some((channel) => Math.abs(a.data[at + channel] - b.data[at + channel]) > 8)) changed += 1;
-    }
-  }
-  return changed / (width * height);
 }
 
 async function removal(engine) {

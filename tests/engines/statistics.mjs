@@ -22,8 +22,8 @@ const LEAST = { covered: 0.99, colors: 300, layer: 0.02 };
 const TOLERANCE = { covered: 0.005, layer: 0.01, mean: 4, colors: 0.15 };
 
 /**
- * @param {{ width: number, height: number, channels: number, data: Uint8Array }} picture
- * @param {{ x: number, y: number, width: number, height: number }} box the element's, in pixels of the picture
+ * @param {import('../../scripts/pixels.mjs').Picture} picture
+ * @param {import('../../scripts/pixels.mjs').Box} box the element's
  * @param {number[]} background of the page around it, red, green, blue
  * @returns {{ covered: number, colors: number, layers: { share: number, mean: number[] }[], quarters: number[][] }}
  *   `colors` counts those that differ in the upper five bits of a channel; `quarters` are the mean colours of the box's four
@@ -35,7 +35,7 @@ export function statistics(picture, box, background) {
   let covered = 0;
   for (let row = 0; row < box.height; row += 1) {
     for (let column = 0; column < box.width; column += 1) {
-      const at = ((box.y + row) * picture.width + box.x + column) * picture.channels;
+      const at = ((box.y + row) * picture.width + box.x + column) * 4;
       const color = [picture.data[at], picture.data[at + 1], picture.data[at + 2]];
       if (color.some((value, channel) => value !== background[channel])) covered += 1;
       colors.add(color.reduce((bits, value) => (bits << 5) | (value >> 3), 0));
