@@ -213,6 +213,15 @@ export function holdResults() {
   };
 }
 
+/**
+ * For tests that something does not happen: lets the time go by in which it would. On a machine that is slower than that a fault may pass; no
+ * test fails that should not. Whatever has to happen is waited for instead.
+ *
+ * @param {Page} page
+ * @param {number} ms
+ */
+export const staysQuietFor = (page, ms) => page.waitForTimeout(ms);
+
 /** What a button copies to the clipboard, which the page must be allowed to read. The words that say so go by themselves: nothing waits for those. */
 export async function copied(page, button) {
   await page.evaluate(() => navigator.clipboard.writeText(''));

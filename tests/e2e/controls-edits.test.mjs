@@ -1,7 +1,7 @@
 // The panel of an element with `controls` edits the element, shows what else does, and reaches nothing but its own element.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { holdTimers } from './browser.mjs';
+import { holdTimers, until } from './browser.mjs';
 import { SMALL, launchControls, openControls, openPanel, panel } from './controls-page.mjs';
 import { closeClean } from './shown.mjs';
 
@@ -58,6 +58,29 @@ test('panel and element have one history, and the panel shows what either of the
   );
   await page.evaluate(() => a.getField());
   assert.deepEqual(await page.evaluate(() => [eventCounts.error ?? 0, eventCounts.generate > 1]), [0, true]);
+  await closeClean(opened);
+});
+
+test('the open panel hears of every edit by code, also of one that needs no run, and its next edit keeps it', async () => {
+  // Nothing is drawn, so that no picture tells the panel to look again.
+  const opened = await open(`<rock-field controls backend="null" color="natural" ${SMALL}></rock-field>`);
+  const { page } = opened;
+  await openPanel(page);
+  const value = (id) => panel(page).locator(`#${id}-number`);
+  const shows = (id, wanted) => until(async () => (await value(id).inputValue()) === wanted, `${id} is ${wanted}`);
+  await value('cd').fill('0.5');
+  await page.evaluate(() => a.getField());
+  await page.evaluate(() => (a.sunAzimuth = 90));
+  await shows('sa', '90');
+  await value('se').fill('20');
+  assert.deepEqual(await page.evaluate(() => [a.packing, a.sunAzimuth, a.sunElevation]), [0.5, 90, 20]);
+  await page.evaluate(() => {
+    a.undo();
+    a.undo();
+  });
+  await shows('sa', '320');
+  await value('se').fill('30');
+  assert.deepEqual(await page.evaluate(() => [a.packing, a.sunAzimuth, a.sunElevation]), [0.5, 320, 30]);
   await closeClean(opened);
 });
 

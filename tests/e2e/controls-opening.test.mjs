@@ -128,8 +128,11 @@ test('while it loads the button says so, and a second press, or removal, gives i
   assert.equal(await button(page).evaluate((at) => at.ariaBusy), 'false');
   await button(page).click();
   await page.evaluate(() => a.removeAttribute('controls'));
+  const arrived = page.waitForEvent('requestfinished', (request) => plainName(new URL(request.url()).pathname) === '/panel.js');
   letGo();
-  await page.waitForTimeout(500);
+  // As soon as it has run, it would open.
+  const address = (await arrived).url();
+  await page.evaluate((panel) => import(panel).then(() => new Promise((resolve) => requestAnimationFrame(resolve))), address);
   assert.deepEqual([await panel(page).count(), await button(page).count()], [0, 0]);
   await page.evaluate(() => (a.controls = true));
   await openPanel(page);

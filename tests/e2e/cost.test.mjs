@@ -6,7 +6,7 @@ import { test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
 import { plainName } from '../../scripts/hashed-names.mjs';
 import { brotli } from '../../scripts/size.mjs';
-import { launch, pageOf } from './browser.mjs';
+import { launch, pageOf, staysQuietFor } from './browser.mjs';
 
 /** Bytes after brotli; as heavy as `<model-viewer>` is without its models, less 10 kB. */
 const COLD_EMBED_BUDGET = 225_000;
@@ -30,7 +30,7 @@ async function withPage(element, use) {
 
 test('a cold embed on WebGPU fetches one renderer, one generator and nothing beside them, within its budget', async () => {
   await withPage('<rock-field></rock-field>', async (page, asked) => {
-    await page.waitForTimeout(1500);
+    await staysQuietFor(page, 1500);
     const names = asked
       .filter(({ protocol }) => protocol === 'http:')
       .map(({ pathname }) => pathname.slice(1))

@@ -121,6 +121,8 @@ test('an exception while drawing is told once, costs no device, and is over with
   broken = {};
   const opened = await session.open('drawn.html');
   await opened.page.waitForFunction(() => heard.length > 0);
+  // One of the same name would be told later.
+  await opened.page.evaluate(holdTimers);
   const outcome = await opened.page.evaluate(async () => {
     const element = document.querySelector('rock-field');
     await element.ready;
@@ -136,7 +138,10 @@ test('an exception while drawing is told once, costs no device, and is over with
     }
     CanvasRenderingContext2D.prototype.fillRect = fillRect;
     element.camera = null;
-    await new Promise((resolve) => setTimeout(resolve, 1200));
+    for (let round = 0; round < 3; round += 1) {
+      await new Promise(requestAnimationFrame);
+      passTime();
+    }
     return { heard, same: canvas === element.shadowRoot.querySelector('canvas') };
   });
   assert.deepEqual(

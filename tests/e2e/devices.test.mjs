@@ -159,8 +159,10 @@ function losses(backend) {
 
   test('a device that dies as soon as it is given leaves the plan with words, and then the picture', async () => {
     await page.evaluate(async (options) => {
-      for (const element of all()) element.remove();
-      await new Promise((resolve) => setTimeout(resolve, 1200));
+      const removed = all();
+      for (const element of removed) element.remove();
+      // Each gives its part of the device back in its own time.
+      while (removed.some((element) => element.backend !== null)) await new Promise((resolve) => setTimeout(resolve, 50));
       faults.dropped = true;
       document.body.insertAdjacentHTML(
         'beforeend',

@@ -5,7 +5,7 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/env.mjs';
 import { COLOR_RULES, violations } from './axe.mjs';
-import { PATIENCE, launch, until } from './browser.mjs';
+import { PATIENCE, launch, staysQuietFor, until } from './browser.mjs';
 
 /** What the recipes say the documentation needs: scripts of examples are modules from blobs, their styles are inline. */
 const POLICY =
@@ -149,7 +149,7 @@ test('only what is near the screen is alive, however far one scrolls', { timeout
     let most = 0;
     for (let y = 0; y < height; y += height / 20) {
       await page.evaluate((top) => scrollTo(0, top), y);
-      await page.waitForTimeout(500);
+      await staysQuietFor(page, 500);
       most = Math.max(most, await alive());
     }
     assert.ok(most > 0 && most <= MAX_ALIVE, `${most} of ${name}`);

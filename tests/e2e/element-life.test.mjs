@@ -3,8 +3,8 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { readPicture } from '../../scripts/pixels.mjs';
-import { holdTimers, launch } from './browser.mjs';
-import { SMALL, launchElement, openElement, pageWith, pause, quiet, until } from './element-page.mjs';
+import { holdTimers, launch, staysQuietFor } from './browser.mjs';
+import { SMALL, launchElement, openElement, pageWith, quiet, until } from './element-page.mjs';
 
 /** @type {import('./browser.mjs').Session} */
 let session;
@@ -53,10 +53,11 @@ test('it has the size of a replaced element unless the page says otherwise, in d
   await page.evaluate(() => Object.assign(a.style, { width: '9000px', height: '6000px' }));
   const [, , width, height] = await measure();
   assert(width * height <= 3840 * 2160 && width * height > 8e6, `${width} × ${height}`);
+  const twoFrames = () => page.evaluate(() => frame().then(frame));
   await page.evaluate(() => (a.hidden = true));
-  await pause(page, 100);
+  await twoFrames();
   await page.evaluate(() => Object.assign(a, { hidden: false }) && Object.assign(a.style, { width: '200px', height: '0' }));
-  await pause(page, 100);
+  await twoFrames();
   await page.evaluate(() => Object.assign(a.style, { height: '100px' }));
   assert.deepEqual(await measure(), [200, 100, 400, 200]);
   await close();
@@ -73,7 +74,6 @@ test('out of sight nothing is drawn, and the newest field is there when it comes
         new IntersectionObserver((entries) => entries.at(-1)?.isIntersecting || resolve(true)).observe(a);
       }),
   );
-  await pause(page, 300);
   const before = await quiet(page);
   await page.evaluate(async () => {
     a.params = { ...a.params, seed: 3 };
@@ -88,6 +88,8 @@ test('out of sight nothing is drawn, and the newest field is there when it comes
 
 test('moving it in the document costs nothing', async () => {
   const { page, close } = await open(`<rock-field id="a" ${SMALL}></rock-field><p id="b"></p><script>listenTo(a)</script>`);
+  // What is taken out is cleared up some time later, unless it is back by then.
+  await page.evaluate(holdTimers);
   const kept = await page.evaluate(async () => {
     heard.length = 0;
     const canvas = a.shadowRoot.querySelector('canvas');
@@ -95,9 +97,12 @@ test('moving it in the document costs nothing', async () => {
     await frame();
     document.body.prepend(a);
     a.remove();
-    await new Promise((resolve) => setTimeout(resolve, 200));
+    await frame();
     document.body.append(a);
-    await new Promise((resolve) => setTimeout(resolve, 1500));
+    for (let round = 0; round < 3; round += 1) {
+      await frame();
+      passTime();
+    }
     return [a.shadowRoot.querySelector('canvas') === canvas, counts.workers, counts.ended, types()];
   });
   assert.deepEqual(kept, [true, 1, 0, []]);
@@ -133,7 +138,7 @@ test('taken out for good it ends its worker and canvas; put back it shows the sa
 
 test('taken out before it has loaded anything, it leaves nothing behind', async () => {
   const { page, errors, close } = await open('', { painted: false });
-  const seen = await page.evaluate(async () => {
+  await page.evaluate(async () => {
     await customElements.whenDefined('rock-field');
     for (let round = 0; round < 20; round += 1) {
       const element = document.createElement('rock-field');
@@ -141,11 +146,10 @@ test('taken out before it has loaded anything, it leaves nothing behind', async 
       if (round % 2 === 0) await frame();
       element.remove();
     }
-    do await new Promise((resolve) => setTimeout(resolve, 3800));
-    while (counts.workers !== counts.ended);
-    return [counts.workers, counts.ended];
   });
-  assert.equal(seen[0], seen[1], `${seen[0]} workers made, ${seen[1]} ended`);
+  // Long enough for a worker that was asked for to be there, and to be given up.
+  await staysQuietFor(page, 3800);
+  await until(page, () => counts.workers === counts.ended);
   assert.deepEqual(errors, []);
   await close();
 });

@@ -60,8 +60,6 @@ export async function openElement(
   return opened;
 }
 
-export const pause = (page, ms) => page.waitForTimeout(ms);
-
 /** Software rendering takes its time, more of it on a busy machine: wait for what is to come, not for a while. */
 export const until = (page, test) => page.waitForFunction(test);
 

@@ -1,8 +1,8 @@
 // What is set on a <rock-field>, by property, attribute or link, and the runs and frames that it costs. Drawn by WebGL2.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { holdTimers } from './browser.mjs';
-import { SMALL, launchElement, openElement, pause, quiet, until } from './element-page.mjs';
+import { holdTimers, staysQuietFor } from './browser.mjs';
+import { SMALL, launchElement, openElement, quiet, until } from './element-page.mjs';
 
 /** @type {import('./browser.mjs').Session} */
 let session;
@@ -34,7 +34,7 @@ test('without any attribute it shows the first preset: one run, one load, then s
   );
   assert.match(state.label, /^3,\d\d\d rocks in three sizes, largest 1\.\d m, 8\d% covered$/);
   const before = await quiet(page);
-  await pause(page, 1500);
+  await staysQuietFor(page, 1500);
   assert.equal(await page.evaluate(() => counts.frames), before, 'frames were asked for while nothing changed');
   assert.deepEqual(errors, []);
   assert.deepEqual(

@@ -1,7 +1,7 @@
 // What people who embed <rock-field> rely on: attributes and properties of parameters, orbit, poster, laziness, files, links, undo.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { PATIENCE, launch, pageOf } from './browser.mjs';
+import { PATIENCE, launch, pageOf, staysQuietFor } from './browser.mjs';
 
 const SMALL = 'image-width="256" image-height="192"';
 
@@ -215,7 +215,7 @@ test('a lazy element loads nothing before it comes near, and then like any other
   const requests = [];
   page.on('request', (request) => requests.push(request.url()));
   await page.evaluate(() => customElements.whenDefined('rock-field'));
-  await page.waitForTimeout(500);
+  await staysQuietFor(page, 500);
   assert.deepEqual(
     requests.filter((url) => url.endsWith('.wasm')),
     [],

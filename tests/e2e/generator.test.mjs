@@ -195,9 +195,11 @@ test('a worker that is killed, idle or in a run, is replaced and the page goes o
 
   await page.workers()[0].evaluate(() => self.close());
   assert.equal(await edit(2, 300), 300);
+  assert.deepEqual(await page.evaluate(() => heard.filter(({ type }) => type === 'error')), []);
 
+  await page.evaluate(() => (heard.length = 0));
   const run = edit(3, 4096);
-  await page.waitForTimeout(60);
+  await until(page, () => heard.some(({ type }) => type === 'progress'));
   const workers = page.workers();
   await workers[workers.length - 1].evaluate(() => self.close()).catch(() => {});
   assert.equal(await run, 4096);

@@ -1,7 +1,7 @@
 // The manners of the picture on a page that scrolls, with the browser's own scrolling and touch: wheel, fingers, mouse, keys.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { launch, pageOf } from './browser.mjs';
+import { launch, pageOf, staysQuietFor } from './browser.mjs';
 import { boxOf } from './shown.mjs';
 
 const HTML = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>gestures</title><link rel="icon" href="data:,">
@@ -61,9 +61,6 @@ async function phone() {
   const tap = (x, y) => Promise.all([touch('Start', [x, y]), touch('End')]);
   return { ...opened, touch, slide, tap };
 }
-
-/** Scrolling is the browser's, and takes its time. */
-const settle = (page) => page.waitForTimeout(400);
 
 async function closeClean({ errors, close }) {
   assert.deepEqual(errors, []);
@@ -155,7 +152,7 @@ for (const dy of [-120, 80]) {
     const first = await state();
     await slide([[mid.x, mid.y]], [[mid.x + 10, mid.y + dy]]);
     await page.waitForFunction((isUp) => (isUp ? scrollY > 240 : scrollY < 160), dy < 0);
-    await settle(page);
+    await staysQuietFor(page, 400);
     const { scroll, framings, ...camera } = await state();
     assert.ok(dy < 0 ? scroll > 240 : scroll < 160, `scrolled to ${scroll}`);
     const { scroll: before, framings: none, ...same } = first;
@@ -173,7 +170,7 @@ test('one finger sideways: the picture turns, the page stays, also when the fing
   assert.ok(turned.azimuth !== first.azimuth);
   for (const dy of [30, 60, 90]) await touch('Move', [mid.x + 80, mid.y + dy]);
   await touch('End');
-  await settle(page);
+  await staysQuietFor(page, 400);
   const last = await state();
   assert.ok(last.elevation > turned.elevation);
   assert.deepEqual([last.scroll, last.distance], [200, first.distance]);
@@ -185,7 +182,7 @@ test('a tap, then a drag: the picture turns upright, the page stays', async () =
   const { page, mid, state, slide, tap } = opened;
   const first = await state();
   await Promise.all([tap(mid.x, mid.y), slide([[mid.x + 4, mid.y]], [[mid.x + 4, mid.y + 90]])]);
-  await settle(page);
+  await staysQuietFor(page, 400);
   const last = await state();
   assert.ok(last.elevation > first.elevation);
   assert.deepEqual([last.scroll, last.azimuth, last.framings], [200, first.azimuth, 0]);
@@ -197,10 +194,11 @@ test('two taps frame all, once', async () => {
   const { page, mid, state, slide, tap } = opened;
   await slide([[mid.x, mid.y]], [[mid.x + 80, mid.y]]);
   assert.ok(!(await state()).framed);
-  await page.waitForTimeout(400);
+  // Sooner, the first tap would be taken for the second of two.
+  await staysQuietFor(page, 400);
   await Promise.all([tap(mid.x, mid.y), tap(mid.x, mid.y)]);
   await page.waitForFunction(() => cameraState().framed);
-  await settle(page);
+  await staysQuietFor(page, 400);
   const last = await state();
   assert.deepEqual([last.framings, last.scroll, last.scale], [1, 200, 1]);
   await closeClean(opened);
@@ -220,7 +218,7 @@ test('two fingers: apart they zoom, together up they pan; the page neither scrol
       [mid.x + 90, mid.y],
     ],
   );
-  await settle(page);
+  await staysQuietFor(page, 400);
   const zoomed = await state();
   assert.ok(zoomed.distance < 0.6 * first.distance);
   assert.deepEqual([zoomed.scroll, zoomed.scale, zoomed.azimuth], [200, 1, first.azimuth]);
@@ -234,7 +232,7 @@ test('two fingers: apart they zoom, together up they pan; the page neither scrol
       [mid.x + 30, mid.y - 100],
     ],
   );
-  await settle(page);
+  await staysQuietFor(page, 400);
   const panned = await state();
   assert.notDeepEqual(panned.target, zoomed.target);
   assert.deepEqual([panned.scroll, panned.scale, panned.azimuth], [200, 1, first.azimuth]);

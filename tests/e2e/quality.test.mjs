@@ -3,6 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { meanDifference, readPicture } from '../../scripts/pixels.mjs';
 import { launch, pageOf } from './browser.mjs';
+import { quiet } from './element-page.mjs';
 
 const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>quality</title><link rel="icon" href="data:,"><style>rock-field { width: 160px; height: 100px }</style>
 <script>
@@ -13,26 +14,14 @@ const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>qualit
 </script>
 <script type="module" src="/rock-field.js"></script><rock-field preset="riverbed" image-width="200" image-height="200" color="natural"></rock-field>`;
 
-/** Once no frame has been asked for in a second, nor is to come, however late. */
-function settle() {
-  return (async () => {
-    await document.querySelector('rock-field').ready;
-    for (let before = -1; before !== counts.frames; ) {
-      before = counts.frames;
-      await frame();
-      await new Promise((resolve) => setTimeout(resolve, 1000));
-    }
-    return counts.frames;
-  })();
-}
-
 test('a still of auto is one of high, also after a motion, and nothing is drawn after it', async () => {
   const session = await launch({ intercept: pageOf('quality.html', () => html) });
   try {
     const { page, errors } = await session.open('quality.html', { colorScheme: 'light' });
     const shoot = async (quality) => {
       if (quality) await page.evaluate((level) => document.querySelector('rock-field').setAttribute('quality', level), quality);
-      await page.evaluate(settle);
+      await page.evaluate(() => document.querySelector('rock-field').ready);
+      await quiet(page);
       return readPicture(await page.locator('rock-field').screenshot());
     };
     const first = await shoot();

@@ -1,9 +1,11 @@
 // What the camera frames by itself.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { cameraAxes, defaultCamera, groundPoint, TAN } from '../../www/scene/camera/camera.ts';
 import { SceneCamera } from '../../www/scene/camera/scene-camera.ts';
 import type { Subject } from '../../www/scene/camera/camera.ts';
+import { FOV_Y } from '../../www/renderer/limits.ts';
 import type { CameraState } from '../../www/base/view.ts';
 
 const SIZES = [
@@ -12,6 +14,13 @@ const SIZES = [
   [300, 900],
 ] as const;
 const ASPECTS = [0.3, 0.5, 1, 1.6, 3];
+
+test('the page frames with the field of view that the renderer draws with', () => {
+  const source = readFileSync(new URL('../../src/render/camera.rs', import.meta.url), 'utf8');
+  const [, degrees] = /FOV_Y: f32 =\s*([\d.]+)\s*\*\s*std::f32::consts::PI\s*\/\s*180\.0;/.exec(source) ?? [];
+  assert.ok(degrees, 'FOV_Y of src/render/camera.rs is not written as degrees');
+  assert.ok(Math.abs((180 * FOV_Y) / Math.PI - Number(degrees)) < 1e-9);
+});
 
 test('close up, a picture of any shape shows the field to its edges and nothing beside it', () => {
   for (const [width, height] of SIZES) {

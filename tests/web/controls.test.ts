@@ -1,6 +1,7 @@
 // What the panel computes: slider places, notations, random fields, the store.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { createGenerator } from 'rock-field/core';
 import { embedCode, panelAddress } from '../../www/controls/clipboard.ts';
 import { inNotation } from '../../www/rocks/controls/notation.ts';
 import { randomParams } from '../../www/rocks/controls/randomise.ts';
@@ -16,6 +17,7 @@ import type { ParamSpec } from '../../www/rocks/spec.ts';
 import type { Layer, Params } from '../../www/rocks/params.ts';
 import { boundsOf, defaultParams, presetParams, resolveParams } from '../../www/rocks/request.ts';
 import { decodeLink } from '../../www/rocks/link.ts';
+import { hashField } from '../golden.mjs';
 
 const SLIDERS: readonly ParamSpec[] = PARAMS.filter(({ kind, key }) => kind !== 'choice' && key !== 'seed');
 
@@ -83,6 +85,25 @@ test('another notation, the same rocks, to the last bit or the one before', () =
     }
   }
   assert.deepEqual(inNotation(inNotation(defaultParams(), 'relative').params, 'px').params, defaultParams());
+});
+
+test('the generator makes the same field of a conference figure and of what the panel turns it into', async () => {
+  const generator = await createGenerator();
+  const relative = PRESETS.map(({ name }) => presetParams(name)).filter(({ notation }) => notation === 'relative');
+  assert.ok(relative.length > 0);
+  for (const params of relative) {
+    const small = { ...params, imageWidth: 211, imageHeight: 150 };
+    const moved = inNotation(small, 'px');
+    assert.equal(moved.clamped, false);
+    // In Rust that is `Params::layer_in_px`.
+    const [wanted, found] = [await generator.generate(small), await generator.generate(moved.params)];
+    assert.equal(await hashField(found), await hashField(wanted));
+    assert.deepEqual(
+      found.layers.map(({ radius }) => radius),
+      wanted.layers.map(({ radius }) => radius),
+    );
+  }
+  generator.dispose();
 });
 
 test('a notation in which a value has no room says so', () => {
