@@ -28,7 +28,9 @@ function cited(file, content) {
   const comments = /\.(rs|wgsl)$/.test(file)
     ? [...content.matchAll(/\/\/.*$/gm)].flatMap(([line]) => line.match(/\b[AK]\d{1,2}\b/g) ?? [])
     : [];
-  const named = [...content.matchAll(/\bdecisions?(?:\.md)? (\[?[A-K]\d+\b.{0,60})/g)].flatMap(
+  // Across the end of a line, and what a comment begins the next one with.
+  const prose = content.replaceAll(/\s*\n\s*(?:\/\/[/!]?|\*(?!\/)|#+)?\s*/g, ' ');
+  const named = [...prose.matchAll(/\bdecisions?(?:\.md)? (\[?[A-K]\d+\b.{0,60})/g)].flatMap(
     ([, words]) => words.match(/\b[A-K]\d+\b/g) ?? [],
   );
   return [...comments, ...named];
@@ -50,6 +52,7 @@ test('every decision that is cited has a heading in docs/decisions.md', () => {
 
 test('an unknown decision is noticed, in a comment of Rust and in prose', () => {
   assert.deepEqual(cited('a.rs', 'let a1 = K99; // as in K14 (decision A1)'), ['K14', 'A1', 'A1']);
+  assert.deepEqual(cited('a.ts', ' * as in decision\n   * K98, and // decisions\n  // A97'), ['K98', 'A97']);
   assert.deepEqual(cited('a.md', 'Route A66; see decisions B2 and [K3](decisions.md#k3).'), ['B2', 'K3']);
 });
 

@@ -14,20 +14,24 @@ import { errorText } from '../../www/controls/strings-later.ts';
 
 const NAMES = Object.keys(ERRORS);
 
-/** The texts of all files of a folder whose name ends so, without comments. */
+/** The texts of all files of a folder whose name ends so, without comments; a string of Rust that goes on in the next line is in one. */
 function sources(folder: string, extension: string): string[] {
   const root = fileURLToPath(new URL(`../../${folder}`, import.meta.url));
   const files = readdirSync(root, { recursive: true, encoding: 'utf8' }).filter(
     (name) => name.endsWith(extension) && !name.endsWith('error-list.ts'),
   );
-  return files.map((name) => readFileSync(`${root}/${name}`, 'utf8').replaceAll(/^\s*(\/\/|\/?\*).*$/gm, ''));
+  return files.map((name) =>
+    readFileSync(`${root}/${name}`, 'utf8')
+      .replaceAll(/^\s*(\/\/|\/?\*).*$/gm, '')
+      .replaceAll(/\\\n\s*/g, ''),
+  );
 }
 
 /** Names that Rust gives: the words of every `fn code`. */
 function rustNames(): string[] {
   return sources('src', '.rs').flatMap((text) =>
-    [...text.matchAll(/fn code\(&self\) -> &'static str \{([\s\S]*?)\n {4}\}/g)].flatMap(([, body = '']) =>
-      [...body.matchAll(/=> "(\w+)"/g)].map(([, name = '']) => name),
+    [...text.matchAll(/fn\s+code\(&self\)\s*->\s*&'static\s+str\s*\{([\s\S]*?)\n {4}\}/g)].flatMap(([, body = '']) =>
+      [...body.matchAll(/=>\s*(?:\{\s*)?"(\w+)"/g)].map(([, name = '']) => name),
     ),
   );
 }
@@ -36,7 +40,7 @@ function rustNames(): string[] {
 function scriptNames(): string[] {
   const texts = sources('www', '.ts');
   return texts.flatMap((text) =>
-    [...text.matchAll(/\bname: '([A-Z]\w+)',\s*(?:key|message|layer)\b|\brefused\(\s*'(\w+)'/g)].map(
+    [...text.matchAll(/\bname:\s*'([A-Z]\w+)',\s*(?:key|message|layer)\b|\brefused\(\s*'(\w+)'/g)].map(
       ([, name, other]) => name ?? other ?? '',
     ),
   );
@@ -150,7 +154,7 @@ test('what is thrown for a bad request has the message of the list', () => {
 
 test('what Rust says of a parameter has the message of the list', () => {
   const texts = sources('src', '.rs').flatMap((text) =>
-    [...text.matchAll(/Error::(\w+) \{[^}]*\} => \("((?:[^"\\]|\\.)*)"/g)].map(
+    [...text.matchAll(/Error::(\w+)\s*\{[^}]*\}\s*=>\s*(?:\{\s*)?\(\s*"((?:[^"\\]|\\.)*)"/g)].map(
       ([, name = '', message = '']) => [name, message.replaceAll('\\"', '"')] as const,
     ),
   );

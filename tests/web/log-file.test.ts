@@ -55,9 +55,9 @@ test('a file over the limit is not opened, one that is gone is said to be gone',
 
 test('the limits are the generator’s', () => {
   const rust = readFileSync(new URL('../../src/wood_ear/user_log.rs', import.meta.url), 'utf8');
-  const constant = (name: string) => Number(new RegExp(`${name}: usize = ([\\d_]+)`).exec(rust)?.[1]?.replaceAll('_', ''));
+  const constant = (name: string) => Number(new RegExp(`${name}:\\s*usize\\s*=\\s*([\\d_]+)`).exec(rust)?.[1]?.replaceAll('_', ''));
   assert.deepEqual([constant('MOST_VERTICES'), constant('MOST_TRIANGLES')], [MOST_VERTICES, MOST_TRIANGLES]);
-  assert.equal(Number(/REACH: f64 = ([\d_.]+)/.exec(rust)?.[1]?.replaceAll('_', '')), FARTHEST);
+  assert.equal(Number(/REACH:\s*f64\s*=\s*([\d_.]+)/.exec(rust)?.[1]?.replaceAll('_', '')), FARTHEST);
 });
 
 test('how far the reading is goes from 0 up and never back', async () => {
