@@ -137,7 +137,12 @@ async function open(browser, base, address = '', { serviceWorkers = 'block', pre
   return { page, context: owner, errors, warnings, close: () => owner.close() };
 }
 
-/** Waits until `condition` comes true or resolves with something true; unlike Playwright's waitForFunction it waits for what a promise becomes. */
+/**
+ * Waits until `condition` comes true or resolves with something true; unlike Playwright's waitForFunction it waits for what a promise becomes.
+ *
+ * @param {() => unknown} condition
+ * @param {unknown} [what]
+ */
 export async function until(condition, what = condition) {
   const end = performance.now() + PATIENCE;
   while (!(await condition())) {
@@ -146,7 +151,12 @@ export async function until(condition, what = condition) {
   }
 }
 
-/** The same of a condition in the page. */
+/**
+ * The same of a condition in the page.
+ *
+ * @param {Page} page
+ * @param {() => unknown} condition
+ */
 export const untilIn = (page, condition) => until(() => page.evaluate(condition), condition);
 
 /**
@@ -222,7 +232,13 @@ export function holdResults() {
  */
 export const staysQuietFor = (page, ms) => page.waitForTimeout(ms);
 
-/** What a button copies to the clipboard, which the page must be allowed to read. The words that say so go by themselves: nothing waits for those. */
+/**
+ * What a button copies to the clipboard, which the page must be allowed to read. The words that say so go by themselves: nothing
+ * waits for those.
+ *
+ * @param {Page} page
+ * @param {import('playwright-core').Locator} button
+ */
 export async function copied(page, button) {
   await page.evaluate(() => navigator.clipboard.writeText(''));
   await button.click();
@@ -234,7 +250,11 @@ export async function copied(page, button) {
   return text;
 }
 
-/** From here on nothing is drawn: a software GPU takes up to a second for a picture, and this test looks at none. */
+/**
+ * From here on nothing is drawn: a software GPU takes up to a second for a picture, and this test looks at none.
+ *
+ * @param {Page} page
+ */
 export const hidePictures = (page) => page.addStyleTag({ content: 'rock-field, wood-ear-log { display: none !important }' });
 
 /** Where a test's screenshot goes (not under version control): `.cache/screenshots/<name>.png`. */
@@ -244,7 +264,13 @@ export function screenshotPath(name) {
   return path.join(folder, `${name}.png`);
 }
 
-/** An `intercept` that answers `name` with whatever page `html` gives at that moment. */
+/**
+ * An `intercept` that answers `name` with whatever page `html` gives at that moment.
+ *
+ * @param {string} name
+ * @param {() => string} html
+ * @returns {import('../../scripts/serve.mjs').Intercept}
+ */
 export function pageOf(name, html) {
   return (request, response) => {
     if (!request.url.startsWith(`/${name}`)) return false;

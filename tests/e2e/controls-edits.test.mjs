@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { holdTimers, until } from './browser.mjs';
 import { SMALL, launchControls, openControls, openPanel, panel } from './controls-page.mjs';
-import { closeClean } from './shown.mjs';
+import { boxOf, closeClean } from './shown.mjs';
 
 /** @type {import('./browser.mjs').Session} */
 let session;
@@ -124,7 +124,7 @@ test('attributes and properties that change show in the open panel, and disturb 
   await at.locator('#w-number').pressSequentially('00');
   assert.deepEqual([await at.locator('#w-number').inputValue(), await page.evaluate(() => a.imageWidth)], ['300', 300]);
   await at.locator('#cd').scrollIntoViewIfNeeded();
-  const slider = await at.locator('#cd').boundingBox();
+  const slider = await boxOf(at.locator('#cd'));
   const middle = slider.y + slider.height / 2;
   await page.mouse.move(slider.x + slider.width / 2, middle);
   await page.mouse.down();

@@ -28,11 +28,14 @@ test('nothing of the panel is fetched before it is wanted; it opens beside the p
   const stage = () => boxOf(page.locator('rock-field .stage'));
   const whole = await stage();
   assert.ok(!requests.includes('panel.js'));
-  assert.deepEqual(await button(page).evaluate((at) => [at.ariaLabel, at.ariaExpanded, at.offsetWidth >= 24 && at.offsetHeight >= 24]), [
-    'Controls',
-    'false',
-    true,
-  ]);
+  assert.deepEqual(
+    await button(page).evaluate((/** @type {HTMLElement} */ at) => [
+      at.ariaLabel,
+      at.ariaExpanded,
+      at.offsetWidth >= 24 && at.offsetHeight >= 24,
+    ]),
+    ['Controls', 'false', true],
+  );
   await openPanel(page);
   assert.ok(requests.includes('panel.js'));
   assert.equal(await focused(page), 'panel');
@@ -102,14 +105,14 @@ test('a panel that cannot be loaded is said, and comes when it is asked for agai
   assert.match(await message.innerText(), /could not be loaded.*try again/);
   assert.deepEqual(
     [
-      await button(page).evaluate((at) => at.title === at.ariaLabel && /try again/.test(at.title)),
+      await button(page).evaluate((/** @type {HTMLElement} */ at) => at.title === at.ariaLabel && /try again/.test(at.title)),
       await page.evaluate(() => eventCounts.notice),
     ],
     [true, 1],
   );
   await openPanel(page);
   await panel(page).getByRole('button', { name: 'Close' }).click();
-  assert.equal(await button(page).evaluate((at) => at.title), 'Controls');
+  assert.equal(await button(page).evaluate((/** @type {HTMLElement} */ at) => at.title), 'Controls');
   await closeClean(opened, [/404/]);
 });
 

@@ -1,4 +1,5 @@
 // A page with elements that have a panel; the page around them is the guest's, with its own styles, and its listeners are counted.
+/** @import { Locator, Page } from 'playwright-core' */
 import { plainName } from '../../scripts/hashed-names.mjs';
 import { launch, pageOf } from './browser.mjs';
 
@@ -82,15 +83,31 @@ const HOST = `
   for (const type of ['generate', 'error', 'notice', 'progress', 'camera-change']) a.addEventListener(type, () => (eventCounts[type] = (eventCounts[type] ?? 0) + 1));
 `;
 
+/**
+ * @param {Page} page
+ * @param {Locator} [element]
+ */
 export const button = (page, element = page.locator('rock-field').first()) => element.locator('[part=controls-button]');
+/**
+ * @param {Page} page
+ * @param {Locator} [element]
+ */
 export const panel = (page, element = page.locator('rock-field').first()) => element.locator('.panel');
 
+/**
+ * @param {Page} page
+ * @param {Locator} [element]
+ */
 export async function openPanel(page, element) {
   await button(page, element).click();
   await panel(page, element).locator('.panel-body').waitFor();
 }
 
-/** The innermost element that has the focus. */
+/**
+ * The class of the innermost element that has the focus.
+ *
+ * @param {Page} page
+ */
 export const focused = (page) =>
   page.evaluate(() => {
     let at = document.activeElement;

@@ -212,13 +212,13 @@ test('keys and pointer move the camera; frame all brings it back, with and witho
     await page.mouse.move(260, 160, { steps: 4 });
     await page.mouse.up();
     await page.keyboard.press('ArrowLeft');
-    const moved = await page.evaluate(() => [
-      a.framed,
-      types().filter((type) => type === 'camera-change').length,
-      JSON.stringify(a.camera) !== JSON.stringify(a.defaultCamera),
-    ]);
-    assert.deepEqual([moved[0], moved[2]], [false, true]);
-    assert(moved[1] >= 3);
+    const moved = await page.evaluate(() => ({
+      framed: a.framed,
+      times: types().filter((type) => type === 'camera-change').length,
+      elsewhere: JSON.stringify(a.camera) !== JSON.stringify(a.defaultCamera),
+    }));
+    assert.deepEqual([moved.framed, moved.elsewhere], [false, true]);
+    assert(moved.times >= 3);
     const frames = await quiet(page);
     await page.evaluate(() => a.frameAll());
     await until(page, () => a.framed);

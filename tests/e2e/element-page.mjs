@@ -1,4 +1,5 @@
 // A page with one <rock-field>, `a`, that counts what the element asks the browser for and hears what it says.
+/** @import { Page } from 'playwright-core' */
 import { launch, pageOf } from './browser.mjs';
 
 /** Everything the element could leave behind is counted. */
@@ -47,7 +48,13 @@ let html = '';
 /** A browser that is served the page, by the name `element.html`. */
 export const launchElement = () => launch({ intercept: pageOf('element.html', () => html) });
 
-/** A page with this body; waits for the first picture unless told otherwise. */
+/**
+ * A page with this body; waits for the first picture unless told otherwise.
+ *
+ * @param {import('./browser.mjs').Session} session
+ * @param {string} [body]
+ * @param {import('./browser.mjs').OpenOptions & { painted?: boolean }} [options]
+ */
 export async function openElement(
   session,
   body = `<rock-field id="a" ${SMALL}></rock-field><script>listenTo(a)</script>`,
@@ -60,10 +67,20 @@ export async function openElement(
   return opened;
 }
 
-/** Software rendering takes its time, more of it on a busy machine: wait for what is to come, not for a while. */
+/**
+ * Software rendering takes its time, more of it on a busy machine: wait for what is to come, not for a while.
+ *
+ * @param {Page} page
+ * @param {() => unknown} test
+ */
 export const until = (page, test) => page.waitForFunction(test);
 
-/** Waits until no frame has been asked for in 800 ms, nor is to come, however late; gives the number of frames so far. */
+/**
+ * Waits until no frame has been asked for in 800 ms, nor is to come, however late; gives the number of frames so far.
+ *
+ * @param {Page} page
+ * @returns {Promise<number>}
+ */
 export function quiet(page) {
   return page.evaluate(async () => {
     for (let last = -1; last !== counts.frames; ) {

@@ -34,7 +34,7 @@ async function followNatural(link) {
   const { page, hiding } = natural;
   await page.setViewportSize({ width: 960, height: 640 });
   await follow(page, link);
-  await hiding.evaluate((style) => style.remove());
+  await hiding.evaluate((style) => style.parentNode?.removeChild(style));
   return natural;
 }
 
@@ -145,7 +145,7 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
   await page.keyboard.press('Control+z');
   await address(page, /preset=journal-fig1/);
   assert.deepEqual(await page.evaluate(() => document.querySelector('rock-field').color), 'layer');
-  await hiding.evaluate((style) => style.remove());
+  await hiding.evaluate((style) => style.parentNode?.removeChild(style));
   assert.deepEqual(opened.errors, []);
 });
 

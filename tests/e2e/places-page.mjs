@@ -9,10 +9,20 @@ export const ELEMENTS = {
 
 let html = '';
 
-/** A browser that is served the page, by the name `places.html`. */
+/**
+ * A browser that is served the page, by the name `places.html`.
+ *
+ * @param {Parameters<typeof launch>[0]} [options]
+ */
 export const launchPlaces = (options) => launch({ ...options, intercept: pageOf('places.html', () => html) });
 
-/** The page with this body, in which `until` and `colours` are there for tests; waits for the first picture unless `ready` is false. */
+/**
+ * The page with this body, in which `until` and `colours` are there for tests; waits for the first picture unless `ready` is false.
+ *
+ * @param {import('./browser.mjs').Session} session
+ * @param {string} body
+ * @param {import('./browser.mjs').OpenOptions & { lang?: string, ready?: boolean }} [options]
+ */
 export async function openPlace(session, body, { lang = 'en', ready = true, ...options } = {}) {
   html = `<!doctype html><html lang="${lang}"><meta charset="utf-8"><title>places</title><link rel="icon" href="data:,">
 <style>body { margin: 0 } rock-field, wood-ear-log { display: block; width: 400px; height: 300px }</style>${body}

@@ -1,4 +1,6 @@
 // What either page shows, for tests that ask.
+/** @import { Locator, Page } from 'playwright-core' */
+/** @import { OpenOptions, Session } from './browser.mjs' */
 import assert from 'node:assert/strict';
 
 /** Not the element's own, which is inside it. */
@@ -7,9 +9,9 @@ export const MESSAGE = 'stage-overlay > .message';
 /**
  * A page with its first picture, small: a software GPU pays by the pixel.
  *
- * @param {import('./browser.mjs').Session} session
+ * @param {Session} session
  * @param {string} [address]
- * @param {import('./browser.mjs').OpenOptions} [options]
+ * @param {OpenOptions} [options]
  */
 export async function openPage(session, address = '', options = {}) {
   const opened = await session.open(address, { viewport: { width: 960, height: 640 }, locale: 'en-US', colorScheme: 'light', ...options });
@@ -19,10 +21,17 @@ export async function openPage(session, address = '', options = {}) {
   return opened;
 }
 
-export const message = (page) => page.locator(`${MESSAGE} p`).first().textContent();
+/** @param {Page} page */
+export const message = async (page) => (await page.locator(`${MESSAGE} p`).first().textContent()) ?? '';
+/** @param {Page} page */
 export const params = (page) => page.evaluate(() => document.querySelector('rock-field, wood-ear-log').params);
 
-/** The hash (FNV-1a, by bytes) of the typed arrays that `arrays` resolves with in the page: eight hexadecimal digits. */
+/**
+ * The hash (FNV-1a, by bytes) of the typed arrays that `arrays` resolves with in the page: eight hexadecimal digits.
+ *
+ * @param {Page} page
+ * @param {() => Promise<ArrayBufferView[]>} arrays
+ */
 export async function hashOf(page, arrays) {
   const found = await page.evaluateHandle(arrays);
   const text = await found.evaluate((all) => {
@@ -38,7 +47,7 @@ export async function hashOf(page, arrays) {
 /**
  * Where something that is shown is, CSS px of the page.
  *
- * @param {import('playwright-core').Locator} locator
+ * @param {Locator} locator
  */
 export async function boxOf(locator) {
   const box = await locator.boundingBox();
@@ -46,7 +55,12 @@ export async function boxOf(locator) {
   return box;
 }
 
-/** Closes what was opened; fails if the page has said an error that matches none of the known patterns. */
+/**
+ * Closes what was opened; fails if the page has said an error that matches none of the known patterns.
+ *
+ * @param {Pick<Awaited<ReturnType<Session['open']>>, 'errors' | 'close'>} opened
+ * @param {RegExp[]} [known]
+ */
 export async function closeClean({ errors, close }, known = []) {
   assert.deepEqual(
     errors.filter((text) => !known.some((pattern) => pattern.test(text))),
