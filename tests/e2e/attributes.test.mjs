@@ -1,4 +1,5 @@
 // Every attribute there is: absent, valid, malformed, each changed while a run is under way. A new one without a row here fails.
+/** @import { Opened } from './browser.mjs' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { tables } from '../../scripts/tables.mjs';
@@ -66,7 +67,11 @@ const rowsOf = ({ rows, quick, own }) => ({
 
 /** @type {import('./browser.mjs').Session} */
 let session;
-/** One for all rows: they take an element each. */
+/**
+ * One for all rows: they take an element each.
+ *
+ * @type {Opened}
+ */
 let opened;
 
 before(async () => {

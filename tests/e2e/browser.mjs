@@ -70,6 +70,7 @@ const NO_GPU = ['--disable-gpu', '--disable-3d-apis', '--disable-software-raster
  * @param {boolean} [options.backForwardCache] whether pages that are left are kept; Playwright switches that off
  *
  * @typedef {Awaited<ReturnType<typeof launch>>} Session
+ * @typedef {Awaited<ReturnType<Session['open']>>} Opened
  */
 export async function launch({ webgpu = false, gpu = true, folder = dist, port = 0, intercept, args = [], backForwardCache = false } = {}) {
   const executablePath = await findBrowser();

@@ -1,4 +1,5 @@
 // What an embed costs its page: what it fetches, and that a drag shows nothing that is out of date.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
@@ -18,7 +19,7 @@ async function withPage(element, use) {
   const asked = [];
   const session = await launch({ webgpu: true, intercept: pageOf('cost.html', () => pageWith(element)) });
   try {
-    const prepare = (page) => page.context().on('request', (request) => asked.push(new URL(request.url())));
+    const prepare = (/** @type {Page} */ page) => page.context().on('request', (request) => asked.push(new URL(request.url())));
     const { page, errors } = await session.open('cost.html', { prepare });
     await page.evaluate(() => customElements.whenDefined('rock-field').then(() => document.querySelector('rock-field').ready));
     await use(page, asked);
@@ -29,7 +30,7 @@ async function withPage(element, use) {
 }
 
 test('a cold embed on WebGPU fetches one renderer, one generator and nothing beside them, within its budget', async () => {
-  await withPage('<rock-field></rock-field>', async (page, asked) => {
+  await withPage('<rock-field></rock-field>', async (/** @type {Page} */ page, asked) => {
     await staysQuietFor(page, 1500);
     const names = asked
       .filter(({ protocol }) => protocol === 'http:')
@@ -53,7 +54,7 @@ test('a cold embed on WebGPU fetches one renderer, one generator and nothing bes
 });
 
 test('a drag shows newer and newer fields, and ends with the newest', async () => {
-  await withPage('<rock-field></rock-field>', async (page) => {
+  await withPage('<rock-field></rock-field>', async (/** @type {Page} */ page) => {
     const seen = await page.evaluate(async () => {
       const element = document.querySelector('rock-field');
       const shown = [];

@@ -1,4 +1,5 @@
 // Workers that say nothing, end, or never arrive: the picture comes back, or a named error comes and the next run works.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
@@ -176,7 +177,7 @@ test('the plan is drawn again when the browser restores its canvas', async () =>
 /** @type {Answer} */
 const missing = (response) => response.writeHead(404, { 'content-type': 'text/plain' }).end('gone');
 /** Everything that is said over the picture, by the element and by the page. */
-const boxes = (page) => page.locator('[part=message], stage-overlay .message').filter({ visible: true });
+const boxes = (/** @type {Page} */ page) => page.locator('[part=message], stage-overlay .message').filter({ visible: true });
 
 /** @type {[address: string, lang: string, file: string, words: RegExp, label: string][]} */
 const MISSING = [
@@ -334,9 +335,10 @@ for (const [when, hanging, words, plan] of SILENT) {
       [generator]: (response) => (rocks = response),
     };
     const pending = new Set();
-    const prepare = (page) => {
+    const prepare = (/** @type {Page} */ page) => {
       page.on('request', (request) => pending.add(request.url()));
-      for (const over of ['requestfinished', 'requestfailed']) page.on(over, (request) => pending.delete(request.url()));
+      page.on('requestfinished', (request) => pending.delete(request.url()));
+      page.on('requestfailed', (request) => pending.delete(request.url()));
       return page.addInitScript(holdTimers);
     };
     const { page, close } = await session.open('index.html#preset=journal-fig1&w=200&h=200', { prepare });

@@ -1,4 +1,5 @@
 // A new build is put on the server while a page is open: the page goes on with its own build, or says that there is a newer one.
+/** @import { BrowserContext, Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
@@ -77,7 +78,7 @@ async function openPage(address, options) {
 }
 
 /** Waits until the service worker has all that this visit needs, its renderer included. */
-async function kept(page) {
+async function kept(/** @type {Page} */ page) {
   await page.evaluate(() => navigator.serviceWorker.ready);
   await untilIn(page, async () => {
     for (const name of await caches.keys()) {
@@ -88,7 +89,7 @@ async function kept(page) {
   });
 }
 
-async function stopServiceWorker(context, page) {
+async function stopServiceWorker(/** @type {BrowserContext} */ context, /** @type {Page} */ page) {
   const devtools = await context.newCDPSession(page);
   await devtools.send('ServiceWorker.enable');
   await devtools.send('ServiceWorker.stopAllWorkers');
@@ -96,7 +97,7 @@ async function stopServiceWorker(context, page) {
 }
 
 /** Leaves the page, and waits until the service worker that has waited for that is in charge. */
-async function leave(context, page) {
+async function leave(/** @type {BrowserContext} */ context, /** @type {Page} */ page) {
   const devtools = await context.newCDPSession(page);
   let waiting;
   let inCharge;
@@ -111,7 +112,7 @@ async function leave(context, page) {
 }
 
 /** Ends the page's workers, then asks for the next seed; `grown` tells what comes of it. */
-async function killAndEdit(page) {
+async function killAndEdit(/** @type {Page} */ page) {
   const workers = page.workers();
   const closed = workers.map((worker) => worker.waitForEvent('close'));
   for (const worker of workers) worker.evaluate(() => self.close()).catch(() => undefined);
@@ -125,11 +126,11 @@ async function killAndEdit(page) {
 }
 
 /** The seed that has grown after the last `killAndEdit`, once it has. */
-async function grown(page) {
+async function grown(/** @type {Page} */ page) {
   return (await page.waitForFunction(() => globalThis.grown, undefined, { polling: 100 })).jsonValue();
 }
 
-const offer = (page) => page.locator('stage-overlay .message', { hasText: 'There is a newer version of this page' });
+const offer = (/** @type {Page} */ page) => page.locator('stage-overlay .message', { hasText: 'There is a newer version of this page' });
 
 for (const [name, address, stopped] of /** @type {[string, string, boolean][]} */ ([
   ['rocks', LINK, false],
@@ -168,7 +169,7 @@ for (const [name, address, stopped] of /** @type {[string, string, boolean][]} *
   });
 }
 
-const refusedPicture = (page) =>
+const refusedPicture = (/** @type {Page} */ page) =>
   page.evaluate(() =>
     document
       .querySelector('rock-field')

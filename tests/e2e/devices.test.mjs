@@ -1,4 +1,6 @@
 // Graphics devices that die: whenever and however often, the picture comes back without a reload, or true words with a button that works.
+/** @import { Page } from 'playwright-core' */
+/** @import { Opened } from './browser.mjs' */
 import assert from 'node:assert/strict';
 import { after, before, describe, test } from 'node:test';
 import { PATIENCE, holdTimers, launch, pageOf } from './browser.mjs';
@@ -73,10 +75,10 @@ const HTML = `<!doctype html><html lang="en"><meta charset="utf-8"><title>device
 <rock-field ${SMALL}></rock-field><rock-field ${SMALL} seed="2"></rock-field><wood-ear-log density="2" range="20" ground=""></wood-ear-log>
 <script type="module" src="/rock-field.js"></script><script type="module" src="/wood-ear-log.js"></script>`;
 
-const boxes = (page) => page.locator('[part=message]').filter({ visible: true });
+const boxes = (/** @type {Page} */ page) => page.locator('[part=message]').filter({ visible: true });
 
 /** The storm limit: of each element at most one error a second. */
-async function calm(page) {
+async function calm(/** @type {Page} */ page) {
   const told = await page.evaluate(() => globalThis.told);
   for (const of of new Set(told.map((event) => event.of))) {
     const times = told.filter((event) => event.type === 'error' && event.of === of).map(({ at }) => at);
@@ -86,7 +88,9 @@ async function calm(page) {
 
 /** @type {import('./browser.mjs').Session} */
 let session;
+/** @type {Opened} */
 let opened;
+/** @type {Page} */
 let page;
 /** The two pages, once they are open. */
 let scenes = [];

@@ -1,4 +1,5 @@
 // The documentation as a reader finds it: every page, every link, every example, by hand, by keyboard, by screen reader and without a network.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
@@ -42,7 +43,7 @@ test('every page opens without an error or a foreign request, fits a phone, and 
   const links = [];
   for (const name of PAGES) {
     const asked = new Set();
-    const prepare = (page) => void page.context().on('request', (request) => asked.add(new URL(request.url()).origin));
+    const prepare = (/** @type {Page} */ page) => void page.context().on('request', (request) => asked.add(new URL(request.url()).origin));
     const { page, errors, warnings, close } = await session.open(`docs/${name}`, { prepare, viewport: { width: 360, height: 740 } });
     await page.evaluate(() => customElements.whenDefined('live-example'));
     const found = await page.evaluate(() => ({

@@ -1,5 +1,6 @@
 // The picture of a <rock-field> and its life in a document: size, sight, moves, removal, camera, a lost context, no GPU. Drawn by WebGL2 unless
 // said otherwise.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { readPicture } from '../../scripts/pixels.mjs';
@@ -21,7 +22,7 @@ test('before the first picture one sees what the page has put behind the element
   const body = '<rock-field id="a" style="--rock-field-background: rgb(0 160 0)"></rock-field><script>listenTo(a)</script>';
   const { page, close } = await open(body, {
     painted: false,
-    prepare: (page) => page.route('**/generator_bg-*', (route) => route.abort()),
+    prepare: (/** @type {Page} */ page) => page.route('**/generator_bg-*', (route) => route.abort()),
   });
   await page.waitForFunction(() => types().includes('error') && a.shadowRoot.querySelector('.stage canvas'), undefined, { polling: 100 });
   const { data, width } = readPicture(await page.screenshot({ scale: 'css', clip: { x: 0, y: 0, width: 400, height: 100 } }));

@@ -1,4 +1,5 @@
 // What is set on a <rock-field>, by property, attribute or link, and the runs and frames that it costs. Drawn by WebGL2.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { holdTimers, staysQuietFor } from './browser.mjs';
@@ -204,7 +205,7 @@ test('attributes: valid ones are taken, malformed ones default with one notice t
   const { page, errors, warnings, close } = await open(
     `<rock-field id="a" preset="conference-fig9a" seed="-7" view="<img src=x onerror=alert(1)>" color="plain"></rock-field><script>listenTo(a)</script>`,
     // The words would go by themselves.
-    { prepare: (page) => page.addInitScript(holdTimers) },
+    { prepare: (/** @type {Page} */ page) => page.addInitScript(holdTimers) },
   );
   const first = await page.evaluate(() => ({
     params: a.params,

@@ -1,4 +1,5 @@
 // The generator in a real worker of a real browser: the same bytes as in Node, and what happens when things are missing or die.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { after, before, test } from 'node:test';
@@ -72,8 +73,8 @@ function listsOf(field) {
   ];
 }
 
-async function until(page, test, argument) {
-  await page.waitForFunction(test, argument);
+async function until(/** @type {Page} */ page, /** @type {() => boolean} */ test) {
+  await page.waitForFunction(test);
 }
 
 test('the worker makes the same bytes as Node', async () => {

@@ -1,4 +1,5 @@
 // Everything fits, in every window: both pages, both languages, a mouse and fingers.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch } from './browser.mjs';
@@ -53,7 +54,7 @@ async function open(address, { fingers = false, ...options } = {}) {
 }
 
 /** What does not fit: the page or a part of it that can be moved, controls that are cut off, lie over one another or are too small for their text. */
-function misfits(page) {
+function misfits(/** @type {Page} */ page) {
   return page.evaluate(async () => {
     await new Promise((resolve) => requestAnimationFrame(() => requestAnimationFrame(resolve)));
     const found = [];

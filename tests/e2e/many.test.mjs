@@ -1,4 +1,5 @@
 // Many elements on one page, and one after the other: what they share, and what they leave behind.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { PATIENCE, launch, pageOf, screenshotPath } from './browser.mjs';
@@ -86,7 +87,7 @@ for (const webgpu of [false, true]) {
 
   test(`24 elements are all painted, each with its own field, on one device, and then rest (${backend})`, async () => {
     const elements = Array.from({ length: 24 }, (_, seed) => `<rock-field ${SMALL} seed="${seed}"></rock-field>`).join('');
-    await withPage(webgpu, elements, async (page) => {
+    await withPage(webgpu, elements, async (/** @type {Page} */ page) => {
       await page.evaluate(() =>
         customElements
           .whenDefined('rock-field')
@@ -116,7 +117,7 @@ for (const webgpu of [false, true]) {
     await withPage(
       webgpu,
       '',
-      async (page) => {
+      async (/** @type {Page} */ page) => {
         const before = await page.evaluate(async () => {
           await customElements.whenDefined('rock-field');
           const state = held();
@@ -156,13 +157,13 @@ for (const webgpu of [false, true]) {
         }
         // The idle times of the last element and, after that, of its worker; what is let go of is told of in tasks of the browser's own.
         const after = await page.evaluate(
-          async ([before, patience]) => {
+          async ({ before, patience }) => {
             anchor.remove();
             const end = performance.now() + patience;
             while (JSON.stringify(held()) !== JSON.stringify(before) && performance.now() < end) await sleep(100);
             return held();
           },
-          [before, PATIENCE],
+          { before, patience: PATIENCE },
         );
         assert.deepEqual(after, before);
         // What is not collected yet can only add to a measurement, so the smallest of three is the truest.

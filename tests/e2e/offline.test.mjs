@@ -1,4 +1,5 @@
 // Offline use, and that it never shows an old build: the service worker against the built page.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import path from 'node:path';
@@ -95,7 +96,7 @@ test('old caches go when the new worker takes over', async () => {
 });
 
 /** Waits until the page has had its renderer kept, which it does once its first picture stands. */
-function keptRenderer(page) {
+function keptRenderer(/** @type {Page} */ page) {
   return untilIn(page, async () => {
     for (const name of await caches.keys()) {
       const kept = await (await caches.open(name)).keys();

@@ -1,5 +1,6 @@
 // The panel of the page in a real browser: every control, undo, numbers, layers, progress, fingers and wheel, names and forced colours.
 // Drawn by WebGL2 (software).
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hidePictures, holdResults, launch, until } from './browser.mjs';
@@ -115,7 +116,7 @@ test('a number out of bounds is said while it is typed, and clamped when it is l
 });
 
 test('a long run shows its progress and can be cancelled, back to what is shown', async () => {
-  const opened = await open('#w=4096&h=4096&r=300&a=0.1', { prepare: (page) => page.addInitScript(holdResults) });
+  const opened = await open('#w=4096&h=4096&r=300&a=0.1', { prepare: (/** @type {Page} */ page) => page.addInitScript(holdResults) });
   const { page } = opened;
   const before = await hash(page);
   await page.evaluate(() => results.hold());

@@ -1,5 +1,6 @@
 // The page in a real browser: first picture, presets, views, keys, a phone, two languages.
 // Drawn by WebGL2 (software) unless said otherwise.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { violations } from './axe.mjs';
@@ -25,7 +26,11 @@ let natural;
 
 /** Its first picture is drawn, and nothing after it: it is large. */
 async function openNatural(browser = session) {
-  const opened = await open('', { viewport: { width: 720, height: 240 }, prepare: (page) => page.addInitScript(holdResults) }, browser);
+  const opened = await open(
+    '',
+    { viewport: { width: 720, height: 240 }, prepare: (/** @type {Page} */ page) => page.addInitScript(holdResults) },
+    browser,
+  );
   return { ...opened, hiding: await hidePictures(opened.page) };
 }
 

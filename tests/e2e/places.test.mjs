@@ -1,4 +1,5 @@
 // Where an element may stand and what may happen to it there: shadow roots, other documents, out of sight, zoomed, dropped on, under any style.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { holdTimers } from './browser.mjs';
@@ -272,7 +273,7 @@ test('a slider of a panel in a frame is let go where it is held: two drags are t
 
 test('what is dropped on the log is opened, also from a folder; what cannot be is said on the picture, unless a listener says it', async () => {
   // The words would go by themselves.
-  const prepare = (page) => page.addInitScript(holdTimers);
+  const prepare = (/** @type {Page} */ page) => page.addInitScript(holdTimers);
   const { page, errors, close } = await open('<wood-ear-log ground="none" preset="thesis-minimum" editable></wood-ear-log>', { prepare });
   const seen = await page.evaluate(async () => {
     const message = () => a.shadowRoot.querySelector('[part=message] > span').textContent;

@@ -1,4 +1,5 @@
 // What a run refuses changes nothing: parameters, steps of undo, links, view and camera are those of the picture, and later edits work.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { copied, holdResults, launch, until } from './browser.mjs';
@@ -72,7 +73,7 @@ async function open(address, options = {}) {
 const NOTHING = { pending: true, same: 'same', now: true, steps: [false, false] };
 
 /** `setters` by what they set. */
-async function refuses(page, wanted, setters) {
+async function refuses(/** @type {Page} */ page, wanted, setters) {
   for (const [what, edit] of Object.entries(setters)) {
     const outcome = await page.evaluate((source) => refused(new Function(`return ${source}`)()), String(edit));
     assert.deepEqual(outcome, { error: wanted, ...NOTHING }, what);
@@ -239,15 +240,15 @@ test('a bad camera is refused with key, value and bounds, and nothing moves', as
 
 // The page.
 
-const hash = (page) => page.evaluate(() => location.hash);
-const params = (page) => page.evaluate(() => document.querySelector('rock-field, wood-ear-log').params);
+const hash = (/** @type {Page} */ page) => page.evaluate(() => location.hash);
+const params = (/** @type {Page} */ page) => page.evaluate(() => document.querySelector('rock-field, wood-ear-log').params);
 const LINK = '#v=1&preset=journal-fig1&w=2048&h=2048&r=200&a=0.3';
-const isUndoDisabled = (page) => page.getByRole('button', { name: 'Undo' }).isDisabled();
+const isUndoDisabled = (/** @type {Page} */ page) => page.getByRole('button', { name: 'Undo' }).isDisabled();
 /** Waits for words on the line of messages, by the clock: frames may be slow to come. */
-const says = (page, words) =>
+const says = (/** @type {Page} */ page, words) =>
   page.waitForFunction((text) => document.querySelector('stage-overlay > .message')?.innerText.includes(text), words, { polling: 100 });
 /** What Share copies. */
-const shared = async (page) => new URL(await copied(page, page.getByRole('button', { name: 'Share' }))).hash;
+const shared = async (/** @type {Page} */ page) => new URL(await copied(page, page.getByRole('button', { name: 'Share' }))).hash;
 
 test('a control keeps the value that was refused, with its message; address, Share, undo and later edits do not', async () => {
   const { page, errors, close } = await open(LINK, { permissions: ['clipboard-read', 'clipboard-write'] });

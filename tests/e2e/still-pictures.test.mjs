@@ -1,4 +1,5 @@
 // Still pictures of an element: those that toBlob gives, in sight or not, and the copy that is printed.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { ELEMENTS, launchPlaces, openPlace } from './places-page.mjs';
@@ -56,7 +57,7 @@ for (const [name, element] of Object.entries(ELEMENTS)) {
   });
 
   test(`${name}: toBlob settles when the element is taken out while nothing has arrived`, async () => {
-    const prepare = (page) => page.route('**/*_bg*.wasm', () => {});
+    const prepare = (/** @type {Page} */ page) => page.route('**/*_bg*.wasm', () => {});
     const { page, close } = await open(element, { ready: false, prepare });
     const seen = await page.evaluate(() => {
       const waiting = a.toBlob().then(

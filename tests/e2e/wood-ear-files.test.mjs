@@ -1,5 +1,6 @@
 // Logs from files on the page of wood ears: dropped, read beside the page, refused in words, dragged, shared.
 // Drawn by WebGL2 (software), in the plain colours.
+/** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { hidePictures, holdResults, holdTimers, launch, screenshotPath } from './browser.mjs';
@@ -22,7 +23,7 @@ const OBJ = (() => {
   return `# a box\n${corners.join('\n')}\nf 1 2 4 3\nf 5 7 8 6\nf 1 5 6 2\nf 3 4 8 7\nf 1 3 7 5\nf 2 6 8 4\n`;
 })();
 
-const drop = (page, name, text) =>
+const drop = (/** @type {Page} */ page, name, text) =>
   page.evaluate(
     ([fileName, content]) => {
       const transfer = new DataTransfer();
@@ -114,7 +115,7 @@ test('a log that the generator refuses leaves the old one, on the element, in th
 });
 
 test('of several files the latest is shown, others are given up by name, and what is no file is refused by name', async () => {
-  const opened = await open('#preset=thesis-default&r=25&d=60', { prepare: (page) => page.addInitScript(holdResults) });
+  const opened = await open('#preset=thesis-default&r=25&d=60', { prepare: (/** @type {Page} */ page) => page.addInitScript(holdResults) });
   const { page } = opened;
   await hidePictures(page);
   const outcome = await page.evaluate(async (text) => {
