@@ -2,10 +2,10 @@
 import { copyFileSync, existsSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
-import { cargoEnv, hashOf, pkg, root, target } from '../scripts/env.mjs';
-import { run, step } from '../scripts/run.mjs';
+import { cargoEnv, hashOf, pkg, root, target } from '../scripts/lib/env.mjs';
+import { run, step } from '../scripts/lib/run.mjs';
 import { bindgenProgram } from '../scripts/setup.mjs';
-import { artefacts } from '../scripts/wasm.mjs';
+import { artefacts } from '../scripts/build/wasm.mjs';
 
 const WASM = 'wasm32-unknown-unknown';
 

@@ -4,8 +4,8 @@
 // the device, clears a canvas and generates once. Both wait until the device has done its work. The GPU is software here, which
 // draws the rocks slowly: on a real one the ratio is smaller.
 import { readdirSync } from 'node:fs';
-import { dist } from '../scripts/env.mjs';
-import { plainName } from '../scripts/hashed-names.mjs';
+import { dist } from '../scripts/lib/env.mjs';
+import { plainName } from '../scripts/build/hashed-names.mjs';
 import { launch } from '../tests/e2e/browser.mjs';
 
 const SIZE = 'width: 400px; height: 300px';

@@ -1,5 +1,5 @@
 // The bench's numbers as a text for people, each beside what the project promises.
-import { BUDGETS } from '../scripts/size.mjs';
+import { BUDGETS } from '../scripts/build/size.mjs';
 
 const PEAK_SIDE = 4096;
 const PEAK_LIMIT = 96 * 2 ** 20;

@@ -4,8 +4,8 @@
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
 import { pathToFileURL } from 'node:url';
-import { pkg, root } from '../scripts/env.mjs';
-import { isMain, main } from '../scripts/run.mjs';
+import { pkg, root } from '../scripts/lib/env.mjs';
+import { isMain, main } from '../scripts/lib/run.mjs';
 
 const MAX_BYTES = 1.5 * 2 ** 30;
 const STAGES = ['log', 'spawn', 'deform', 'collide', 'mesh'];

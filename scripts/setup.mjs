@@ -1,8 +1,8 @@
 // Sets up what building needs: the wasm target, wasm-bindgen and the npm packages. Node built-ins only.
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
-import { cache, cargoEnv, lockedVersion, root } from './env.mjs';
-import { Failure, capture, isMain, isProgram, main, needed, npm, run, say, step, which } from './run.mjs';
+import { cache, cargoEnv, lockedVersion, root } from './lib/env.mjs';
+import { Failure, capture, isMain, isProgram, main, needed, npm, run, say, step, which } from './lib/run.mjs';
 
 const WASM = 'wasm32-unknown-unknown';
 const exe = process.platform === 'win32' ? '.exe' : '';
@@ -104,16 +104,16 @@ function bindgenRoot() {
   return path.join(cache, 'tools', `wasm-bindgen-${lockedVersion('wasm-bindgen')}`);
 }
 
-/** What the build needs of wasm-bindgen is compiled by itself (scripts/bindgen): 43 packages, where the official command with its test runner has 254. */
+/** What the build needs of wasm-bindgen is compiled by itself (scripts/build/bindgen): 43 packages, where the official command with its test runner has 254. */
 async function bindgen() {
   const version = lockedVersion('wasm-bindgen');
   if (!version) throw new Failure('Cargo.lock has no wasm-bindgen; restore it with: git checkout Cargo.lock');
   if (bindgenProgram('wasm-bindgen')) return;
-  const folder = path.join(root, 'scripts', 'bindgen');
+  const folder = path.join(root, 'scripts', 'build', 'bindgen');
   for (const crate of ['rock-field-bindgen', 'wasm-bindgen-cli-support']) {
     const own = lockedVersion(crate, folder);
     if (own !== version)
-      throw new Failure(`${crate} in scripts/bindgen/Cargo.toml must be ${version}, as wasm-bindgen in Cargo.lock; it is ${own}`);
+      throw new Failure(`${crate} in scripts/build/bindgen/Cargo.toml must be ${version}, as wasm-bindgen in Cargo.lock; it is ${own}`);
   }
   await step(`Compiling wasm-bindgen ${version}`, 'once, 1–2 min', () => cargoInstall(['--path', folder]));
 }

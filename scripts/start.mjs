@@ -6,10 +6,10 @@
 import { watch } from 'node:fs';
 import path from 'node:path';
 import { parseArgs } from 'node:util';
-import { build } from './build.mjs';
-import { dist, root } from './env.mjs';
-import { Failure, main, messageOf, say, seconds } from './run.mjs';
-import { serve } from './serve.mjs';
+import { build } from './build/build.mjs';
+import { dist, root } from './lib/env.mjs';
+import { Failure, main, messageOf, say, seconds } from './lib/run.mjs';
+import { serve } from './lib/serve.mjs';
 
 await main(async () => {
   const { port, host, watch: watching } = options();

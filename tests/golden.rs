@@ -1,6 +1,6 @@
 //! The same seed gives the same bytes everywhere: SHA-256 of all buffers of every preset (seed 0), natively and in wasm.
 //!
-//! `tests/golden.mjs` computes the same from JavaScript. The bytes, little-endian and without separators: per layer in input order `sites`
+//! `tests/e2e/golden.mjs` computes the same from JavaScript. The bytes, little-endian and without separators: per layer in input order `sites`
 //! (f32), `cellStarts` (u32), `cellVertices` (f32), `selected` (u32); then `positions`, `normals` (f32), `indices`, `rockStarts`,
 //! `vertexStarts` (u32), `rockLayer` (u8).
 //!

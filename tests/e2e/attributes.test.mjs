@@ -2,7 +2,7 @@
 /** @import { Opened } from './browser.mjs' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { tables } from '../../scripts/tables.mjs';
+import { tables } from '../../scripts/lib/tables.mjs';
 import { launch, pageOf } from './browser.mjs';
 
 const { PARAMS, WOOD_EARS, attributeOf } = await tables();

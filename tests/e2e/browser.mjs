@@ -9,9 +9,9 @@ import assert from 'node:assert/strict';
 import { mkdirSync } from 'node:fs';
 import path from 'node:path';
 import { chromium } from 'playwright-core';
-import { findBrowser } from '../../scripts/browser.mjs';
-import { dist, root } from '../../scripts/env.mjs';
-import { serve } from '../../scripts/serve.mjs';
+import { findBrowser } from '../../scripts/lib/browser.mjs';
+import { dist, root } from '../../scripts/lib/env.mjs';
+import { serve } from '../../scripts/lib/serve.mjs';
 
 /**
  * The last list of features wins, so this one repeats what Playwright switches off for all pages and adds the first two: the popups of the
@@ -65,7 +65,7 @@ const NO_GPU = ['--disable-gpu', '--disable-3d-apis', '--disable-software-raster
  * @param {boolean} [options.gpu] false: neither
  * @param {string} [options.folder] what is served, default dist/
  * @param {number} [options.port] default: any free one
- * @param {import('../../scripts/serve.mjs').Intercept} [options.intercept] may answer a request in the server's stead
+ * @param {import('../../scripts/lib/serve.mjs').Intercept} [options.intercept] may answer a request in the server's stead
  * @param {string[]} [options.args] more flags for the browser
  * @param {boolean} [options.backForwardCache] whether pages that are left are kept; Playwright switches that off
  *
@@ -270,7 +270,7 @@ export function screenshotPath(name) {
  *
  * @param {string} name
  * @param {() => string} html
- * @returns {import('../../scripts/serve.mjs').Intercept}
+ * @returns {import('../../scripts/lib/serve.mjs').Intercept}
  */
 export function pageOf(name, html) {
   return (request, response) => {

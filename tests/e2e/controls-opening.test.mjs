@@ -1,9 +1,9 @@
 // The panel of an element with `controls`: how it is loaded, opened and closed, by mouse, keyboard or code, and what is left when it is gone.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { dist } from '../../scripts/env.mjs';
-import { plainName } from '../../scripts/hashed-names.mjs';
-import { serve } from '../../scripts/serve.mjs';
+import { dist } from '../../scripts/lib/env.mjs';
+import { plainName } from '../../scripts/build/hashed-names.mjs';
+import { serve } from '../../scripts/lib/serve.mjs';
 import { holdTimers } from './browser.mjs';
 import { SMALL, button, focused, launchControls, openControls, openPanel, panel } from './controls-page.mjs';
 import { boxOf, closeClean } from './shown.mjs';

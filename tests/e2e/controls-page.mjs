@@ -1,6 +1,6 @@
 // A page with elements that have a panel; the page around them is the guest's, with its own styles, and its listeners are counted.
 /** @import { Locator, Page } from 'playwright-core' */
-import { plainName } from '../../scripts/hashed-names.mjs';
+import { plainName } from '../../scripts/build/hashed-names.mjs';
 import { launch, pageOf } from './browser.mjs';
 
 export const SMALL = 'image-width="256" image-height="192" radius="40 16" area-fraction="0.2 0.3"';

@@ -4,9 +4,9 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
-import { dist } from '../../scripts/env.mjs';
-import { plainName } from '../../scripts/hashed-names.mjs';
-import { brotli } from '../../scripts/size.mjs';
+import { dist } from '../../scripts/lib/env.mjs';
+import { plainName } from '../../scripts/build/hashed-names.mjs';
+import { brotli } from '../../scripts/build/size.mjs';
 import { launch, pageOf, staysQuietFor } from './browser.mjs';
 
 /** Bytes after brotli; as heavy as `<model-viewer>` is without its models, less 10 kB. */

@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { dist } from '../../scripts/env.mjs';
-import { answer } from '../../scripts/serve.mjs';
+import { dist } from '../../scripts/lib/env.mjs';
+import { answer } from '../../scripts/lib/serve.mjs';
 import { PATIENCE, holdTimers, launch, until } from './browser.mjs';
 
 /** `heard` tells what the element said. `null` draws nothing: these tests are about the generators. */

@@ -4,10 +4,10 @@ import assert from 'node:assert/strict';
 import { readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, beforeEach, test } from 'node:test';
-import { root } from '../../scripts/env.mjs';
-import { HASHED, plainName } from '../../scripts/hashed-names.mjs';
-import { answer } from '../../scripts/serve.mjs';
-import { buildWeb } from '../../scripts/web.mjs';
+import { root } from '../../scripts/lib/env.mjs';
+import { HASHED, plainName } from '../../scripts/build/hashed-names.mjs';
+import { answer } from '../../scripts/lib/serve.mjs';
+import { buildWeb } from '../../scripts/build/web.mjs';
 import { holdTimers, launch, until, untilIn } from './browser.mjs';
 
 const LINK = '#preset=journal-fig1&w=256&h=256&seed=11';

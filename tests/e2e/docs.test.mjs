@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { dist } from '../../scripts/env.mjs';
+import { dist } from '../../scripts/lib/env.mjs';
 import { COLOR_RULES, violations } from './axe.mjs';
 import { PATIENCE, launch, staysQuietFor, until } from './browser.mjs';
 

@@ -3,7 +3,7 @@
 /** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { readPicture } from '../../scripts/pixels.mjs';
+import { readPicture } from '../../scripts/lib/pixels.mjs';
 import { holdTimers, launch, staysQuietFor } from './browser.mjs';
 import { SMALL, launchElement, openElement, pageWith, quiet, until } from './element-page.mjs';
 

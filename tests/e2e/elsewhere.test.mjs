@@ -4,9 +4,9 @@ import { mkdtempSync, readFileSync, rmSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { dist } from '../../scripts/env.mjs';
-import { buildInline } from '../../scripts/inline.mjs';
-import { serve } from '../../scripts/serve.mjs';
+import { dist } from '../../scripts/lib/env.mjs';
+import { buildInline } from '../../scripts/build/inline.mjs';
+import { serve } from '../../scripts/lib/serve.mjs';
 import { PATIENCE, launch } from './browser.mjs';
 
 const SMALL = 'image-width="200" image-height="150" style="display: block; width: 200px; height: 150px"';

@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { after, before, test } from 'node:test';
 import { createGenerator, presets } from 'rock-field/core';
-import { plainName } from '../../scripts/hashed-names.mjs';
+import { plainName } from '../../scripts/build/hashed-names.mjs';
 import { holdTimers, launch } from './browser.mjs';
 
 /** A page with nothing but the element, and what its events said. `null` draws nothing: these tests are about the generator. */

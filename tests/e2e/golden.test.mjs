@@ -4,7 +4,7 @@ import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
 import { generate, presets, woodEarPresets } from 'rock-field/core';
-import { hashField } from '../golden.mjs';
+import { hashField } from './golden.mjs';
 import { launch } from './browser.mjs';
 
 const golden = JSON.parse(await readFile(new URL('../data/golden.json', import.meta.url), 'utf8'));
@@ -22,7 +22,7 @@ test('every preset has its golden hash in Node', async () => {
 test('every preset has its golden hash in a browser', async () => {
   const files = {
     '/golden.html': ['text/html', '<!doctype html><meta charset="utf-8"><title>golden</title><link rel="icon" href="data:,">'],
-    '/golden.mjs': ['text/javascript', await readFile(new URL('../golden.mjs', import.meta.url), 'utf8')],
+    '/golden.mjs': ['text/javascript', await readFile(new URL('./golden.mjs', import.meta.url), 'utf8')],
   };
   const session = await launch({
     intercept(request, response) {

@@ -5,9 +5,9 @@
 import assert from 'node:assert/strict';
 import { readFile, writeFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { asPicture, asText, meanDifference, readPicture, tiles } from '../../scripts/pixels.mjs';
-import { openStudio } from '../../scripts/studio.mjs';
-import { tables } from '../../scripts/tables.mjs';
+import { asPicture, asText, meanDifference, readPicture, tiles } from '../../scripts/lib/pixels.mjs';
+import { openStudio } from '../../scripts/pictures/studio.mjs';
+import { tables } from '../../scripts/lib/tables.mjs';
 
 const STORED = new URL('../data/natural-golden.json', import.meta.url);
 const BACKENDS = ['webgpu', 'webgl'];

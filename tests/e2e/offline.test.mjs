@@ -4,8 +4,8 @@ import assert from 'node:assert/strict';
 import { rmSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
-import { root } from '../../scripts/env.mjs';
-import { buildWeb } from '../../scripts/web.mjs';
+import { root } from '../../scripts/lib/env.mjs';
+import { buildWeb } from '../../scripts/build/web.mjs';
 import { launch, untilIn } from './browser.mjs';
 
 const folder = path.join(root, '.cache', 'offline-test');

@@ -1,7 +1,7 @@
 // Quality as it is seen: a still of `auto` is one of `high`, and no frame follows it.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { meanDifference, readPicture } from '../../scripts/pixels.mjs';
+import { meanDifference, readPicture } from '../../scripts/lib/pixels.mjs';
 import { launch, pageOf } from './browser.mjs';
 import { quiet } from './element-page.mjs';
 

@@ -2,7 +2,7 @@
 // hides what is below it.
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
-import { root } from '../../scripts/env.mjs';
+import { root } from '../../scripts/lib/env.mjs';
 import { launch, pageOf } from './browser.mjs';
 
 const PAGE = '<!doctype html><meta charset="utf-8"><title>artefact</title><link rel="icon" href="data:,">';

@@ -11,7 +11,7 @@ import { openFirefox } from './firefox.mjs';
 import { openWebKitGtk } from './webkitgtk.mjs';
 
 /**
- * `browser` is the name in scripts/browser.mjs; `backends` in the order in which the element prefers them; `open(program, { env, timeoutMs })`
+ * `browser` is the name in scripts/lib/browser.mjs; `backends` in the order in which the element prefers them; `open(program, { env, timeoutMs })`
  * gives a running engine; one that `needsScreen` has no mode without a window in which it draws all of that.
  */
 export const ENGINES = [

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, writeFileSync } from 'node:fs';
 import { screenshotPath } from '../e2e/browser.mjs';
 import { ask, same } from './ask.mjs';
-import { changedShare, readPicture } from '../../scripts/pixels.mjs';
+import { changedShare, readPicture } from '../../scripts/lib/pixels.mjs';
 import { faults, statistics } from './statistics.mjs';
 import { hashInNode, interceptVisits } from './visits.mjs';
 
@@ -22,7 +22,9 @@ const golden = JSON.parse(readFileSync(new URL('../data/golden.json', import.met
 /** For `serve`: the page, its modules, and what is visited. */
 export function intercept(request, response) {
   const { pathname, searchParams } = new URL(request.url, 'http://localhost');
-  const file = { '/page.mjs': new URL('page.mjs', import.meta.url), '/golden.mjs': new URL('../golden.mjs', import.meta.url) }[pathname];
+  const file = { '/page.mjs': new URL('page.mjs', import.meta.url), '/golden.mjs': new URL('../e2e/golden.mjs', import.meta.url) }[
+    pathname
+  ];
   if (file) response.writeHead(200, { 'content-type': 'text/javascript', 'access-control-allow-origin': '*' }).end(readFileSync(file));
   else if (pathname === `/${PAGE}`)
     response.writeHead(200, HTML).end(

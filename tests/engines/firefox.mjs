@@ -2,7 +2,7 @@
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, writeFileSync } from 'node:fs';
 import { connect } from 'node:net';
 import path from 'node:path';
-import { root } from '../../scripts/env.mjs';
+import { root } from '../../scripts/lib/env.mjs';
 import { start, until } from './processes.mjs';
 
 const START_MS = 60_000;

@@ -22,8 +22,8 @@ const LEAST = { covered: 0.99, colors: 300, layer: 0.02 };
 const TOLERANCE = { covered: 0.005, layer: 0.01, mean: 4, colors: 0.15 };
 
 /**
- * @param {import('../../scripts/pixels.mjs').Picture} picture
- * @param {import('../../scripts/pixels.mjs').Box} box the element's
+ * @param {import('../../scripts/lib/pixels.mjs').Picture} picture
+ * @param {import('../../scripts/lib/pixels.mjs').Box} box the element's
  * @param {number[]} background of the page around it, red, green, blue
  * @returns {{ covered: number, colors: number, layers: { share: number, mean: number[] }[], quarters: number[][] }}
  *   `colors` counts those that differ in the upper five bits of a channel; `quarters` are the mean colours of the box's four

@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import path from 'node:path';
-import { dist } from '../../scripts/env.mjs';
+import { dist } from '../../scripts/lib/env.mjs';
 import { ask, same } from './ask.mjs';
 import { LOG_VERTICES, logAsObj } from './log.mjs';
 
@@ -93,7 +93,7 @@ export async function examineColony(engine, address, backend) {
 
 async function grownInNode({ mesh, log, ground: _, ...params }) {
   const { growWoodEar } = await import('rock-field/core');
-  const { hashColony } = await import('../golden.mjs');
+  const { hashColony } = await import('../e2e/golden.mjs');
   const ownLog = { positions: Float32Array.from(mesh.positions), indices: Uint32Array.from(mesh.indices), spacing: log.spacing };
   return hashColony(await growWoodEar({ ...params, log: ownLog }));
 }
@@ -111,7 +111,7 @@ export async function examinePages(engine, url, backend) {
 
 export async function hashInNode(params) {
   const { generate } = await import('rock-field/core');
-  const { hashField } = await import('../golden.mjs');
+  const { hashField } = await import('../e2e/golden.mjs');
   return hashField(await generate(params));
 }
 

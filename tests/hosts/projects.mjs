@@ -2,8 +2,8 @@
 import { spawn } from 'node:child_process';
 import { cpSync, existsSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
-import { cache, hashOf, root } from '../../scripts/env.mjs';
-import { Failure, npm, run, step } from '../../scripts/run.mjs';
+import { cache, hashOf, root } from '../../scripts/lib/env.mjs';
+import { Failure, npm, run, step } from '../../scripts/lib/run.mjs';
 
 /** Nobody is told that a test ran. */
 const QUIET = { NEXT_TELEMETRY_DISABLED: '1' };

@@ -3,8 +3,8 @@ import assert from 'node:assert/strict';
 import { cpSync, mkdirSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
-import { Failure, inLanes, isMain, main, messageOf, run, say, seconds } from '../../scripts/run.mjs';
-import { pack } from '../../scripts/package.mjs';
+import { Failure, inLanes, isMain, main, messageOf, run, say, seconds } from '../../scripts/lib/run.mjs';
+import { pack } from '../../scripts/package/package.mjs';
 import { install, next, nextServer, tool, vite, vitePage, viteServer, webpack } from './projects.mjs';
 import { openCdn, show } from './show.mjs';
 

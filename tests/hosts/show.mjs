@@ -1,7 +1,7 @@
 // Opens the page of a host in Chromium and waits for its rocks: without an error, and from nowhere but its own origin.
 import assert from 'node:assert/strict';
 import path from 'node:path';
-import { serve } from '../../scripts/serve.mjs';
+import { serve } from '../../scripts/lib/serve.mjs';
 import { launch } from '../e2e/browser.mjs';
 
 /** What every host's element says. */

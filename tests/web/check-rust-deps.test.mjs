@@ -4,7 +4,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { rustProblems } from '../../scripts/check-rust-deps.mjs';
+import { rustProblems } from '../../scripts/checks/check-rust-deps.mjs';
 
 const ROOMS = { base: [], rocks: ['base'] };
 

@@ -4,7 +4,7 @@ import { mkdirSync, mkdtempSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { webProblems } from '../../scripts/check-web-deps.mjs';
+import { webProblems } from '../../scripts/checks/check-web-deps.mjs';
 
 /** A folder that keeps the rule. */
 const SOUND = {

@@ -17,7 +17,7 @@ import type { ParamSpec } from '../../www/rocks/spec.ts';
 import type { Layer, Params } from '../../www/rocks/params.ts';
 import { boundsOf, defaultParams, presetParams, resolveParams } from '../../www/rocks/request.ts';
 import { decodeLink } from '../../www/rocks/link.ts';
-import { hashField } from '../golden.mjs';
+import { hashField } from '../e2e/golden.mjs';
 
 const SLIDERS: readonly ParamSpec[] = PARAMS.filter(({ kind, key }) => kind !== 'choice' && key !== 'seed');
 

@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
-import { root } from '../../scripts/env.mjs';
+import { root } from '../../scripts/lib/env.mjs';
 
 const DOCUMENT = 'docs/decisions.md';
 const TEXT = /\.(rs|wgsl|ts|mjs|md|json|html)$/;

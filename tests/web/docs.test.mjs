@@ -1,8 +1,8 @@
 // The documentation and the manifest: what is public is documented, each with an example, and nothing else is.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { members, problems } from '../../scripts/docs-members.mjs';
-import { manifest } from '../../scripts/package-manifest.mjs';
+import { members, problems } from '../../scripts/docs/members.mjs';
+import { manifest } from '../../scripts/package/manifest.mjs';
 import { propertyOf } from '../../www/element/attribute-reader.ts';
 import { ATTRIBUTES, FIELD_ATTRIBUTES, LAYER_ATTRIBUTES } from '../../www/rocks/attributes.ts';
 import { PARAM_DOCS } from '../../www/rocks/param-docs.gen.ts';

@@ -3,9 +3,9 @@ import assert from 'node:assert/strict';
 import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { test } from 'node:test';
-import { generatorProblems } from '../../scripts/check-generators.mjs';
-import { root } from '../../scripts/env.mjs';
-import { GENERATORS } from '../../scripts/generators.mjs';
+import { generatorProblems } from '../../scripts/checks/check-generators.mjs';
+import { root } from '../../scripts/lib/env.mjs';
+import { GENERATORS } from '../../scripts/lib/generators.mjs';
 
 const PEBBLES = {
   ...GENERATORS[1],

@@ -4,7 +4,7 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, utimesSync, writeFileSync
 import os from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { filesIn, HASHED, plainName, publish } from '../../scripts/hashed-names.mjs';
+import { filesIn, HASHED, plainName, publish } from '../../scripts/build/hashed-names.mjs';
 
 /** Files, by name with their content, in a folder of their own. */
 function folderWith(files) {

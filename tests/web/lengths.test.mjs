@@ -5,8 +5,8 @@ import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'nod
 import os from 'node:os';
 import path from 'node:path';
 import { test } from 'node:test';
-import { lengthProblems } from '../../scripts/check-lengths.mjs';
-import { root } from '../../scripts/env.mjs';
+import { lengthProblems } from '../../scripts/checks/check-lengths.mjs';
+import { root } from '../../scripts/lib/env.mjs';
 
 const lines = (count, text) => Array.from({ length: count }, () => text).join('\n');
 

@@ -1,6 +1,6 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { filesBefore } from '../../scripts/loaded-before.mjs';
+import { filesBefore } from '../../scripts/build/loaded-before.mjs';
 
 /** A graph as the bundler's metafile tells it: file → files imported at once, files imported later. */
 function graph(files) {

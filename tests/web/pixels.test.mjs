@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { PNG } from 'pngjs';
-import { asPicture, asText, changedShare, meanDifference, readPicture, tiles } from '../../scripts/pixels.mjs';
+import { asPicture, asText, changedShare, meanDifference, readPicture, tiles } from '../../scripts/lib/pixels.mjs';
 
 const stored = JSON.parse(readFileSync(new URL('../data/natural-golden.json', import.meta.url), 'utf8'));
 
@@ -13,7 +13,7 @@ const pictures = new Map(Object.entries(stored).map(([name, rows]) => [name, asP
 /**
  * The same picture with other colours.
  *
- * @param {import('../../scripts/pixels.mjs').Picture} picture
+ * @param {import('../../scripts/lib/pixels.mjs').Picture} picture
  * @param {(value: number, channel: number, pixel: number) => number} change
  */
 const changed = ({ width, height, data }, change) => ({

@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { createWoodEarGenerator, growWoodEar, RockFieldError, woodEarPresets, woodEarSchema } from 'rock-field/core';
 import type { WoodEarColony, WoodEarPresetName, WoodEarRequest } from 'rock-field/core';
-import { hashColony } from '../golden.mjs';
+import { hashColony } from '../e2e/golden.mjs';
 
 const golden = JSON.parse(readFileSync(new URL('../data/wood-ear-golden.json', import.meta.url), 'utf8')) as Record<
   WoodEarPresetName,

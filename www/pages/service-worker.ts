@@ -6,7 +6,7 @@
  * otherwise. Every file taken in is checked against its hash, so that a server's error page is never kept in a file's place.
  */
 
-/** Written in by scripts/web.mjs: the build's id, each file's `sha256-…`, by page the files that every visitor of it needs, and the pattern of hashed names. */
+/** Written in by scripts/build/web.mjs: the build's id, each file's `sha256-…`, by page the files that every visitor of it needs, and the pattern of hashed names. */
 declare const __BUILD__: string;
 declare const __FILES__: Record<string, string>;
 declare const __PAGES__: Record<string, string[]>;

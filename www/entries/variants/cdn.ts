@@ -1,6 +1,6 @@
 /**
  * What makes of `entries/rock-field.ts` the classic script `cdn.js`: the bundler puts `scriptUrl` in the place of `import.meta.url`, which a
- * classic script does not have (scripts/web.mjs). The module build knows nothing of it.
+ * classic script does not have (scripts/build/web.mjs). The module build knows nothing of it.
  */
 
 import { RockFieldError } from '../../base/errors.ts';

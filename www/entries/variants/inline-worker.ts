@@ -1,4 +1,4 @@
-/** The workers of the build with everything in it: their scripts are texts of this one. Put by scripts/inline.mjs in the place of the workers' addresses. */
+/** The workers of the build with everything in it: their scripts are texts of this one. Put by scripts/build/inline.mjs in the place of the workers' addresses. */
 
 import fileScript from 'inlined:wood-ear-file-worker';
 import woodEarScript from 'inlined:wood-ear-worker';

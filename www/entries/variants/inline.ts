@@ -3,7 +3,7 @@
  * it stands and do not take the file along: esbuild, and Rollup by itself.
  *
  * The bundler puts `inlined(…)` in the place of a wasm file's address, and this `fetch` in the place of the browser's
- * (scripts/inline.mjs). The other builds know nothing of it.
+ * (scripts/build/inline.mjs). The other builds know nothing of it.
  */
 
 /** By address: a script whose default export is the file, deflated, in base64. */

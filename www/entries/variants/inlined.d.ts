@@ -1,4 +1,4 @@
-/** Made by scripts/inline.mjs. */
+/** Made by scripts/build/inline.mjs. */
 declare module 'inlined:worker' {
   const script: string;
   export default script;
