@@ -3,11 +3,11 @@ import { readFileSync, readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { dist, pkg, root } from '../lib/env.mjs';
-import { GENERATORS, addressFunction, entriesOf, entryFile, workersOf } from '../lib/generators.mjs';
+import { GENERATORS, HEADLESS, addressFunction, entriesOf, entryFile, workersOf } from '../lib/generators.mjs';
 import { Failure, needed } from '../lib/run.mjs';
 import { bundle } from './web.mjs';
 
-const ENTRIES = [...GENERATORS.flatMap(entriesOf), 'core'].map(entryFile);
+const ENTRIES = [...GENERATORS.flatMap(entriesOf), ...HEADLESS].map(entryFile);
 const WORKERS = GENERATORS.flatMap(workersOf);
 
 /** The forms that bundlers recognise, and ours are written in. */

@@ -5,7 +5,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { writeDocs } from '../docs/docs.mjs';
 import { dist, hashOf, pkg, root } from '../lib/env.mjs';
-import { GENERATORS, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
+import { GENERATORS, HEADLESS, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { loadedBefore } from './loaded-before.mjs';
 import { Failure, needed, step } from '../lib/run.mjs';
@@ -19,8 +19,10 @@ export const metafile = path.join(pkg, 'web.meta.json');
 // Every list of entries is by the name that the file has in dist/, without its ending.
 const PAGE_ENTRIES = { ...eachAs(({ page }) => page.script, pageScript), page: 'www/styles/page.css' };
 /** What people import or write into their pages, by names that stay. */
-const PUBLIC_ENTRIES = named(...GENERATORS.flatMap(entriesOf), 'core');
-const NODE_ENTRIES = named('core.node');
+const PUBLIC_ENTRIES = named(...GENERATORS.flatMap(entriesOf));
+/** Likewise. Apart from the pages: what a page shares with them would be cut out of its files. */
+const HEADLESS_ENTRIES = named(...HEADLESS);
+const NODE_ENTRIES = named(...HEADLESS.map((name) => `${name}.node`));
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
 const CDN = {
   entryPoints: eachAs(
@@ -44,7 +46,7 @@ const PAGE = 'index.html';
 // What a visit needs beside its scripts. Of the two renderers it needs one: that is kept when the page has used it.
 const ALWAYS_NEEDED = ['page.css', ...COPIED.map((file) => path.basename(file))];
 /** No browser asks for them. */
-const NEVER_ASKED = /\.map$|^core\.node\.js$|_bg\.wasm$/;
+const NEVER_ASKED = /\.map$|\.node\.js$|_bg\.wasm$/;
 
 /** Entries whose files in www/entries/ are called as what is made of them. */
 function named(...names) {
@@ -102,6 +104,8 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const plugins = [panelApart(names), await loadedBefore(entryPoints, { plugins: [nodeless, sheetsAsText, panelApart(names)] })];
     const browser = await built({ entryPoints, chunkNames: 'chunk-[hash]', assetNames: '[name]', splitting: true, plugins });
     withPlainNames(staging, browser, PUBLIC_ENTRIES);
+    const headless = await built({ entryPoints: HEADLESS_ENTRIES, chunkNames: 'chunk-[hash]', splitting: true });
+    withPlainNames(staging, headless, HEADLESS_ENTRIES);
     // Read by people in stack traces.
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node', minify: false });
     await bundle({ ...CDN, outdir: staging, ...marking, plugins: [hashedAddresses(names), panelByAddress] });
@@ -109,7 +113,7 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     for (const name of GENERATORS.map(wasmFile)) copyFileSync(path.join(pkg, name), path.join(staging, name));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
     await docs(path.join(staging, 'docs'), marking);
-    const meta = relativeTo(staging, merged(browser, workers, panel));
+    const meta = relativeTo(staging, merged(browser, headless, workers, panel));
     if (to === dist) writeFileSync(metafile, JSON.stringify(meta));
     await finish(staging, meta, names);
     writeFileSync(
@@ -217,7 +221,9 @@ export function scriptsOf(meta, entryPoint, { dynamic = false } = {}) {
 
 /** Files that no entry of the package asks for: `files` in package.json cannot tell them from the others. */
 function pageAlone(meta) {
-  const asked = [PUBLIC_ENTRIES, PANELS, WORKERS].flatMap(Object.values).flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
+  const asked = [PUBLIC_ENTRIES, HEADLESS_ENTRIES, PANELS, WORKERS]
+    .flatMap(Object.values)
+    .flatMap((entry) => scriptsOf(meta, entry, { dynamic: true }));
   const scripts = Object.keys(meta.outputs)
     .map((name) => path.basename(name))
     .filter((name) => name.endsWith('.js'));

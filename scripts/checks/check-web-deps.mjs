@@ -16,7 +16,7 @@ export const FLOORS = [
   ['base'],
   ['data'],
   ['table'],
-  ['generator', 'renderer'],
+  ['generator', 'renderer', 'export'],
   ['scene'],
   ['element'],
   ['controls'],

@@ -4,6 +4,7 @@ import path from 'node:path';
 import { root } from '../lib/env.mjs';
 import { GENERATORS } from '../lib/generators.mjs';
 import { errorNames, troubleshooting } from './errors.mjs';
+import { exportOptions, exportTargets } from './export.mjs';
 import { frame, markdown } from './html.mjs';
 import { members } from './members.mjs';
 import { needed } from '../lib/run.mjs';
@@ -32,6 +33,12 @@ const PAGES = [
     title: 'Concepts',
     prose: 'concepts',
     description: 'Links and seeds, gestures and accessibility, performance and many elements, errors.',
+  },
+  {
+    file: 'export.html',
+    title: 'Files for other programs',
+    prose: 'export',
+    description: 'Rocks as GLB, OBJ, STL or PLY for Blender, Unreal, Unity, Godot, three.js and printing: options, units, names, origins.',
   },
   {
     file: 'troubleshooting.html',
@@ -113,7 +120,8 @@ async function render(page, all) {
 
 function readProse(name) {
   const { html, headings } = markdown(readFileSync(path.join(SOURCES, 'pages', `${name}.md`), 'utf8'));
-  return { html: html.replace('<!-- errors -->', errorNames), headings };
+  const made = { errors: errorNames, 'export targets': exportTargets, 'export options': exportOptions };
+  return { html: html.replace(/<!-- (.+?) -->/g, (comment, name) => made[name]?.() ?? comment), headings };
 }
 
 function decoded(html) {

@@ -1,5 +1,5 @@
 // The documentation's tables of errors and notices, from the list of errors and from the sentences of notices.
-import { escaped, heading, inline } from './html.mjs';
+import { escaped, heading, inline, table } from './html.mjs';
 import { tables } from '../lib/tables.mjs';
 
 const { ATTRIBUTE_NOTICES, ATTRIBUTE_NOTICE_HELP, ERRORS, ERROR_GROUPS, NOTICES, NOTICE_HELP } = await tables();
@@ -52,9 +52,4 @@ export function troubleshooting() {
 
 function entryOf(id, name, message, cause, remedy) {
   return `${heading(3, id, `<code>${name}</code>`, name)}<p><em>${escaped(message)}</em></p><p>${inline(cause)} <strong>What helps:</strong> ${inline(remedy)}</p>`;
-}
-
-function table(label, columns, rows) {
-  const head = columns.map((name) => (name ? `<th scope="col">${name}</th>` : '<td></td>')).join('');
-  return `<div class="table" tabindex="0" role="group" aria-label="${label}"><table><thead><tr>${head}</tr></thead><tbody>${rows.join('')}</tbody></table></div>`;
 }

@@ -148,3 +148,9 @@ function entry({ id, name, isCode }) {
   if (!id) return `<li class="nav-heading">${escaped(name)}</li>`;
   return `<li><a href="#${id}">${isCode ? `<code>${escaped(name)}</code>` : escaped(name)}</a></li>`;
 }
+
+/** A table that scrolls by itself where a page is narrow. */
+export function table(label, columns, rows) {
+  const head = columns.map((name) => (name ? `<th scope="col">${name}</th>` : '<td></td>')).join('');
+  return `<div class="table" tabindex="0" role="group" aria-label="${label}"><table><thead><tr>${head}</tr></thead><tbody>${rows.join('')}</tbody></table></div>`;
+}

@@ -43,7 +43,7 @@ export const GENERATORS = [
     compile: { profile: 'release', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'] },
     budget: 110_000,
     worker: 'worker',
-    otherWorkers: [],
+    otherWorkers: ['export-worker'],
     panel: 'panel',
     cdn: 'cdn',
     page: { file: 'index.html', script: 'main' },
@@ -117,6 +117,9 @@ export function entriesOf({ tag, classEntry }) {
 export function workersOf({ worker, otherWorkers }) {
   return [worker, ...otherWorkers];
 }
+
+/** Entries of the package that work without a page. Each has a variant for Node, `www/entries/<name>.node.ts`. */
+export const HEADLESS = ['core', 'export'];
 
 /** The source file of an entry. */
 export function entryFile(name) {

@@ -13,6 +13,7 @@ const SOURCES = [
     'scene/camera/orbit',
     'element/attribute-notices',
     'element/attribute-reader',
+    'export/options',
   ],
   ...['controls/strings', 'controls/strings-later', 'docs/notice-help', 'docs/words'],
   ...GENERATORS.flatMap(({ name }) => [`${name}/param-docs.gen`, `${name}/table`]),

@@ -2,11 +2,11 @@
 import { existsSync, mkdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { dist, pkg, root } from '../lib/env.mjs';
-import { GENERATORS, entriesOf } from '../lib/generators.mjs';
+import { GENERATORS, HEADLESS, entriesOf } from '../lib/generators.mjs';
 import { Failure, needed, run } from '../lib/run.mjs';
 
 const ENTRIES = [
-  ...[...GENERATORS.flatMap(entriesOf), 'core'].map((name) => `www/entries/${name}.d.ts`),
+  ...[...GENERATORS.flatMap(entriesOf), ...HEADLESS].map((name) => `www/entries/${name}.d.ts`),
   'www/typings/jsx.d.ts',
   'www/typings/svelte.d.ts',
   'www/typings/vue.d.ts',

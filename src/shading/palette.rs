@@ -80,6 +80,11 @@ pub(crate) fn rock(mode: ColorMode, layer: u32, hash: u32) -> u32 {
 /// Number of kinds of stone in `shaders/stone.wgsl`; kind 0 is none.
 const LAST_KIND: u32 = 7;
 
+/// What the kinds are called in files of other programs.
+#[cfg(test)]
+const KINDS: [&str; LAST_KIND as usize] =
+    ["granite", "basalt", "sandstone", "limestone", "slate", "quartz", "red-sandstone"];
+
 /// How many of 100 stones in a river are of each kind, in the order of the kinds. Chosen by eye.
 const MIXED: [u32; LAST_KIND as usize] = [24, 18, 20, 5, 19, 6, 8];
 
@@ -237,6 +242,33 @@ mod tests {
             let token = format!("--layer-{layer}: rgb({r} {g} {b});");
             assert!(tokens.contains(&token), "tokens.css lacks {token}");
         }
+    }
+
+    #[test]
+    fn typescript_has_the_same_colours() {
+        let mut content = String::from(
+            "// Generated from src/shading/palette.rs by `UPDATE=1 cargo test --lib palette`; never edited.\n\n\
+             /** Colours of rocks by layer id modulo 8: bytes of sRGB. */\nexport const STONE = [\n",
+        );
+        for [r, g, b] in STONE {
+            content += &format!("  [{r}, {g}, {b}],\n");
+        }
+        content += "] as const;\n\n/** How many of 100 stones of a mixture are of each kind. */\n";
+        content += &format!("export const MIXED = [{}] as const;\n", MIXED.map(|share| share.to_string()).join(", "));
+        content += "\n/** The kinds of stone, with their mean colour in linear light. */\nexport const STONE_KINDS = [\n";
+        let shader = source("src/shading/shaders/stone.wgsl");
+        let (_, code) = shader.split_once("fn kind_albedo").expect("the function");
+        let albedos = code.split("vec3f(").skip(1).filter_map(|part| part.split_once(')')).map(|(numbers, _)| numbers);
+        for (name, albedo) in KINDS.iter().zip(albedos) {
+            content += &format!("  {{ name: '{name}', albedo: [{albedo}] }},\n");
+        }
+        content += "] as const;\n";
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data/palette.gen.ts");
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write(path, &content).expect("the file can be written");
+        }
+        let found = source("www/data/palette.gen.ts");
+        assert!(found == content, "{path} has other colours; run `UPDATE=1 cargo test --lib palette`");
     }
 
     #[test]

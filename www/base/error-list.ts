@@ -18,6 +18,7 @@ export interface ErrorEntry {
 export const ERROR_GROUPS = {
   request: { title: 'Parameters', means: 'a value that is not allowed; `key` names it, and nothing has changed' },
   log: { title: 'Logs from files and meshes', means: 'a log that cannot be read or grown on; the old log stays' },
+  export: { title: 'Exports', means: 'a file that cannot be made so; nothing has been written' },
   element: { title: 'Element and picture', means: 'the element is in no document, or there is no picture to take' },
   graphics: { title: 'Graphics', means: 'this device or browser cannot draw the picture' },
   loading: { title: 'Loading', means: 'a file did not arrive, or a policy forbids it' },
@@ -156,6 +157,19 @@ export const ERRORS = /* @__PURE__ */ listed({
     message: '{file} has no triangles',
     cause: 'A file with points, lines, cameras or lights alone.',
     remedy: 'Select the mesh when you export it.',
+  },
+
+  ExportImpossible: {
+    group: 'export',
+    message: '{key} is {value}, which cannot be exported: {reason}',
+    cause: 'Two options that contradict each other, such as a kit, whose rocks share meshes, in a format that has no objects.',
+    remedy: 'The message names what fits. `exportSchema` of `rock-field/export` lists all options.',
+  },
+  ExportTooLarge: {
+    group: 'export',
+    message: 'the file would be about {value} MB; it may be at most {max} MB: choose mesh "kit", a smaller image, or less detail',
+    cause: 'More rocks or triangles than fit into a file of 2 GB.',
+    remedy: 'Export a kit, in which rocks share meshes, or generate the field in parts.',
   },
 
   NotConnected: {

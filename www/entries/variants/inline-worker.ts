@@ -1,5 +1,6 @@
 /** The workers of the build with everything in it: their scripts are texts of this one. Put by scripts/build/inline.mjs in the place of the workers' addresses. */
 
+import exportScript from 'inlined:export-worker';
 import fileScript from 'inlined:wood-ear-file-worker';
 import woodEarScript from 'inlined:wood-ear-worker';
 import script from 'inlined:worker';
@@ -7,6 +8,7 @@ import script from 'inlined:worker';
 let address: string | undefined;
 let woodEarAddress: string | undefined;
 let fileAddress: string | undefined;
+let exportAddress: string | undefined;
 
 /** One for all workers of the page. Needs `worker-src blob:`, where the page has a Content-Security-Policy. */
 export function workerAddress(): string {
@@ -24,6 +26,12 @@ export function woodEarWorkerAddress(): string {
 export function woodEarFileWorkerAddress(): string {
   fileAddress ??= addressOf(fileScript);
   return fileAddress;
+}
+
+/** As `workerAddress`. */
+export function exportWorkerAddress(): string {
+  exportAddress ??= addressOf(exportScript);
+  return exportAddress;
 }
 
 function addressOf(text: string): string {

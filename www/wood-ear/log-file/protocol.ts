@@ -1,16 +1,6 @@
-/** What page and file worker say to each other. */
+/** What the page asks the worker for that reads log files. Its answer is a `LogFile`. */
 
-import type { ErrorInfo } from '../../base/errors.ts';
-import type { Words } from '../../base/language.ts';
-import type { LogMesh } from '../log-mesh.ts';
-
-export interface ToFileWorker {
+export interface FileTask {
   file: Blob;
   name: string;
 }
-
-export type FromFileWorker =
-  | { type: 'ready' }
-  | { type: 'progress'; fraction: number }
-  | { type: 'read'; mesh: LogMesh; notices: Words[] }
-  | { type: 'failed'; error: ErrorInfo };

@@ -1,0 +1,25 @@
+/** `rock-field/export` for browsers, workers and bundlers: scenes as files, without a page. It imports nothing from Node. */
+
+import type { ExportedFile } from '../export/file.ts';
+import { exportWith } from '../rocks/export.ts';
+import type { ExportOptions } from '../export/options.ts';
+import type { GenerateOptions } from '../rocks/headless.ts';
+import type { FieldRequest } from '../rocks/request.ts';
+import { generate } from './core.ts';
+
+export { RockFieldError } from '../base/errors.ts';
+export { exportSchema } from '../export/schema.ts';
+export type { ErrorInfo, ErrorName } from '../base/errors.ts';
+export type { ExportedFile, ExportNote, ExportReport } from '../export/file.ts';
+export type { ExportOptions, ExportTarget } from '../export/options.ts';
+export type { GenerateOptions } from '../rocks/headless.ts';
+export type { FieldRequest } from '../rocks/request.ts';
+
+/**
+ * The field of a request as a file. The same request and options give the same bytes everywhere.
+ *
+ * @throws {RockFieldError} naming the parameter or the option, its value and its bounds; `ExportTooLarge`.
+ */
+export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: GenerateOptions): Promise<ExportedFile> {
+  return exportWith(generate, request, options, run);
+}

@@ -1,0 +1,127 @@
+/** A model as a file, in whatever format is asked for. */
+
+import { RockFieldError } from '../base/errors.ts';
+import { writeGlb } from './glb.ts';
+import type { Written } from './glb.ts';
+import type { Counts, Told } from './gltf-json.ts';
+import { kitOf } from './kit.ts';
+import { measuresOf } from './measures.ts';
+import type { Model } from './model.ts';
+import type { ResolvedOptions } from './options.ts';
+import { writeObj, writePly, writeStl } from './plain-formats.ts';
+import { closed } from './solid.ts';
+
+/** What there is in a file, and what of the scene is not. */
+export interface ExportReport extends Counts {
+  /** Length of the file. */
+  bytes: number;
+  notes: ExportNote[];
+}
+
+export interface ExportNote {
+  code: keyof typeof NOTES;
+  /** In English. */
+  message: string;
+}
+
+/** A file. */
+export interface ExportedFile {
+  bytes: Uint8Array<ArrayBuffer>;
+  /** With its ending: `riverbed-7.glb`. */
+  name: string;
+  /** Its media type. */
+  type: string;
+  report: ExportReport;
+}
+
+/** What is said in the file about where it comes from. */
+export interface Source {
+  /** The file's name without its ending. */
+  title: string;
+  /** Brings the scene back. */
+  link: string;
+  /** What is said of body k beside its measures. */
+  extrasOf: (k: number) => Record<string, unknown>;
+}
+
+const NOTES = {
+  'plain-colours': 'Each rock has one colour: the patterns of stone, moss and dust are drawn by rock-field alone.',
+  'no-colours': 'This format has no colours.',
+  'no-objects': 'This format has no objects: all rocks are one mesh.',
+  'no-units': 'This format has no units: tell the program that opens it what a unit is.',
+  'few-readers': 'Few programs read EXT_mesh_gpu_instancing; without `instancing` all do.',
+  'kit-differs': 'Rocks of a kit are like the rocks of the scene, not the same.',
+} as const;
+
+const FORMATS = {
+  glb: { type: 'model/gltf-binary', lost: ['plain-colours'] },
+  obj: { type: 'model/obj', lost: ['no-colours', 'no-units'] },
+  stl: { type: 'model/stl', lost: ['no-colours', 'no-objects', 'no-units'] },
+  ply: { type: 'application/octet-stream', lost: ['plain-colours', 'no-objects', 'no-units'] },
+} as const satisfies Record<ResolvedOptions['format'], { type: string; lost: readonly (keyof typeof NOTES)[] }>;
+
+/** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
+export const MOST_BYTES = 2 ** 31 - 1;
+
+/** JSON of a rock's node, mesh and accessors; a line of OBJ. As measured, rounded up. */
+const [BYTES_A_ROCK, BYTES_A_LINE] = [900, 40];
+
+/**
+ * The file.
+ *
+ * @param model open below; `options.solid` closes it.
+ * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
+ */
+export function exportModel(model: Model, { title, link, extrasOf }: Source, options: ResolvedOptions): ExportedFile {
+  const { format, mesh, instancing, solid } = options;
+  checkSize(model, options);
+  const told: Told = {
+    title,
+    scene: { link, metresPerPixel: model.unit },
+    body: (k) => ({ ...extrasOf(k), ...measuresOf(model, k) }),
+  };
+  const { bytes, counts } = write(solid ? closed(model) : model, options, told);
+  const notes: (keyof typeof NOTES)[] = [
+    ...FORMATS[format].lost,
+    ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
+    ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
+  ];
+  return {
+    bytes,
+    name: `${title}.${format}`,
+    type: FORMATS[format].type,
+    report: { ...counts, bytes: bytes.length, notes: notes.map((code) => ({ code, message: NOTES[code] })) },
+  };
+}
+
+function write(model: Model, options: ResolvedOptions, told: Told): Written {
+  if (options.format === 'obj') return writeObj(model, options, told);
+  if (options.format === 'stl') return writeStl(model, options, told);
+  if (options.format === 'ply') return writePly(model, options, told);
+  return writeGlb(model, options, told, options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined);
+}
+
+function checkSize({ positions, indices, groupOf }: Model, { format, mesh, solid }: ResolvedOptions): void {
+  const bodies = groupOf.length;
+  let [vertices, triangles] = [positions.length / 3, indices.length / 3];
+  if (solid) {
+    const rims = 2 * vertices - triangles - 2 * bodies;
+    vertices += rims + bodies;
+    triangles += rims;
+  }
+  const expected = {
+    glb: 24 * vertices + 12 * triangles + (mesh === 'one' ? 4 * vertices : BYTES_A_ROCK * bodies),
+    obj: BYTES_A_LINE * (2 * vertices + triangles),
+    stl: 50 * triangles,
+    ply: 27 * vertices + 13 * triangles,
+  }[format];
+  if (expected <= MOST_BYTES) return;
+  const megabytes = (bytes: number): number => Math.round(bytes / 1e6);
+  throw new RockFieldError({
+    name: 'ExportTooLarge',
+    key: 'format',
+    value: expected,
+    max: MOST_BYTES,
+    message: `the file would be about ${megabytes(expected)} MB; it may be at most ${megabytes(MOST_BYTES)} MB: choose mesh "kit", a smaller image, or less detail`,
+  });
+}

@@ -1,0 +1,162 @@
+/** The formats that know little more than triangles: OBJ, STL and PLY. One mesh, or in OBJ an object for each body. */
+
+import { ByteWriter } from './byte-writer.ts';
+import type { Written } from './glb.ts';
+import type { Told } from './gltf-json.ts';
+import type { Model } from './model.ts';
+import type { ResolvedOptions } from './options.ts';
+
+type Options = Pick<ResolvedOptions, 'mesh' | 'up' | 'scale'>;
+
+/** Vertex and normal buffers in the file's units and axes, about the middle of the model. */
+function inFile({ positions, normals, unit, centre }: Model, { up, scale }: Options): Pick<Model, 'positions' | 'normals'> {
+  const turned = { positions: new Float32Array(positions.length), normals: new Float32Array(normals.length) };
+  const factor = unit * scale;
+  // With y up (x, y, z) becomes (x, z, −y).
+  const [second, third, sign] = up === 'z' ? ([1, 2, 1] as const) : ([2, 1, -1] as const);
+  for (let v = 0; v < positions.length; v += 3) {
+    turned.positions[v] = factor * (positions[v]! - centre[0]);
+    turned.positions[v + second] = factor * sign * (positions[v + 1]! - centre[1]);
+    turned.positions[v + third] = factor * (positions[v + 2]! - centre[2]);
+    turned.normals[v] = normals[v]!;
+    turned.normals[v + second] = sign * normals[v + 1]!;
+    turned.normals[v + third] = normals[v + 2]!;
+  }
+  return turned;
+}
+
+const [LINE, SPACE, SLASH, F] = [10, 32, 47, 102];
+
+/** Wavefront OBJ: `v`, `vn` and `f` with a group for each layer, and an object for each body. Its comments say what the file is. */
+export function writeObj(model: Model, options: Options, told: Told): Written {
+  const out = new ByteWriter();
+  const { positions, normals } = inFile(model, options);
+  out.text(`# ${told.title}, by rock-field\n`);
+  for (const [key, value] of Object.entries(told.scene)) out.text(`# ${key}: ${String(value)}\n`);
+  writeTriples(out, 'v', positions);
+  writeTriples(out, 'vn', normals);
+  let [group, material] = [-1, -1];
+  for (let k = 0; k < model.groupOf.length; k++) {
+    const isOther = model.groupOf[k] !== group;
+    group = model.groupOf[k]!;
+    const { name } = model.groups[group]!;
+    if (options.mesh === 'rocks') out.text(`o ${model.noun}-${k + 1}\n`);
+    else if (isOther) out.text(`o ${name}\n`);
+    if (isOther) out.text(`g ${name}\n`);
+    if (isOther || model.materialOf[k] !== material) {
+      material = model.materialOf[k]!;
+      out.text(`usemtl ${model.materials[material]!.name}\n`);
+    }
+    for (let i = model.indexStarts[k]!; i < model.indexStarts[k + 1]!; i += 3) {
+      out.codes(F);
+      for (let corner = 0; corner < 3; corner++) {
+        const vertex = model.indices[i + corner]! + 1;
+        out.codes(SPACE);
+        out.whole(vertex);
+        out.codes(SLASH, SLASH);
+        out.whole(vertex);
+      }
+      out.codes(LINE);
+    }
+  }
+  return { bytes: out.bytes(), counts: countsOf(model, options.mesh === 'rocks') };
+}
+
+/** A line for each three numbers. */
+function writeTriples(out: ByteWriter, name: string, list: Float32Array): void {
+  const begin = [...name].map((letter) => letter.charCodeAt(0));
+  for (let v = 0; v < list.length; v += 3) {
+    out.codes(...begin);
+    for (let axis = 0; axis < 3; axis++) {
+      out.codes(SPACE);
+      out.decimal(list[v + axis]!);
+    }
+    out.codes(LINE);
+  }
+}
+
+const STL_HEADER = 80;
+const STL_TRIANGLE = 50;
+
+/** Binary STL. Its header does not begin with “solid”, by which readers know the other kind. */
+export function writeStl(model: Model, options: Options, told: Told): Written {
+  const { positions } = inFile(model, options);
+  const { indices } = model;
+  const triangles = indices.length / 3;
+  const bytes = new Uint8Array(STL_HEADER + 4 + STL_TRIANGLE * triangles);
+  bytes.set(new TextEncoder().encode(`rock-field: ${told.title}`).subarray(0, STL_HEADER));
+  const view = new DataView(bytes.buffer);
+  view.setUint32(STL_HEADER, triangles, true);
+  for (let t = 0, at = STL_HEADER + 4; t < triangles; t++, at += STL_TRIANGLE) {
+    const [a, b, c] = [3 * indices[3 * t]!, 3 * indices[3 * t + 1]!, 3 * indices[3 * t + 2]!];
+    normalOf(positions, a, b, c).forEach((value, k) => view.setFloat32(at + 4 * k, value, true));
+    for (let axis = 0; axis < 3; axis++) {
+      view.setFloat32(at + 12 + 4 * axis, positions[a + axis]!, true);
+      view.setFloat32(at + 24 + 4 * axis, positions[b + axis]!, true);
+      view.setFloat32(at + 36 + 4 * axis, positions[c + axis]!, true);
+    }
+  }
+  return { bytes, counts: countsOf(model, false) };
+}
+
+/** Of the triangle whose corners begin at these places; (0, 0, 0), as the format has it, where it has no area. */
+function normalOf(p: Float32Array, a: number, b: number, c: number): [number, number, number] {
+  const [ux, uy, uz] = [p[b]! - p[a]!, p[b + 1]! - p[a + 1]!, p[b + 2]! - p[a + 2]!];
+  const [vx, vy, vz] = [p[c]! - p[a]!, p[c + 1]! - p[a + 1]!, p[c + 2]! - p[a + 2]!];
+  const [x, y, z] = [uy * vz - uz * vy, uz * vx - ux * vz, ux * vy - uy * vx];
+  const length = Math.sqrt(x * x + y * y + z * z);
+  return length > 0 ? [x / length, y / length, z / length] : [0, 0, 0];
+}
+
+const PLY_VERTEX = 27;
+const PLY_FACE = 13;
+
+/** Binary little-endian PLY, whose vertices have normals and the colour of their rock. */
+export function writePly(model: Model, options: Options, told: Told): Written {
+  const { positions, normals } = inFile(model, options);
+  const { indices, vertexStarts } = model;
+  const [vertices, faces] = [positions.length / 3, indices.length / 3];
+  const comments = [told.title, ...Object.entries(told.scene).map(([key, value]) => `${key}: ${String(value)}`)];
+  const header = new TextEncoder().encode(
+    [
+      'ply',
+      'format binary_little_endian 1.0',
+      ...comments.map((comment) => `comment ${comment}`),
+      `element vertex ${vertices}`,
+      ...['x', 'y', 'z', 'nx', 'ny', 'nz'].map((name) => `property float ${name}`),
+      ...['red', 'green', 'blue'].map((name) => `property uchar ${name}`),
+      `element face ${faces}`,
+      'property list uchar int vertex_indices',
+      'end_header\n',
+    ].join('\n'),
+  );
+  const bytes = new Uint8Array(header.length + PLY_VERTEX * vertices + PLY_FACE * faces);
+  bytes.set(header);
+  const view = new DataView(bytes.buffer);
+  let at = header.length;
+  for (let k = 0; k < model.groupOf.length; k++) {
+    const color = model.materials[model.materialOf[k]!]!.color.map(encoded);
+    for (let v = 3 * vertexStarts[k]!; v < 3 * vertexStarts[k + 1]!; v += 3, at += PLY_VERTEX) {
+      for (let axis = 0; axis < 3; axis++) {
+        view.setFloat32(at + 4 * axis, positions[v + axis]!, true);
+        view.setFloat32(at + 12 + 4 * axis, normals[v + axis]!, true);
+        bytes[at + 24 + axis] = color[axis]!;
+      }
+    }
+  }
+  for (let i = 0; i < indices.length; i += 3, at += PLY_FACE) {
+    bytes[at] = 3;
+    for (let corner = 0; corner < 3; corner++) view.setInt32(at + 1 + 4 * corner, indices[i + corner]!, true);
+  }
+  return { bytes, counts: countsOf(model, false) };
+}
+
+/** A linear part of a colour as a byte of sRGB. */
+function encoded(linear: number): number {
+  return Math.round(255 * (linear <= 0.0031308 ? 12.92 * linear : 1.055 * linear ** (1 / 2.4) - 0.055));
+}
+
+function countsOf({ positions, indices, groupOf, groups }: Model, isApart: boolean): Written['counts'] {
+  const objects = isApart ? groupOf.length : groups.filter((_, group) => groupOf.includes(group)).length;
+  return { vertices: positions.length / 3, triangles: indices.length / 3, nodes: objects, meshes: objects };
+}

@@ -1,0 +1,122 @@
+/** Fields of rocks as files. */
+
+import type { Field } from '../data/field.ts';
+import { STONE, STONE_KINDS } from '../data/palette.gen.ts';
+import { exportModel } from '../export/file.ts';
+import type { ExportedFile } from '../export/file.ts';
+import type { Material, Model } from '../export/model.ts';
+import { resolveOptions } from '../export/options.ts';
+import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
+import type { GenerateOptions } from './headless.ts';
+import { encodeLink } from './link.ts';
+import type { Params, PresetName } from './params.ts';
+import { resolveParams } from './request.ts';
+import type { FieldRequest } from './request.ts';
+import { stoneKinds } from './stone-kinds.ts';
+import { ROCKS } from './table.ts';
+import { presetColor } from '../table/table.ts';
+
+type Color = Material['color'];
+
+/** Where a field comes from. */
+export interface FieldSource {
+  params: Params;
+  /** The preset that the parameters began with, if any: the file is named after it. */
+  preset?: PresetName | undefined;
+}
+
+/**
+ * A field as a file. The same field and options give the same bytes everywhere.
+ *
+ * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
+ */
+export function exportField(field: Field, { params, preset }: FieldSource, options: ResolvedOptions): ExportedFile {
+  const { rockLayer } = field;
+  const source = {
+    title: `${preset ?? 'rock-field'}-${params.seed}`,
+    link: encodeLink({ params, ...(preset !== undefined && { preset }) }),
+    extrasOf: (rock: number) => ({ id: rock + 1, layer: params.layers[rockLayer[rock]!]!.id }),
+  };
+  const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(ROCKS, preset ?? '') === 'natural');
+  return exportModel(modelOf(field, params, options.metresPerPixel, isNatural), source, options);
+}
+
+/**
+ * Generates and exports in one call: what `entries/export.ts` and `export.node.ts` share.
+ *
+ * @param generate of `rock-field/core`.
+ * @throws {RockFieldError} about a parameter, about an option, or `ExportTooLarge`.
+ */
+export async function exportWith(
+  generate: (request?: FieldRequest, options?: GenerateOptions) => Promise<Field>,
+  request: FieldRequest | undefined,
+  options: ExportOptions | undefined,
+  run: GenerateOptions | undefined,
+): Promise<ExportedFile> {
+  // All of it is read now: what the caller does to the objects afterwards is no part of the request.
+  const resolved = resolveOptions(options);
+  const params = resolveParams(request);
+  const preset = request?.preset;
+  const field = await generate(params, run);
+  run?.signal?.throwIfAborted();
+  return exportField(field, { params, preset }, resolved);
+}
+
+/**
+ * The rocks of a field. A rock stands where the middle of its rim is: on z = 0, whether its rim lies there or, embedded, below.
+ *
+ * @param field as it was generated; its buffers are used as they are.
+ * @param params that it was generated from.
+ */
+function modelOf(field: Field, params: Params, metresPerPixel: number, isNatural: boolean): Model {
+  const { positions, normals, indices, rockStarts, vertexStarts, rockLayer, imageWidth, imageHeight } = field;
+  return {
+    unit: metresPerPixel,
+    positions,
+    normals,
+    indices,
+    indexStarts: rockStarts,
+    vertexStarts,
+    groupOf: rockLayer,
+    groups: field.layers.map(({ id, radius }, index) => ({
+      name: `layer-${index + 1}`,
+      extras: { layer: id, radius: radius * metresPerPixel, material: params.layers[index]!.material },
+    })),
+    materialOf: isNatural ? stoneKinds(field, params) : rockLayer,
+    materials: isNatural
+      ? STONE_KINDS.map(({ name, albedo }) => ({ name, color: albedo }))
+      : field.layers.map(({ id }, index) => ({
+          name: `layer-${index + 1}`,
+          color: STONE[id % STONE.length]!.map(linear) as unknown as Color,
+        })),
+    origins: standingPlaces(field),
+    noun: 'rock',
+    centre: [imageWidth / 2, imageHeight / 2, 0],
+  };
+}
+
+/** The middle of the box around each rock's footprint. */
+function standingPlaces({ positions, vertexStarts, rockLayer }: Field): Float64Array {
+  const places = new Float64Array(3 * rockLayer.length);
+  for (let rock = 0; rock < rockLayer.length; rock++) {
+    let [left, right, near, far] = [Infinity, -Infinity, Infinity, -Infinity];
+    for (let v = 3 * vertexStarts[rock]!; v < 3 * vertexStarts[rock + 1]!; v += 3) {
+      const [x, y] = [positions[v]!, positions[v + 1]!];
+      left = Math.min(left, x);
+      right = Math.max(right, x);
+      near = Math.min(near, y);
+      far = Math.max(far, y);
+    }
+    places[3 * rock] = (left + right) / 2;
+    places[3 * rock + 1] = (near + far) / 2;
+  }
+  return places;
+}
+
+/** The sRGB transfer function (IEC 61966-2-1), inverted. */
+function linear(byte: number): number {
+  const c = byte / 255;
+  // Rounded, since engines differ in the last digits of a power.
+  const exact = c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  return Math.round(exact * 1e4) / 1e4;
+}
