@@ -7,13 +7,13 @@ import { GENERATORS, camelCase, entryFile } from '../lib/generators.mjs';
 import { Failure } from '../lib/run.mjs';
 import { tables } from '../lib/tables.mjs';
 
-/** The classes that every element inherits from, from the top layer down. */
+/** The classes that every element inherits from, in the order in which their members are told after the element's own. */
 const SHARED = [
-  'www/element/generator-element.ts',
-  'www/element/attributes-element.ts',
   'www/element/params-element.ts',
-  'www/scene/scene-element.ts',
+  'www/element/attributes-element.ts',
+  'www/element/generator-element.ts',
   'www/scene/drawn-element.ts',
+  'www/scene/scene-element.ts',
   'www/scene/stage-element.ts',
 ];
 /** Each with the files that register it and that it is written in, where the package has its class, and where the types of its kind stand. */
@@ -86,6 +86,7 @@ function publicPart(tagName, declaration, { attributeTypes, aliases, events, par
   const saidByAttribute = new Map(attributes.map(({ name, fieldName, description }) => [fieldName, { attribute: name, description }]));
   const members = declaration.members
     .filter(({ name, privacy }) => privacy !== 'private' && privacy !== 'protected' && !LIFECYCLE.includes(name))
+    .sort((one, other) => layerOf(one) - layerOf(other))
     .map((member) => ({ ...saidByAttribute.get(member.name), ...spelledOut(withoutOrigin(member), aliases, ofKind) }));
   return {
     kind: 'class',
@@ -104,6 +105,11 @@ function publicPart(tagName, declaration, { attributeTypes, aliases, events, par
     cssParts: declaration.cssParts?.map(withoutOrigin),
     cssProperties: declaration.cssProperties?.map(withoutOrigin),
   };
+}
+
+/** Where in SHARED a member comes from; -1 if it is the element's own. */
+function layerOf({ inheritedFrom }) {
+  return SHARED.indexOf(inheritedFrom?.module);
 }
 
 function withoutOrigin({ inheritedFrom, ...rest }) {
