@@ -10,6 +10,7 @@ use glam::DVec3;
 
 use super::grid::Grid;
 use super::log::Log;
+use super::mesh::LogMesh;
 use super::user_log::Surface;
 use crate::rng::{Purpose, Stream};
 
@@ -58,14 +59,14 @@ impl Feet {
     }
 
     /// Throws up to `darts` darts. Returns true when all feet are drawn.
-    pub(super) fn advance(&mut self, surface: &Surface, darts: usize) -> bool {
+    pub(super) fn advance(&mut self, surface: &Surface, mesh: &LogMesh, darts: usize) -> bool {
         let apart = APART * self.spacing;
         for _ in 0..darts {
             if self.points.len() as f64 >= self.wanted || self.thrown >= MOST_DARTS * self.wanted {
                 return true;
             }
             self.thrown += 1.0;
-            let (triangle, point, normal) = surface.dart(&mut self.stream);
+            let (triangle, point, normal) = surface.dart(mesh, &mut self.stream);
             let mut is_free = true;
             let (points, faces, sums) = (&self.points, &self.faces, &mut self.sums);
             self.grid.near(point, |foot| {

@@ -40,7 +40,7 @@ const PAIRS_PER_STEP: usize = 100;
 pub struct Generator {
     params: Option<Params>,
     keys: Option<Keys>,
-    /// A log given by the user, and its number, which identifies it in keys.
+    /// What is known of a log given by the user, and its number, which identifies it in keys. Its mesh is `log_mesh`.
     given: Option<(u32, Box<Surface>)>,
     logs_given: u32,
     /// The points that individuals stand on: the coarse mesh of a grown log, or the feet drawn on a log given by the
@@ -84,11 +84,11 @@ impl Generator {
     /// # Errors
     /// Returns what is wrong with the mesh, and changes nothing.
     pub fn set_log(&mut self, positions: &[f32], indices: &[u32]) -> Result<(), LogError> {
-        let surface = user_log(positions, indices)?;
+        let (surface, mesh) = user_log(positions, indices)?;
         self.task = None;
         self.memory.note_given(&surface);
         self.logs_given += 1;
-        self.log_mesh = LogMesh::from(&surface.log);
+        self.log_mesh = mesh;
         self.log_version += 1;
         self.given = Some((self.logs_given, Box::new(surface)));
         self.log.key = None;
@@ -121,7 +121,7 @@ impl Generator {
         let keys = Keys::new(&params, self.given.as_ref().map(|(number, _)| *number));
         let surface = self.given.as_ref().map(|(_, surface)| &**surface);
         let is_stale = !self.log.is_current(&keys.log);
-        if self.memory.check_log(&params, surface, is_stale, max_bytes)? {
+        if self.memory.check_log(&params, surface, &self.log_mesh, is_stale, max_bytes)? {
             self.forget_colony();
         }
         self.params = Some(params);
@@ -244,13 +244,16 @@ impl Generator {
         let individuals = self.spawn.value.individuals.len();
         if let Err(error) = self.memory.check_colony(params, individuals, stale || solved.is_none()) {
             self.refused = Some(error);
+            if self.ground.value.is_none() {
+                self.memory.note_counted(individuals);
+            }
             return None;
         }
         if params.clear_log && self.ground.value.is_none() {
-            let Some((_, surface)) = &self.given else {
+            if self.given.is_none() {
                 return Some(Task::Ground(Box::new(Grown::new(params.log))));
-            };
-            let given = Ground::Given(Given::new(&surface.log, &surface.cells));
+            }
+            let given = Ground::Given(Given::new(&self.log_mesh));
             self.ground.store(keys.ground.clone()?, Some(given));
         }
         if stale {
@@ -306,7 +309,7 @@ impl Generator {
             }
             Task::Feet(mut feet) => {
                 let (_, surface) = self.given.as_ref()?;
-                if !feet.advance(surface, DARTS_PER_STEP) {
+                if !feet.advance(surface, &self.log_mesh, DARTS_PER_STEP) {
                     return Some(Task::Feet(feet));
                 }
                 let (log, triangles) = feet.finish();

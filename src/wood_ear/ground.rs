@@ -1,8 +1,9 @@
 //! The log as an obstacle that individuals keep out of.
 
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 
-use super::log::Log;
+use super::mesh::LogMesh;
+use super::pairs::Bounds;
 use super::shape::LogShape;
 use super::work::tally;
 use crate::params::wood_ear::Log as LogParams;
@@ -56,21 +57,23 @@ pub(super) struct Cells {
 }
 
 impl Cells {
-    pub(super) fn under(points: &[DVec3]) -> Self {
-        let low = points.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-        let size = points.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max) - low;
+    pub(super) fn under(mesh: &LogMesh) -> Self {
+        let points = mesh.positions.chunks_exact(3).map(|p| Vec3::from_slice(p).as_dvec3());
+        let Bounds { min: low, max } = Bounds::of(points);
+        let size = max - low;
         let side = (size.x.max(size.y) / MOST_CELLS).max(0.5);
         let [columns, rows] = [size.x, size.y].map(|length| (length / side) as usize + 1);
         Cells { low, side, columns, rows }
     }
 
     /// Number of bytes that [`Given::new`] allocates for this log. A long triangle may lie over very many cells.
-    pub(super) fn bytes(&self, log: &Log) -> f64 {
-        let over = log.triangles.iter().map(|t| {
-            let [least, most] = self.covered(t.map(|v| log.points[v as usize] - self.low));
+    pub(super) fn bytes(mesh: &LogMesh) -> f64 {
+        let cells = Cells::under(mesh);
+        let over = mesh.triangles().map(|corners| {
+            let [least, most] = cells.covered(corners.map(|p| p - cells.low));
             ((most[0] - least[0] + 1) * (most[1] - least[1] + 1)) as f64
         });
-        (72 * log.triangles.len() + 4 * self.columns * self.rows) as f64 + 4.0 * over.sum::<f64>()
+        (24 * mesh.indices.len() + 4 * cells.columns * cells.rows) as f64 + 4.0 * over.sum::<f64>()
     }
 
     /// The first and the last column and row that a triangle's box lies over. Its corners are relative to the lowest
@@ -90,10 +93,10 @@ pub(super) struct Given {
 }
 
 impl Given {
-    pub(super) fn new(log: &Log, cells: &Cells) -> Self {
-        let Cells { low, columns, rows, .. } = *cells;
-        let corners: Vec<[DVec3; 3]> = log.triangles.iter().map(|t| t.map(|v| log.points[v as usize] - low)).collect();
-        let mut given = Given { cells: *cells, starts: vec![0; columns * rows + 1], over: Vec::new(), corners };
+    pub(super) fn new(mesh: &LogMesh) -> Self {
+        let cells = Cells::under(mesh);
+        let corners: Vec<[DVec3; 3]> = mesh.triangles().map(|corners| corners.map(|p| p - cells.low)).collect();
+        let mut given = Given { cells, starts: vec![0; cells.columns * cells.rows + 1], over: Vec::new(), corners };
         // The triangles per cell are counted first, and then filled in from the back.
         given.visit(|starts, _, cell, _| starts[cell] += 1);
         let mut sum = 0;

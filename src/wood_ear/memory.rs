@@ -3,7 +3,9 @@
 
 use super::body::Layout;
 use super::feet::wanted;
+use super::ground::Cells;
 use super::log::counts;
+use super::mesh::LogMesh;
 use super::user_log::Surface;
 use super::work::pairs_each;
 use crate::error::Error;
@@ -36,6 +38,8 @@ pub(super) struct Memory {
     /// The largest estimate of the run.
     estimate: f64,
     log: Need,
+    /// What [`ground`] gives, which is part of what the log keeps.
+    ground: f64,
     colony: Need,
     /// The most that is held at once: in the run (`peak`), and while a log given by the user was read since the
     /// previous run (`read`).
@@ -50,13 +54,8 @@ const STOOD_ON: f64 = 81.0;
 
 /// Memory of a log given by the user, while it is read and afterwards.
 fn given(surface: &Surface) -> Need {
-    let vertices = surface.given as f64;
-    let [kept, triangles] = [surface.log.points.len() as f64, surface.log.triangles.len() as f64];
-    Need {
-        kept: 90.0 * kept + 36.0 * triangles,
-        beside: 44.0 * vertices + 12.0 * triangles,
-        copies: 33.0 * kept + 12.0 * triangles,
-    }
+    let [vertices, kept, triangles] = [surface.given, surface.kept, surface.numbers.len()].map(|n| n as f64);
+    Need { kept: 33.0 * kept + 24.0 * triangles, beside: 44.0 * vertices, copies: 33.0 * kept + 12.0 * triangles }
 }
 
 /// Memory of a log. `ground` is what [`ground`] gives for it; it is kept with the log.
@@ -78,10 +77,10 @@ fn log(params: &Params, surface: Option<&Surface>, ground: f64) -> Need {
 }
 
 /// Bytes of the tables that keep individuals out of the log; 0 if the log is not to be kept clear.
-fn ground(params: &Params, surface: Option<&Surface>) -> f64 {
-    match surface {
+fn ground(params: &Params, given: Option<&LogMesh>) -> f64 {
+    match given {
         _ if !params.clear_log => 0.0,
-        Some(surface) => surface.cells.bytes(&surface.log),
+        Some(mesh) => Cells::bytes(mesh),
         // An f32 per 0.8 cm along and around the log is about 40 bytes per cm². The table is copied when its furrows are
         // filled, so it is counted twice.
         None => 2.0 * 10.0 * (params.log.length + 2.0 * params.log.radius) * params.log.radius * 4.0,
@@ -119,16 +118,17 @@ impl Memory {
         self.estimate as u64
     }
 
-    /// Estimates the memory of the log before a run begins. `is_stale` says that the log has to be made. Returns whether
-    /// the old colony is in the way and has to be freed, or [`Error::OverBudget`] if the estimate exceeds the budget.
+    /// Estimates the memory of the log before a run begins. `mesh` is that of `surface`, if there is one. `is_stale` says
+    /// that the log has to be made. Returns whether the old colony is in the way and has to be freed, or [`Error::OverBudget`] if the estimate exceeds the budget.
     pub(super) fn check_log(
         &mut self,
         params: &Params,
         surface: Option<&Surface>,
+        mesh: &LogMesh,
         is_stale: bool,
         budget: u64,
     ) -> Result<bool, Error> {
-        let ground = ground(params, surface);
+        let ground = ground(params, surface.map(|_| mesh));
         let log = log(params, surface, ground);
         // A log given by the user is held already; only feet are drawn on it.
         let kept = surface.map_or(0.0, |surface| given(surface).kept);
@@ -142,7 +142,7 @@ impl Memory {
             over(if ground > 0.5 * making { "clearLog" } else { "logSpacing" }, bytes(0.0), budget)?;
             held = 0.0;
         }
-        *self = Memory { budget, estimate: bytes(held), log, colony: self.colony, peak: peak(held), read: 0.0 };
+        *self = Memory { budget, estimate: bytes(held), log, ground, colony: self.colony, peak: peak(held), read: 0.0 };
         Ok(in_the_way)
     }
 
@@ -157,6 +157,12 @@ impl Memory {
         self.estimate = self.estimate.max(bytes);
         (self.colony, self.peak) = (colony, peak);
         Ok(())
+    }
+
+    /// Records that the run has ended when its individuals were counted: they are kept, in a list that grew by doubling,
+    /// but the tables of [`ground`] have not been made.
+    pub(super) fn note_counted(&mut self, individuals: usize) {
+        self.log.kept += 208.0 * individuals as f64 - self.ground;
     }
 
     /// Records that a log given by the user was read while the previous log was still held.

@@ -123,6 +123,25 @@ pub struct LogMesh {
     pub coords: Vec<f32>,
 }
 
+impl LogMesh {
+    /// The corners of a triangle, cm.
+    #[inline]
+    pub(super) fn corners(&self, triangle: usize) -> [DVec3; 3] {
+        [0, 1, 2].map(|k| place(&self.positions, self.indices[3 * triangle + k]).as_dvec3())
+    }
+
+    /// The corners of all triangles, cm.
+    pub(super) fn triangles(&self) -> impl Iterator<Item = [DVec3; 3]> + '_ {
+        (0..self.indices.len() / 3).map(|triangle| self.corners(triangle))
+    }
+}
+
+/// The position of a vertex in a flat list.
+#[inline]
+pub(super) fn place(positions: &[f32], vertex: u32) -> Vec3 {
+    Vec3::from_slice(&positions[3 * vertex as usize..])
+}
+
 impl From<&super::Log> for LogMesh {
     fn from(log: &super::Log) -> LogMesh {
         let flat = |points: &[DVec3]| {

@@ -2,10 +2,9 @@
 
 use std::fmt;
 
-use glam::{DVec3, Vec3};
+use glam::DVec3;
 
-use super::ground::Cells;
-use super::log::Log;
+use super::mesh::{LogMesh, place, write};
 use crate::error::fill;
 use crate::rng::Stream;
 
@@ -104,20 +103,19 @@ impl fmt::Display for LogError {
 
 impl std::error::Error for LogError {}
 
-/// A log given by the user, and what is needed to draw feet on it.
+/// What is needed to draw feet on a log given by the user, besides its mesh.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Surface {
-    pub(super) log: Log,
     /// Per triangle, its number in the mesh as it was given.
     pub(super) numbers: Vec<u32>,
     /// Whether the mesh was closed and inside out, and has been turned.
     pub(super) is_turned: bool,
     /// Number of vertices that were given.
     pub(super) given: usize,
+    /// Number of vertices that are left of them.
+    pub(super) kept: usize,
     /// Per triangle, the summed area of all triangles up to and including it, cm².
     areas: Vec<f64>,
-    /// The grid that the log lies over.
-    pub(super) cells: Cells,
 }
 
 impl Surface {
@@ -128,10 +126,10 @@ impl Surface {
 
     /// Draws a point of the surface, uniformly by area. Returns its triangle, its position (cm), and the triangle's
     /// normal.
-    pub(super) fn dart(&self, stream: &mut Stream) -> (u32, DVec3, DVec3) {
+    pub(super) fn dart(&self, mesh: &LogMesh, stream: &mut Stream) -> (u32, DVec3, DVec3) {
         let at = stream.unit() * self.area();
         let triangle = self.areas.partition_point(|sum| *sum <= at).min(self.areas.len() - 1);
-        let [a, b, c] = self.log.triangles[triangle].map(|v| self.log.points[v as usize]);
+        let [a, b, c] = mesh.corners(triangle);
         let [u, v] = [stream.unit().sqrt(), stream.unit()];
         let normal = (b - a).cross(c - a).normalize_or(DVec3::Z);
         (triangle as u32, a + u * ((1.0 - v) * (b - a) + v * (c - a)), normal)
@@ -141,7 +139,7 @@ impl Surface {
 /// Checks a mesh and welds vertices at the same place, since some file formats split vertices for their normals.
 /// Vertices that are not used by any triangle with an area are dropped. Returns what is wrong with the mesh, if
 /// anything.
-pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, LogError> {
+pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<(Surface, LogMesh), LogError> {
     if let Some(value) = [positions.len(), indices.len()].into_iter().find(|n| !n.is_multiple_of(3)) {
         return Err(LogError::NotInThrees { value });
     }
@@ -153,74 +151,78 @@ pub(super) fn user_log(positions: &[f32], indices: &[u32]) -> Result<Surface, Lo
     if let Some(at) = positions.iter().position(|c| !(-REACH..=REACH).contains(&f64::from(*c))) {
         return Err(LogError::BadPosition { vertex: at / 3, value: f64::from(positions[at]) });
     }
-    let given = positions.len() / 3;
-    if let Some(corner) = indices.iter().position(|v| *v as usize >= given) {
-        let max = given as f64 - 1.0;
-        return Err(LogError::BadIndex { triangle: corner / 3, value: indices[corner], max });
-    }
+    let [given, triangles] = [positions.len() / 3, indices.len() / 3];
     let welded = weld(positions);
     let mut number = vec![u32::MAX; given];
-    let triangles = indices.len() / 3;
     let (mut numbers, mut areas) = (Vec::with_capacity(triangles), Vec::with_capacity(triangles));
-    let mut log = Log::with_capacity(given, triangles);
-    let mut normals = Vec::with_capacity(given);
-    let (mut area, mut volume, mut edges) = (0.0, 0.0, 0_u64);
+    let mut mesh = LogMesh::default();
+    mesh.positions.reserve_exact(positions.len());
+    mesh.indices.reserve_exact(indices.len());
+    // Per vertex, the sum of the area vectors of its triangles.
+    let mut sums = Vec::with_capacity(given);
+    let (mut area, mut volume) = (0.0, 0.0);
+    let mut origin = None;
     for (triangle, corners) in (0..).zip(indices.chunks_exact(3)) {
-        let [a, b, c] = [corners[0], corners[1], corners[2]].map(|v| welded[v as usize]);
-        let [p, q, r] = [a, b, c].map(|v| place(positions, v).as_dvec3());
+        if let Some(&value) = corners.iter().find(|v| **v as usize >= given) {
+            return Err(LogError::BadIndex { triangle, value, max: given as f64 - 1.0 });
+        }
+        let corners = [corners[0], corners[1], corners[2]].map(|v| welded[v as usize]);
+        let [p, q, r] = corners.map(|v| place(positions, v).as_dvec3());
         let across = (q - p).cross(r - p);
         if across == DVec3::ZERO {
             continue;
         }
         area += 0.5 * across.length();
         areas.push(area);
-        numbers.push(triangle);
-        let corners = [(a, p), (b, q), (c, r)].map(|(v, at)| {
+        numbers.push(triangle as u32);
+        let corners = corners.map(|v| {
             let slot = &mut number[v as usize];
             if *slot == u32::MAX {
-                *slot = log.points.len() as u32;
-                log.points.push(at);
-                normals.push(DVec3::ZERO);
+                *slot = sums.len() as u32;
+                mesh.positions.extend(place(positions, v).to_array());
+                sums.push(DVec3::ZERO);
             }
-            normals[*slot as usize] += across;
+            sums[*slot as usize] += across;
             *slot
         });
-        log.triangles.push(corners);
+        mesh.indices.extend(corners);
         // Coordinates are taken relative to one of the mesh's vertices, because far from the origin their differences
         // would be lost.
-        volume += across.dot(p - log.points[0]);
-        let [a, b, c] = corners.map(random);
-        edges = edges.wrapping_add(b.wrapping_sub(a).wrapping_mul(c.wrapping_sub(b)).wrapping_mul(c.wrapping_sub(a)));
+        volume += across.dot(p - *origin.get_or_insert(p));
     }
-    if log.triangles.is_empty() {
+    if areas.is_empty() {
         return Err(LogError::NoArea);
     }
-    // A mesh is closed if every edge occurs equally often in both directions; an open one has no inside. With a random
-    // number for each vertex, a b (b − a) of an edge is minus that of the reversed edge. The three edges of a triangle
-    // add up to the product above, so all products add up to 0 for a closed mesh, and for another one only by chance,
-    // one time in 2⁶⁰.
-    let is_turned = edges == 0 && volume < 0.0;
+    let is_turned = volume < 0.0 && is_closed(&mesh.indices);
     if is_turned {
-        log.triangles.iter_mut().for_each(|t| t.swap(1, 2));
+        mesh.indices.chunks_exact_mut(3).for_each(|t| t.swap(1, 2));
     }
     let sign = if is_turned { -1.0 } else { 1.0 };
-    log.points.shrink_to_fit();
-    log.normals = normals.into_iter().map(|sum: DVec3| (sign * sum).normalize_or(DVec3::Z)).collect();
-    log.kinds = vec![0; log.points.len()];
-    log.coords = vec![[0.0; 2]; log.points.len()];
-    let cells = Cells::under(&log.points);
-    Ok(Surface { log, numbers, is_turned, given, areas, cells })
+    let kept = sums.len();
+    mesh.positions.shrink_to_fit();
+    mesh.normals = vec![0.0; 3 * kept];
+    write(&mut mesh.normals, sums.iter().map(|sum| (sign * *sum).normalize_or(DVec3::Z)));
+    mesh.kinds = vec![0; kept];
+    mesh.coords = vec![0.0; 2 * kept];
+    Ok((Surface { numbers, is_turned, given, kept, areas }, mesh))
+}
+
+/// Whether every edge of a mesh occurs equally often in both directions. A mesh that is not closed has no inside.
+fn is_closed(indices: &[u32]) -> bool {
+    // With a random number for each vertex, a b (b − a) of an edge is minus that of the reversed edge. The three edges of
+    // a triangle add up to the product below, so all products add up to 0 for a closed mesh, and for another one only by
+    // chance, one time in 2⁶⁰.
+    let edges = indices.chunks_exact(3).fold(0_u64, |edges, corners| {
+        let [a, b, c] = [corners[0], corners[1], corners[2]].map(random);
+        edges.wrapping_add(b.wrapping_sub(a).wrapping_mul(c.wrapping_sub(b)).wrapping_mul(c.wrapping_sub(a)))
+    });
+    edges == 0
 }
 
 /// A random number that belongs to a vertex.
 fn random(vertex: u32) -> u64 {
     let h = (u64::from(vertex) + 1).wrapping_mul(0x9e37_79b9_7f4a_7c15);
     (h ^ (h >> 29)).wrapping_mul(0xbf58_476d_1ce4_e5b9)
-}
-
-/// The position of a vertex in a flat list.
-fn place(positions: &[f32], vertex: u32) -> Vec3 {
-    Vec3::from_slice(&positions[3 * vertex as usize..])
 }
 
 /// Returns, for each vertex, the first one at the same place. Places are found in a hash table with open addressing.

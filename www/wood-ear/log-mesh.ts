@@ -33,10 +33,11 @@ export function meshOf(log: Loose): LogMesh {
       throw refused('LogTooLarge', `the log has ${value} vertices or triangles; it may have at most ${max}`, { value, min: 0, max });
   }
   const indices = new Uint32Array(given);
-  const scale = scaleOfLog(extent(positions, indices));
+  const isNear = farAway(positions, LOG_LENGTH.max / 2) < 0;
+  const scale = scaleOfLog(extent(positions, indices, isNear));
   const scaled = new Float32Array(positions);
   if (scale !== 1) for (let i = 0; i < scaled.length; i += 1) scaled[i] = positions[i]! * scale;
-  const far = farAway(scaled);
+  const far = isNear && scale === 1 ? -1 : farAway(scaled, FARTHEST);
   if (far >= 0) {
     const value = positions[far]! * scale;
     throw refused(
@@ -59,11 +60,11 @@ export function meshOf(log: Loose): LogMesh {
   return { positions: scaled, indices, scale };
 }
 
-/** The place of the first coordinate that is not a number or too far from the origin; −1 if there is none. */
-function farAway(coordinates: Float32Array): number {
+/** The place of the first coordinate that is not a number or farther than `most` from the origin; −1 if there is none. */
+function farAway(coordinates: ArrayLike<number>, most: number): number {
   for (let i = 0; i < coordinates.length; i += 1) {
     // Written so that NaN is found too.
-    if (!(Math.abs(coordinates[i]!) <= FARTHEST)) return i;
+    if (!(Math.abs(coordinates[i]!) <= most)) return i;
   }
   return -1;
 }
@@ -86,10 +87,11 @@ function refused(name: LogErrorName, message: string, numbers: { value?: number;
 /**
  * The longer level side of the box around the vertices that triangles use, in the mesh's own units. Where no vertex reaches beyond a log's greatest
  * length and some triangles already span the smallest, the scale is 1 whatever the rest span: their length is returned, and the rest is not read.
+ * `isNear`: no coordinate is farther from the origin than half that length.
  */
-function extent(positions: ArrayLike<number>, indices: Uint32Array): number {
+function extent(positions: ArrayLike<number>, indices: Uint32Array, isNear: boolean): number {
   const all = new Box();
-  for (let i = 0; i + 1 < positions.length; i += 3) all.add(positions[i]!, positions[i + 1]!);
+  for (let i = 0; !isNear && i + 1 < positions.length; i += 3) all.add(positions[i]!, positions[i + 1]!);
   const used = new Box();
   for (let i = 0; i < indices.length; i += 1) {
     const at = 3 * indices[i]!;
