@@ -255,7 +255,8 @@ mod tests {
         }
         content += "] as const;\n\n/** How many of 100 stones of a mixture are of each kind. */\n";
         content += &format!("export const MIXED = [{}] as const;\n", MIXED.map(|share| share.to_string()).join(", "));
-        content += "\n/** The kinds of stone, with their mean colour in linear light. */\nexport const STONE_KINDS = [\n";
+        content +=
+            "\n/** The kinds of stone, with their mean colour in linear light. */\nexport const STONE_KINDS = [\n";
         let shader = source("src/shading/shaders/stone.wgsl");
         let (_, code) = shader.split_once("fn kind_albedo").expect("the function");
         let albedos = code.split("vec3f(").skip(1).filter_map(|part| part.split_once(')')).map(|(numbers, _)| numbers);
