@@ -1,5 +1,5 @@
 /**
- * The orbit camera as pure functions: its axes, and what it frames; `camera-moves.ts` moves it. Nothing here draws or listens.
+ * The orbit camera as pure functions: its axes, and what it frames; `moves.ts` moves it. Nothing here draws or listens.
  *
  * At azimuth 0 the eye looks along +y; growing azimuth carries it counter-clockwise round the target.
  * Elevation π/2 looks straight down with +y up. Plans (`diagrams`, `selection`) are seen from straight
