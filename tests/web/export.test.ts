@@ -104,9 +104,10 @@ test('an object for each rock: named, standing where it touches the ground, with
       .map((_, layer) => [`layer-${layer + 1}`, field.rockLayer.filter((of) => of === layer).length])
       .filter(([, rocks]) => rocks),
   );
+  const { triangles, objects, nodes: all } = report;
   assert.deepEqual(
-    [report.triangles, report.nodes, report.bytes],
-    [field.stats.triangles, document.getRoot().listNodes().length, bytes.length],
+    [triangles, objects, all, report.bytes],
+    [field.stats.triangles, nodes.length, document.getRoot().listNodes().length, bytes.length],
   );
 });
 
@@ -349,7 +350,7 @@ test('what is wrong with an option is an error with its key, value and bounds, b
 test('a file that would be too large is refused before anything is allocated, with the numbers', () => {
   const many = { length: 3e9 };
   const model = { positions: many, indices: many, groupOf: { length: 1000 } } as unknown as Model;
-  const source = { title: '', link: '', extrasOf: () => ({}) };
+  const source = { title: '', link: '', hasPatterns: false, extrasOf: () => ({}) };
   for (const format of OPTIONS.format.choices) {
     assert.throws(
       () => exportModel(model, source, resolveOptions({ format })),

@@ -17,15 +17,34 @@ export interface LastSection<K extends Kind> {
   actions: Actions<K>;
   isEmbedded: boolean;
   embedHelp: string;
+  /** Opens what saves files; absent of generators that have none. */
+  exportFiles?: (() => void) | undefined;
 }
 
-export function lastSection<K extends Kind>({ store, actions, isEmbedded, embedHelp }: LastSection<K>): TemplateResult | typeof nothing {
+export function lastSection<K extends Kind>({
+  store,
+  actions,
+  isEmbedded,
+  embedHelp,
+  exportFiles,
+}: LastSection<K>): TemplateResult | typeof nothing {
   const embedButton = html`
     <button class="button" type="button" title=${embedHelp} data-help=${embedHelp} @click=${actions.embed}>
       ${icon('code')}${store.text('embed')}
     </button>
   `;
-  if (isEmbedded) return actions.embed ? html`<div class="section"><div class="button-row">${embedButton}</div></div>` : nothing;
+  const exportHelp = later(store.language, 'exportHelp');
+  const exportButton = exportFiles
+    ? html`
+        <button class="button" type="button" title=${exportHelp} data-help=${exportHelp} ?disabled=${!store.result} @click=${exportFiles}>
+          ${icon('save')}${later(store.language, 'export')}
+        </button>
+      `
+    : nothing;
+  if (isEmbedded) {
+    if (!actions.embed && !exportFiles) return nothing;
+    return html`<div class="section"><div class="button-row">${exportButton} ${actions.embed ? embedButton : nothing}</div></div>`;
+  }
   return html`
     <section class="section" aria-labelledby="page-heading">
       <h2 id="page-heading">${store.text('page')}</h2>
@@ -44,7 +63,7 @@ export function lastSection<K extends Kind>({ store, actions, isEmbedded, embedH
         action: (theme) => store.setTheme(theme),
       })}
       <div class="button-row">
-        ${embedButton}
+        ${exportButton} ${embedButton}
         <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
         <a class="button" href="docs/" hreflang="en" data-help=${later(store.language, 'docsHelp')}>${store.text('docs')}</a>
       </div>

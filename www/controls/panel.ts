@@ -100,6 +100,8 @@ export abstract class Panel<K extends Kind> extends LitElement {
   protected abstract presetName(): string;
   /** Opens the list of presets. `place`: where dialogs appear. */
   protected abstract choosePreset(later: Later, place: Place): void;
+  /** Opens what saves files, where the generator has that. */
+  protected exportFiles?: (() => void) | undefined;
   /** Between the preset and the statistics. */
   protected abstract sections(): TemplateResult;
   /** The figures of the result. */
@@ -111,7 +113,7 @@ export abstract class Panel<K extends Kind> extends LitElement {
       ${this.#toolbar()} ${isEmbedded ? messageLine(store) : nothing}
       <div class="panel-body">
         ${this.#start()} ${isEmbedded ? this.#view() : nothing} ${this.sections()} ${this.#statistics()}
-        ${this.later?.lastSection({ store, actions, isEmbedded, embedHelp: this.words('embedHelp') })}
+        ${this.later?.lastSection({ store, actions, isEmbedded, embedHelp: this.words('embedHelp'), exportFiles: this.exportFiles })}
       </div>
       <p class="help-line is-idle" aria-hidden="true" .textContent=${this.#hint()}></p>
       ${actions.cancel ? progressLine(store, actions.cancel) : nothing}
@@ -235,9 +237,14 @@ export abstract class Panel<K extends Kind> extends LitElement {
   }
 
   #openPresets = async (): Promise<void> => {
-    const root = this.getRootNode();
-    this.choosePreset(await this.loadLater(), root instanceof ShadowRoot ? root : document.body);
+    this.choosePreset(await this.loadLater(), this.place());
   };
+
+  /** Where dialogs appear. */
+  protected place(): Place {
+    const root = this.getRootNode();
+    return root instanceof ShadowRoot ? root : document.body;
+  }
 
   #statistics(): TemplateResult {
     return html`

@@ -40,6 +40,8 @@ export interface Source {
   title: string;
   /** Brings the scene back. */
   link: string;
+  /** Whether materials have patterns that no file has. */
+  hasPatterns: boolean;
   /** What is said of body k beside its measures. */
   extrasOf: (k: number) => Record<string, unknown>;
 }
@@ -72,7 +74,7 @@ const [BYTES_A_ROCK, BYTES_A_LINE] = [900, 40];
  * @param model open below; `options.solid` closes it.
  * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
  */
-export function exportModel(model: Model, { title, link, extrasOf }: Source, options: ResolvedOptions): ExportedFile {
+export function exportModel(model: Model, { title, link, hasPatterns, extrasOf }: Source, options: ResolvedOptions): ExportedFile {
   const { format, mesh, instancing, solid } = options;
   checkSize(model, options);
   const told: Told = {
@@ -82,7 +84,7 @@ export function exportModel(model: Model, { title, link, extrasOf }: Source, opt
   };
   const { bytes, counts } = write(solid ? closed(model) : model, options, told);
   const notes: (keyof typeof NOTES)[] = [
-    ...FORMATS[format].lost,
+    ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || hasPatterns),
     ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
     ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
   ];

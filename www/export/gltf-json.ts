@@ -8,6 +8,9 @@ import type { Model } from './model.ts';
 export interface Counts {
   vertices: number;
   triangles: number;
+  /** Placed meshes. */
+  objects: number;
+  /** Of the scene graph: objects, and the groups that they are in. */
   nodes: number;
   meshes: number;
 }
@@ -23,7 +26,7 @@ const FLOAT = 5126;
 
 /** The JSON part, written as text from the start: as objects it would take ten times the memory. */
 export class GltfJson {
-  readonly counts: Counts = { vertices: 0, triangles: 0, nodes: 0, meshes: 0 };
+  readonly counts: Counts = { vertices: 0, triangles: 0, objects: 0, nodes: 0, meshes: 0 };
   #model: Model;
   #buffers: Buffers;
   #indices: number;
@@ -131,6 +134,7 @@ export class GltfJson {
           arrays.scale.set(scale, 3 * at);
           at += 1;
         }
+        this.counts.objects += own.length - 1;
         this.counts.triangles += (own.length - 1) * this.#trianglesOf(mesh);
         return [this.#node({ name, mesh, extensions: this.#used('EXT_mesh_gpu_instancing', { attributes }) }, mesh)];
       }),
@@ -164,7 +168,10 @@ export class GltfJson {
   #node(node: Record<string, unknown>, mesh?: number): number {
     this.#nodes.push(JSON.stringify(node));
     this.counts.nodes += 1;
-    if (mesh !== undefined) this.counts.triangles += this.#trianglesOf(mesh);
+    if (mesh !== undefined) {
+      this.counts.objects += 1;
+      this.counts.triangles += this.#trianglesOf(mesh);
+    }
     return this.#nodes.length - 1;
   }
 

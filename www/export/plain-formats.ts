@@ -158,5 +158,5 @@ function encoded(linear: number): number {
 
 function countsOf({ positions, indices, groupOf, groups }: Model, isApart: boolean): Written['counts'] {
   const objects = isApart ? groupOf.length : groups.filter((_, group) => groupOf.includes(group)).length;
-  return { vertices: positions.length / 3, triangles: indices.length / 3, nodes: objects, meshes: objects };
+  return { vertices: positions.length / 3, triangles: indices.length / 3, objects, nodes: objects, meshes: objects };
 }

@@ -101,11 +101,12 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
   async exportFile(options: ExportOptions = {}, run: TaskOptions = {}): Promise<File> {
     const { exportInWorker } = await lazily(() => import('./export-client.ts'));
     const newest = async () => ({ field: await this.getField(), source: { params: this.params, preset: this.preset || undefined } });
-    return exportInWorker(
+    const { file } = await exportInWorker(
       newest,
       { metresPerPixel: this.metresPerPixel, color: this.color === 'natural' ? 'natural' : 'layer', ...options },
       run,
     );
+    return file;
   }
 
   protected override present(field: Field): boolean {

@@ -1,7 +1,7 @@
 /** The page's side of the export worker. */
 
 import type { Field } from '../data/field.ts';
-import type { ExportedFile } from '../export/file.ts';
+import type { ExportedFile, ExportReport } from '../export/file.ts';
 import { resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import { inWorker, taskWorker } from '../generator/one-task.ts';
@@ -33,9 +33,9 @@ export async function exportInWorker(
   newest: () => Promise<{ field: Field; source: FieldSource }>,
   options: ExportOptions,
   run: TaskOptions,
-): Promise<File> {
+): Promise<{ file: File; report: ExportReport }> {
   const resolved = resolveOptions(options);
   const { field, source } = await newest();
-  const { bytes, name, type } = await inWorker(EXPORTER, { field, source, options: resolved }, run);
-  return new File([bytes], name, { type });
+  const { bytes, name, type, report } = await inWorker(EXPORTER, { field, source, options: resolved }, run);
+  return { file: new File([bytes], name, { type }), report };
 }

@@ -31,13 +31,14 @@ export interface FieldSource {
  * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
  */
 export function exportField(field: Field, { params, preset }: FieldSource, options: ResolvedOptions): ExportedFile {
+  const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(ROCKS, preset ?? '') === 'natural');
   const { rockLayer } = field;
   const source = {
     title: `${preset ?? 'rock-field'}-${params.seed}`,
     link: encodeLink({ params, ...(preset !== undefined && { preset }) }),
+    hasPatterns: isNatural,
     extrasOf: (rock: number) => ({ id: rock + 1, layer: params.layers[rockLayer[rock]!]!.id }),
   };
-  const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(ROCKS, preset ?? '') === 'natural');
   return exportModel(modelOf(field, params, options.metresPerPixel, isNatural), source, options);
 }
 

@@ -1,6 +1,7 @@
 /** What the first picture of rocks does not need; as `controls/later.ts`, with what rocks alone have. */
 
 export * from '../../controls/later.ts';
+export { showExport } from './export-dialog.ts';
 export { layerControls } from './layer-controls.ts';
 export { nextLayer } from './next-layer.ts';
 export { inNotation } from './notation.ts';

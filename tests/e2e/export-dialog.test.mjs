@@ -1,0 +1,97 @@
+// The page's dialog that saves rocks as files, and the same of a panel in an element.
+import assert from 'node:assert/strict';
+import { createHash } from 'node:crypto';
+import { readFile } from 'node:fs/promises';
+import { after, before, test } from 'node:test';
+import { exportScene } from 'rock-field/export';
+import { violations } from './axe.mjs';
+import { launch, pageOf } from './browser.mjs';
+import { pageWith, SMALL } from './element-page.mjs';
+import { openRocks } from './rock-page.mjs';
+
+const LINK = '#preset=journal-fig1&seed=4&w=200&h=150';
+/** @type {import('rock-field/export').FieldRequest} */
+const REQUEST = { preset: 'journal-fig1', seed: 4, imageWidth: 200, imageHeight: 150 };
+
+let session;
+
+before(async () => {
+  session = await launch({
+    intercept: pageOf('element.html', () =>
+      pageWith(`<rock-field id="a" ${SMALL} seed="4" controls="open"></rock-field><script>listenTo(a)</script>`),
+    ),
+  });
+});
+
+after(() => session?.close());
+
+const sha256 = (bytes) => createHash('sha256').update(bytes).digest('hex');
+
+/** The dialog once its file is written. */
+async function written(page) {
+  await page.locator('.dialog .button-primary:enabled').waitFor();
+  return page.locator('.dialog');
+}
+
+/** What the Save button saves. */
+async function saved(page) {
+  const [download] = await Promise.all([page.waitForEvent('download'), page.locator('.dialog .button-primary').click()]);
+  return { name: download.suggestedFilename(), bytes: await readFile(await download.path()) };
+}
+
+test('what is chosen is said with its figures, and saved: the same bytes as without a page', async () => {
+  const { page, errors, close } = await openRocks(session, LINK, { viewport: { width: 960, height: 640 } });
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const dialog = await written(page);
+  const { report, bytes } = await exportScene(REQUEST, { target: 'blender' });
+  const said = await dialog.locator('.export-report').innerText();
+  assert.match(said, /^journal-fig1-4\.glb: [\d.]+ MB/);
+  assert.ok(said.includes(`${report.objects.toLocaleString('en')} objects, ${report.triangles.toLocaleString('en')} triangles`), said);
+  const first = await saved(page);
+  assert.deepEqual([first.name, sha256(first.bytes)], ['journal-fig1-4.glb', sha256(bytes)]);
+  assert.deepEqual(await violations(page), []);
+
+  await dialog.locator('select').selectOption('print');
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.stl'));
+  const second = await saved(page);
+  assert.deepEqual(
+    [second.name, sha256(second.bytes)],
+    ['journal-fig1-4.stl', sha256((await exportScene(REQUEST, { target: 'print' })).bytes)],
+  );
+  assert.match(await dialog.locator('.export-report').innerText(), /One unit is 1 mm/);
+
+  // STL has no objects: asking for them chooses a format that has.
+  await dialog.locator('input[value="rocks"]').check();
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.glb'));
+  await page.keyboard.press('Escape');
+  await dialog.waitFor({ state: 'hidden' });
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test('a file that cannot be written is said in the dialog, and the next choice tries again', async () => {
+  const { page, close } = await openRocks(session, LINK, {
+    viewport: { width: 960, height: 640 },
+    locale: 'ja',
+    prepare: (page) => page.route('**/export-worker*', (route) => route.abort()),
+  });
+  await page.getByRole('button', { name: '書き出す', exact: true }).click();
+  const problem = page.locator('.dialog .control-problem');
+  await problem.waitFor();
+  assert.match(await problem.innerText(), /ワーカーを起動できませんでした/);
+  assert.ok(await page.locator('.dialog .button-primary').isDisabled());
+  await page.unroute('**/export-worker*');
+  await page.locator('.dialog input[value="closed"]').check();
+  await written(page);
+  await close();
+});
+
+test('a panel in an element exports too', async () => {
+  const { page, errors, close } = await session.open('element.html', { viewport: { width: 960, height: 640 } });
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  await written(page);
+  const { bytes } = await saved(page);
+  assert.equal(sha256(bytes), sha256((await exportScene(REQUEST, { target: 'blender' })).bytes));
+  assert.deepEqual(errors, []);
+  await close();
+});
