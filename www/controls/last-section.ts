@@ -36,7 +36,7 @@ export function lastSection<K extends Kind>({
   const exportHelp = later(store.language, 'exportHelp');
   const exportButton = exportFiles
     ? html`
-        <button class="button" type="button" title=${exportHelp} data-help=${exportHelp} ?disabled=${!store.result} @click=${exportFiles}>
+        <button class="button" type="button" title=${exportHelp} data-help=${exportHelp} ?disabled=${!(store.result && store.isSettled)} @click=${exportFiles}>
           ${icon('save')}${later(store.language, 'export')}
         </button>
       `
