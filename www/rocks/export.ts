@@ -64,7 +64,7 @@ export async function exportWith(
 }
 
 /**
- * The rocks of a field. A rock stands where the middle of its rim is: on z = 0, whether its rim lies there or, embedded, below.
+ * The rocks of a field. A rock stands in the middle of its box, seen from above, on z = 0, whether its rim lies there or, embedded, below.
  *
  * @param field as it was generated; its buffers are used as they are.
  * @param params that it was generated from.
@@ -96,7 +96,7 @@ function modelOf(field: Field, params: Params, metresPerPixel: number, isNatural
   };
 }
 
-/** The middle of the box around each rock's footprint. */
+/** For each rock x, y, z: the middle of the box around all of its vertices, seen from above, and 0. */
 function standingPlaces({ positions, vertexStarts, rockLayer }: Field): Float64Array {
   const places = new Float64Array(3 * rockLayer.length);
   for (let rock = 0; rock < rockLayer.length; rock++) {
