@@ -272,6 +272,26 @@ mod tests {
         assert!(found == content, "{path} has other colours; run `UPDATE=1 cargo test --lib palette`");
     }
 
+    /// Files are written in TypeScript, which has the mixture a second time; `tests/web/export.test.ts` reads these lines.
+    #[test]
+    fn the_kinds_of_a_mixture_are_those_that_typescript_is_compared_with() {
+        let mut content = String::from("[");
+        for layer in [0, 1, 7, 0xffff_ffff] {
+            for site in (0..50).chain([65_537, 0xffff_fffe]) {
+                let kind = natural(0, 0, hash(layer, site)) >> 24 & 7;
+                let comma = if content.len() > 1 { "," } else { "" };
+                content += &format!("{comma}\n  [{layer}, {site}, {}]", kind - 1);
+            }
+        }
+        content += "\n]\n";
+        let path = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/stone-kinds.json");
+        if std::env::var_os("UPDATE").is_some() {
+            std::fs::write(path, &content).expect("the file can be written");
+        }
+        let found = source("tests/data/stone-kinds.json");
+        assert!(found == content, "{path} has other kinds; run `UPDATE=1 cargo test --lib palette`");
+    }
+
     #[test]
     fn stones_too_small_for_a_mesh_are_mixed_like_the_others() {
         let shader = source("src/shading/shaders/stone.wgsl");

@@ -1,5 +1,6 @@
 // rock-field/export: what is in the files, read back by others' readers and by plain ones.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { WebIO } from '@gltf-transform/core';
 import type { Document, Node, Primitive } from '@gltf-transform/core';
@@ -10,7 +11,10 @@ import { exportScene, exportSchema, RockFieldError } from 'rock-field/export';
 import type { ExportOptions } from 'rock-field/export';
 import { exportModel } from '../../www/export/file.ts';
 import type { Model } from '../../www/export/model.ts';
+import { STONE_KINDS } from '../../www/data/palette.gen.ts';
 import { OPTIONS, resolveOptions, TARGETS } from '../../www/export/options.ts';
+import type { Params } from '../../www/rocks/params.ts';
+import { stoneKinds } from '../../www/rocks/stone-kinds.ts';
 
 type PresetName = keyof typeof presets;
 type Point = [number, number, number];
@@ -143,6 +147,16 @@ test('one mesh for each layer has the same triangles, and its vertices tell whic
   }
 });
 
+test('a rock of a mixture is of the kind that the renderer draws', () => {
+  const samples = JSON.parse(readFileSync(new URL('../data/stone-kinds.json', import.meta.url), 'utf8')) as [number, number, number][];
+  assert.equal(new Set(samples.map(([, , kind]) => kind)).size, STONE_KINDS.length, 'the samples lack a kind');
+  for (const [id, site, kind] of samples) {
+    const field = { layers: [{ id, selected: Uint32Array.of(site) }], rockLayer: Uint8Array.of(0) } as unknown as Field;
+    const params = { layers: [{ material: 'mixed' }] } as unknown as Params;
+    assert.deepEqual([...stoneKinds(field, params)], [kind], `layer ${id}, site ${site}`);
+  }
+});
+
 test('natural rocks are of the material that the picture shows, by name; the papers’ have the colours of their layers', async () => {
   const [slate, layers, chosen] = await Promise.all([
     exportScene({ ...REQUEST, layers: [{ ...presets.riverbed.layers[1], material: 'slate' }] }),
@@ -201,6 +215,32 @@ test('a kit has at most so many meshes for each layer, and each rock is about as
     Math.abs(quantile(0.5) - 1) < 0.1 && quantile(0.02) > 0.6 && quantile(0.98) < 1.6,
     `sizes differ by ${quantile(0.02)}…${quantile(0.98)}`,
   );
+});
+
+/** How each rock lies on the ground, by its name: the second moments of its vertices about its origin, xx, xz and zz. */
+function momentsOf(document: Document): Map<string, Point> {
+  return new Map(
+    bodies(document).map((node) => {
+      const positions = node.getMesh()!.listPrimitives()[0]!.getAttribute('POSITION')!;
+      const matrix = node.getWorldMatrix();
+      const moments: Point = [0, 0, 0];
+      for (let v = 0; v < positions.getCount(); v++) {
+        const [x, y, z] = positions.getElement<Point>(v, [0, 0, 0]);
+        const [east, south] = [0, 2].map((row) => matrix[row]! * x + matrix[4 + row]! * y + matrix[8 + row]! * z) as [number, number];
+        for (const [k, product] of [east * east, east * south, south * south].entries()) moments[k] += product / positions.getCount();
+      }
+      return [node.getName(), moments];
+    }),
+  );
+}
+
+test('a rock of a kit points where the rock points that it stands for, and is as long and as wide', async () => {
+  const own = momentsOf(await read((await exportScene(REQUEST)).bytes));
+  const kit = momentsOf(await read((await exportScene(REQUEST, { mesh: 'kit', kinds: 5 })).bytes));
+  for (const [name, [xx, xz, zz]] of own) {
+    const off = kit.get(name)!.map((moment, k) => Math.abs(moment - [xx, xz, zz][k]!));
+    assert.ok(Math.max(...off) < 1e-3 * (xx + zz), `${name}: ${kit.get(name)} instead of ${[xx, xz, zz]}`);
+  }
 });
 
 test('with instancing the rocks of a kit are the same, placed by attributes', async () => {

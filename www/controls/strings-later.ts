@@ -49,8 +49,8 @@ export const LATER = {
   },
   save: { en: 'Save', ja: '保存' },
   'note-plain-colours': {
-    en: 'Each rock has one colour. The patterns of stone, moss and dust are drawn on this page alone.',
-    ja: '岩は単色になります。石の模様、苔、砂埃はこのページだけで描画されます。',
+    en: 'Each rock has one colour. The patterns of stone, moss and dust are drawn here alone.',
+    ja: '岩は単色になります。石の模様、苔、砂埃はここだけで描画されます。',
   },
   'note-no-colours': { en: 'This kind of file has no colours.', ja: 'この形式には色がありません。' },
   'note-no-objects': {
