@@ -6,6 +6,7 @@ import type { Written } from './glb.ts';
 import type { Counts, Told } from './gltf-json.ts';
 import { kitOf } from './kit.ts';
 import { measuresOf } from './measures.ts';
+import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
 import { writeObj, writePly, writeStl } from './plain-formats.ts';
@@ -80,7 +81,10 @@ export function exportModel(model: Model, { title, link, hasPatterns, extrasOf }
   const told: Told = {
     title,
     scene: { link, metresPerPixel: model.unit },
-    body: (k) => ({ ...extrasOf(k), ...measuresOf(model, k) }),
+    body: (k) => {
+      const group = model.groupOf[k]!;
+      return isOneThing(model, group) ? { ...model.groups[group]!.extras, ...extrasOf(k) } : { ...extrasOf(k), ...measuresOf(model, k) };
+    },
   };
   const { bytes, counts } = write(solid ? closed(model) : model, options, told);
   const notes: (keyof typeof NOTES)[] = [
@@ -107,7 +111,7 @@ function checkSize({ positions, indices, groupOf }: Model, { format, mesh, solid
   const bodies = groupOf.length;
   let [vertices, triangles] = [positions.length / 3, indices.length / 3];
   if (solid) {
-    const rims = 2 * vertices - triangles - 2 * bodies;
+    const rims = Math.max(0, 2 * vertices - triangles - 2 * bodies);
     vertices += rims + bodies;
     triangles += rims;
   }

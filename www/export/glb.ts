@@ -9,6 +9,7 @@ import { GltfJson } from './gltf-json.ts';
 import type { Counts, Told } from './gltf-json.ts';
 import { buffersOf, meshesOf } from './gltf-parts.ts';
 import type { Kit } from './kit.ts';
+import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
 
@@ -22,13 +23,17 @@ export interface Written {
 /** The file. `kit` where `mesh` is so. */
 export function writeGlb(model: Model, { mesh, instancing }: ResolvedOptions, told: Told, kit?: Kit): Written {
   const meshes = meshesOf(model, mesh, kit);
-  const buffers = buffersOf(model, meshes, mesh === 'one', kit && instancing ? model.groupOf.length : 0);
+  const buffers = buffersOf(model, meshes, mesh === 'one', kit && instancing ? instancesOf(model) : 0);
   const json = new GltfJson(model, buffers);
   for (const one of meshes) json.addMesh(one);
   if (kit) json.addKit(kit, meshes, told, instancing);
   else if (mesh === 'one') json.addWholes(meshes);
   else json.addSingles(meshes, told);
   return { bytes: container(json.text(told), buffers.bytes), counts: json.counts };
+}
+
+function instancesOf(model: Model): number {
+  return model.groupOf.filter((group) => !isOneThing(model, group)).length;
 }
 
 function container(json: string, bin: Uint8Array): Uint8Array<ArrayBuffer> {

@@ -2,6 +2,7 @@
 
 import type { Buffers, Mesh, Place } from './gltf-parts.ts';
 import type { Kit } from './kit.ts';
+import { isOneThing, thingsOf } from './model.ts';
 import type { Model } from './model.ts';
 
 /** What a file has in it, for its report. */
@@ -83,45 +84,47 @@ export class GltfJson {
   addSingles(meshes: readonly Mesh[], told: Told): void {
     this.#grouped((group) => {
       const children: number[] = [];
-      meshes.forEach(({ name, group: of }, k) => {
-        if (of === group) children.push(this.#node({ name, mesh: k, translation: this.#placeOf(k), extras: told.body(k) }, k));
+      meshes.forEach(({ name, group: of, parts }, mesh) => {
+        if (of !== group) return;
+        const [k] = parts[0]!.bodies as [number];
+        children.push(this.#node({ name, mesh, translation: this.#placeOf(k), extras: told.body(k) }, mesh));
       });
       return children;
     });
   }
 
   addKit(kit: Kit, meshes: readonly Mesh[], told: Told, instancing: boolean): void {
-    if (instancing) this.#addInstances(kit, meshes);
+    if (instancing) this.#addInstances(kit, meshes, told);
     else {
-      this.#grouped((group) => {
-        const children: number[] = [];
-        this.#model.groupOf.forEach((of, k) => {
-          if (of !== group) return;
-          const mesh = kit.kindOf[k]!;
-          const { translation, rotation, scale } = this.#instance(kit, k);
-          children.push(
-            this.#node({ name: `${this.#model.noun}-${k + 1}`, mesh, translation, rotation, scale, extras: told.body(k) }, mesh),
-          );
-        });
-        return children;
-      });
+      const things = thingsOf(this.#model);
+      this.#grouped((group) =>
+        things
+          .filter((thing) => thing.group === group)
+          .map(({ name, bodies: [k] }) => {
+            const mesh = kit.kindOf[k!]!;
+            const place = isOneThing(this.#model, group) ? { translation: this.#placeOf(k!) } : this.#instance(kit, k!);
+            return this.#node({ name, mesh, ...place, extras: told.body(k!) }, mesh);
+          }),
+      );
     }
   }
 
   /** The instances of a kind lie one after the other in their views. */
-  #addInstances(kit: Kit, meshes: readonly Mesh[]): void {
+  #addInstances(kit: Kit, meshes: readonly Mesh[], told: Told): void {
     const { bytes, views } = this.#buffers;
-    const bodies = kit.kindOf.length;
     const arrays = {
-      translation: new Float32Array(bytes.buffer, views.translations?.offset, 3 * bodies),
-      rotation: new Float32Array(bytes.buffer, views.rotations?.offset, 4 * bodies),
-      scale: new Float32Array(bytes.buffer, views.scales?.offset, 3 * bodies),
+      translation: new Float32Array(bytes.buffer, views.translations?.offset, (views.translations?.length ?? 0) / 4),
+      rotation: new Float32Array(bytes.buffer, views.rotations?.offset, (views.rotations?.length ?? 0) / 4),
+      scale: new Float32Array(bytes.buffer, views.scales?.offset, (views.scales?.length ?? 0) / 4),
     };
     let at = 0;
     this.#grouped((group) =>
       meshes.flatMap(({ name, group: of }, mesh) => {
         const own = of === group ? [...kit.kindOf.keys()].filter((k) => kit.kindOf[k] === mesh) : [];
         if (own.length === 0) return [];
+        if (isOneThing(this.#model, group)) {
+          return [this.#node({ name, mesh, translation: this.#placeOf(own[0]!), extras: told.body(own[0]!) }, mesh)];
+        }
         const attributes = {
           TRANSLATION: this.#accessor('translations', 12 * at, FLOAT, own.length, 'VEC3'),
           ROTATION: this.#accessor('rotations', 16 * at, FLOAT, own.length, 'VEC4'),
@@ -157,11 +160,12 @@ export class GltfJson {
     return [rounded(x), rounded(z), rounded(-y)];
   }
 
-  /** A node for each group that has children. */
+  /** A node for each group that has children; what is one thing needs none above it. */
   #grouped(childrenOf: (group: number) => number[]): void {
     this.#model.groups.forEach(({ name, extras }, group) => {
       const children = childrenOf(group);
-      if (children.length > 0) this.#roots.push(this.#node({ name, children, extras }));
+      if (isOneThing(this.#model, group)) this.#roots.push(...children);
+      else if (children.length > 0) this.#roots.push(this.#node({ name, children, extras }));
     });
   }
 

@@ -1,6 +1,7 @@
 /** The meshes of a glTF file and the buffer that they lie in. Metres, y up: our (x, y, z) is its (x, z, −y). */
 
 import type { Kit } from './kit.ts';
+import { thingsOf } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
 
@@ -32,11 +33,7 @@ export function meshesOf(model: Model, form: ResolvedOptions['mesh'], kit?: Kit)
 }
 
 function singles(model: Model): Mesh[] {
-  return Array.from(model.groupOf, (group, k) => ({
-    name: `${model.noun}-${k + 1}`,
-    group,
-    parts: [{ material: model.materialOf[k]!, bodies: [k], origin: originOf(model, k) }],
-  }));
+  return thingsOf(model).map(({ name, group, bodies }) => ({ name, group, parts: partsOf(model, bodies) }));
 }
 
 function wholes(model: Model): Mesh[] {
@@ -49,13 +46,24 @@ function wholes(model: Model): Mesh[] {
   });
 }
 
-/** In their principal frames, so that scaling along the axes stretches the rock, and does not shear it. */
+/** In their principal frames, so that scaling along the axes stretches the rock, and does not shear it. What is one thing is as it is. */
 function archetypes(model: Model, { kinds, frames }: Kit): Mesh[] {
-  return Array.from(kinds, (k, kind) => ({
-    name: `${model.noun}-kind-${kind + 1}`,
-    group: model.groupOf[k]!,
-    parts: [{ material: model.materialOf[k]!, bodies: [k], origin: originOf(model, k), turn: frames[k]! }],
-  }));
+  const counts = new Map<string, number>();
+  return Array.from(kinds, (k) => {
+    const group = model.groupOf[k]!;
+    const { name, noun } = model.groups[group]!;
+    if (noun === undefined) {
+      const bodies = [...model.groupOf.keys()].filter((other) => model.groupOf[other] === group);
+      return { name, group, parts: partsOf(model, bodies) };
+    }
+    const number = (counts.get(noun) ?? 0) + 1;
+    counts.set(noun, number);
+    return { name: `${noun}-kind-${number}`, group, parts: partsOf(model, [k], frames[k]!) };
+  });
+}
+
+function partsOf(model: Model, bodies: readonly number[], turn?: Part['turn']): Part[] {
+  return bodies.map((k) => ({ material: model.materialOf[k]!, bodies: [k], origin: originOf(model, k), ...(turn && { turn }) }));
 }
 
 function originOf({ origins }: Model, k: number): [number, number, number] {

@@ -1,5 +1,6 @@
 /** A few rocks of each group that stand for all of them: each rock becomes an instance of the one that is nearest to it in shape. */
 
+import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 
 /** How a body lies: its principal axis on the ground as a direction, and its extents along that axis, across it and upwards. */
@@ -23,7 +24,7 @@ export interface Kit {
 /** Passes of Lloyd's algorithm; the shares of the kinds hardly change after that. */
 const PASSES = 4;
 
-/** Chooses `count` kinds of each group, at least one of each material, and of the others in proportion. Only + − × ÷ √, so that all engines choose the same. */
+/** Chooses `count` kinds of each group that is not one thing, at least one of each material, and of the others in proportion. Only + − × ÷ √, so that all engines choose the same. */
 export function kitOf(model: Model, count: number): Kit {
   const bodies = model.groupOf.length;
   const frames = Array.from({ length: bodies }, (_, k) => frameOf(model, k));
@@ -33,6 +34,11 @@ export function kitOf(model: Model, count: number): Kit {
   const kindOf = new Uint32Array(bodies);
   for (let group = 0; group < model.groups.length; group++) {
     const members = [...model.groupOf.keys()].filter((k) => model.groupOf[k] === group);
+    if (isOneThing(model, group)) {
+      for (const k of members) kindOf[k] = kinds.length;
+      kinds.push(...members.slice(0, 1));
+      continue;
+    }
     for (let material = 0; material < model.materials.length; material++) {
       const alike = members.filter((k) => model.materialOf[k] === material);
       if (alike.length === 0) continue;

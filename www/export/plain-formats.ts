@@ -3,6 +3,7 @@
 import { ByteWriter } from './byte-writer.ts';
 import type { Written } from './glb.ts';
 import type { Told } from './gltf-json.ts';
+import { thingsOf } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
 
@@ -35,13 +36,15 @@ export function writeObj(model: Model, options: Options, told: Told): Written {
   for (const [key, value] of Object.entries(told.scene)) out.text(`# ${key}: ${String(value)}\n`);
   writeTriples(out, 'v', positions);
   writeTriples(out, 'vn', normals);
+  const objects = new Map(thingsOf(model).map(({ name, bodies: [first] }) => [first!, name]));
   let [group, material] = [-1, -1];
   for (let k = 0; k < model.groupOf.length; k++) {
     const isOther = model.groupOf[k] !== group;
     group = model.groupOf[k]!;
     const { name } = model.groups[group]!;
-    if (options.mesh === 'rocks') out.text(`o ${model.noun}-${k + 1}\n`);
-    else if (isOther) out.text(`o ${name}\n`);
+    const object = options.mesh === 'rocks' && objects.get(k);
+    if (object) out.text(`o ${object}\n`);
+    else if (isOther && options.mesh === 'one') out.text(`o ${name}\n`);
     if (isOther) out.text(`g ${name}\n`);
     if (isOther || model.materialOf[k] !== material) {
       material = model.materialOf[k]!;
@@ -157,6 +160,6 @@ function encoded(linear: number): number {
 }
 
 function countsOf({ positions, indices, groupOf, groups }: Model, isApart: boolean): Written['counts'] {
-  const objects = isApart ? groupOf.length : groups.filter((_, group) => groupOf.includes(group)).length;
+  const objects = isApart ? thingsOf({ groups, groupOf }).length : groups.filter((_, group) => groupOf.includes(group)).length;
   return { vertices: positions.length / 3, triangles: indices.length / 3, objects, nodes: objects, meshes: objects };
 }

@@ -1,5 +1,6 @@
 /** Rocks closed from below. */
 
+import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 
 /**
@@ -12,17 +13,18 @@ export function rimOf(vertices: number, triangles: number): number {
   return 2 * vertices - triangles - 2;
 }
 
-/** The model with a bottom under each body: a fan from the middle of its rim, with vertices of its own, whose normals point down. */
+/** The model with a bottom under each body that is not part of one thing: a fan from the middle of its rim, with vertices of its own, whose normals point down. */
 export function closed(model: Model): Model {
   const { positions, normals, indices, indexStarts, vertexStarts, origins } = model;
   const bodies = model.groupOf.length;
-  const rims = Uint32Array.from({ length: bodies }, (_, k) =>
-    rimOf(vertexStarts[k + 1]! - vertexStarts[k]!, (indexStarts[k + 1]! - indexStarts[k]!) / 3),
+  const rims = Uint32Array.from(model.groupOf, (group, k) =>
+    isOneThing(model, group) ? 0 : rimOf(vertexStarts[k + 1]! - vertexStarts[k]!, (indexStarts[k + 1]! - indexStarts[k]!) / 3),
   );
   const rimVertices = rims.reduce((sum, rim) => sum + rim, 0);
+  const bottoms = rims.filter((rim) => rim > 0).length;
   const solid = {
-    positions: new Float32Array(positions.length + 3 * (rimVertices + bodies)),
-    normals: new Float32Array(normals.length + 3 * (rimVertices + bodies)),
+    positions: new Float32Array(positions.length + 3 * (rimVertices + bottoms)),
+    normals: new Float32Array(normals.length + 3 * (rimVertices + bottoms)),
     indices: new Uint32Array(indices.length + 3 * rimVertices),
     indexStarts: new Uint32Array(bodies + 1),
     vertexStarts: new Uint32Array(bodies + 1),
@@ -35,6 +37,8 @@ export function closed(model: Model): Model {
     for (const name of ['positions', 'normals'] as const) solid[name].set(model[name].subarray(3 * first, 3 * last), 3 * vertex);
     for (let i = indexStarts[k]!; i < indexStarts[k + 1]!; i++) solid.indices[index++] = indices[i]! - first + vertex;
     const bottom = vertex + last - first;
+    vertex = bottom;
+    if (rim === 0) continue;
     solid.positions.set(positions.subarray(3 * first, 3 * (first + rim)), 3 * bottom);
     const middle = bottom + rim;
     let depth = 0;

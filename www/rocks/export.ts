@@ -81,6 +81,7 @@ function modelOf(field: Field, params: Params, metresPerPixel: number, isNatural
     groupOf: rockLayer,
     groups: field.layers.map(({ id, radius }, index) => ({
       name: `layer-${index + 1}`,
+      noun: 'rock',
       extras: { layer: id, radius: radius * metresPerPixel, material: params.layers[index]!.material },
     })),
     materialOf: isNatural ? stoneKinds(field, params) : rockLayer,
@@ -91,7 +92,6 @@ function modelOf(field: Field, params: Params, metresPerPixel: number, isNatural
           color: STONE[id % STONE.length]!.map(linear) as unknown as Color,
         })),
     origins: standingPlaces(field),
-    noun: 'rock',
     centre: [imageWidth / 2, imageHeight / 2, 0],
   };
 }
