@@ -35,6 +35,7 @@ const UNKNOWN_TO = {
 /** Packages, each with the files that may import them. A name that ends in a colon stands for all that begin so. */
 const PACKAGES = {
   lit: new RegExp(`^((${NAMES})/)?controls/`),
+  '@noble/hashes': /^export\/hash\.ts$/,
   earcut: /^wood-ear\/log-file\//,
   meshoptimizer: /^wood-ear\/log-file\//,
   react: /^typings\//,

@@ -36,7 +36,7 @@ export async function drawPictures<K extends Kind>(
     try {
       element.params = { ...table.pictured(table.presetParams(preset)), preset };
       await element.generate();
-      const picture = await createImageBitmap(await element.toBlob(PICTURE_SIZE));
+      const picture = await createImageBitmap(await element.toBlob({ ...PICTURE_SIZE, link: false }));
       kept.set(preset, picture);
       if (!signal.aborted) show(preset, picture);
     } catch (thrown) {

@@ -35,6 +35,8 @@ export interface AttributesDefinition<K extends Kind> extends ParamsDefinition<K
 
 export interface Definition<K extends Kind, Owner extends ControlledElement> extends AttributesDefinition<K> {
   encode(state: Link<K>): string;
+  /** Of the buffers of a result, hexadecimal. */
+  hash(result: K['result']): Promise<string>;
   /** What is shown, in a sentence. */
   describe(result: K['result'], metresPerPixel: number, language: Language): Promise<string>;
   random(params: K['params'], draw: Draw): Promise<K['params']>;

@@ -5,6 +5,9 @@ import { CAN_SHOW } from '../base/document-styles.ts';
 import { errorInfo } from '../base/errors.ts';
 import type { ErrorDetail } from '../base/error-pace.ts';
 import { lazily } from '../base/lazy.ts';
+import type { PictureSource } from '../scene/picture.ts';
+import { isMade } from '../table/row.ts';
+import { same } from '../table/table.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { Kind } from '../table/table.ts';
 import { AttributesElement } from './attributes-element.ts';
@@ -65,6 +68,19 @@ export abstract class GeneratorElement<K extends Kind> extends AttributesElement
     const { params, preset } = this.history.settled;
     url.hash = this.#definition.encode({ params, preset, ...this.seenSettled });
     return url.href;
+  }
+
+  protected override get pictureSource(): PictureSource {
+    const { encode, hash, table } = this.#definition;
+    const { settled } = this.history;
+    const { onScreen, result } = this;
+    // Of a run that goes on, a preview may be on screen.
+    const isWhole = same(table, settled.params, onScreen.params, isMade);
+    return {
+      link: encode({ ...(isWhole ? settled : onScreen), ...this.seenSettled }),
+      metresPerPixel: this.metresPerPixel,
+      hash: async () => (isWhole && result ? hash(result) : ''),
+    };
   }
 
   /**

@@ -40,6 +40,7 @@ const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
   lookOf,
   groundSize: ({ imageWidth, imageHeight }) => [imageWidth, imageHeight],
   encode: encodeLink,
+  hash: async (field) => (await lazily(() => import('./hash.ts'))).fieldHash(field),
   describe: async (field, metresPerPixel, language) =>
     (await lazily(() => import('./description.ts'))).describeField(field, metresPerPixel, language),
   random: async (params, draw) => (await lazily(() => import('./controls/randomise.ts'))).randomParams(params, draw),

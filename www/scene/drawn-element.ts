@@ -16,7 +16,7 @@ import type { SceneRenderer, SceneStyle, Wood } from '../renderer/renderer.ts';
 import { isPlan } from './camera/camera.ts';
 import { Failures } from './failures.ts';
 import { FramePacer } from './frame-pacer.ts';
-import type { PictureOptions } from './picture.ts';
+import type { PictureOptions, PictureSource } from './picture.ts';
 import { errorText, RendererKeeper } from './renderer-keeper.ts';
 import { StageElement } from './stage-element.ts';
 
@@ -81,6 +81,8 @@ export abstract class DrawnElement extends StageElement {
   protected abstract advance(now: number): boolean;
   /** Whether the camera turns by itself. */
   protected abstract get rotates(): boolean;
+  /** What brings back what is on screen. */
+  protected abstract get pictureSource(): PictureSource;
   /** The last run failed: run again. */
   protected abstract regrow(): void;
 
@@ -122,6 +124,7 @@ export abstract class DrawnElement extends StageElement {
       renderer: () => this.#kept.renderer,
       size: () => this.stageSize,
       camera: (aspect) => this.cameraFor(aspect),
+      source: () => this.pictureSource,
     });
   }
 

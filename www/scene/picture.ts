@@ -4,6 +4,8 @@ import { notConnected, RockFieldError } from '../base/errors.ts';
 import type { ErrorName } from '../base/errors.ts';
 import { errorText } from './renderer-keeper.ts';
 import type { CameraState } from '../base/view.ts';
+import { KEYWORD, originOf } from '../export/origin.ts';
+import { withText } from '../export/png-text.ts';
 import type { Failures } from './failures.ts';
 import type { FramePacer } from './frame-pacer.ts';
 import type { SceneRenderer } from '../renderer/renderer.ts';
@@ -18,6 +20,16 @@ export interface PictureOptions {
   type?: string;
   /** 0 … 1, of lossy types. */
   quality?: number;
+  /** Whether a PNG file carries the link to what it shows: dropped on the page, it brings it back. True by default. */
+  link?: boolean;
+}
+
+/** What is in a picture, as files say it. */
+export interface PictureSource {
+  link: string;
+  metresPerPixel: number;
+  /** Of the buffers; empty where they are those of a preview. */
+  hash: () => Promise<string>;
 }
 
 /** Of a picture that has no place on the screen, px. */
@@ -42,6 +54,7 @@ interface Pictured {
   renderer(): SceneRenderer | undefined;
   size(): StageSize | undefined;
   camera(aspect: number): CameraState;
+  source(): PictureSource;
 }
 
 /** The picture as a file, as soon as there is one; taken again when the device was lost meanwhile, since it is blank then. */
@@ -56,6 +69,7 @@ export async function picture(options: PictureOptions, scene: Pictured): Promise
     const size = pictureSize(options, stage.isEmpty ? UNSEEN_SIZE : stage.pixels);
     const best = scene.pacer.best;
     if (best) renderer.setQuality(best);
+    const source = scene.source();
     const taken = takePicture(renderer, size, scene.camera(size[0] / size[1]), options);
     // In the same task the screen gets its own picture back.
     renderer.resize(...stage.pixels);
@@ -63,9 +77,14 @@ export async function picture(options: PictureOptions, scene: Pictured): Promise
     const blob = await taken.catch((thrown: unknown) => {
       if (!renderer.isLost) throw thrown;
     });
-    if (blob && (await isSound(renderer))) return blob;
+    if (blob && (await isSound(renderer))) return options.link !== false && blob.type === 'image/png' ? withOrigin(blob, source) : blob;
     if (performance.now() > end) throw new RockFieldError({ name: 'NoPicture', message: 'the graphics device is lost again and again' });
   }
+}
+
+/** The same picture, with what brings it back. */
+async function withOrigin(png: Blob, { link, metresPerPixel, hash }: PictureSource): Promise<Blob> {
+  return withText(png, KEYWORD, JSON.stringify(originOf({ link, hash: await hash(), metresPerPixel })));
 }
 
 /** Resolves when there is a picture to take; rejects when there will be none, or the cycle ends. */

@@ -53,6 +53,7 @@ const DEFINITION: Definition<WoodEars, GeneratorElement<WoodEars>> = {
   lookOf: woodEarLook,
   groundSize: (params) => [groundSide(params), groundSide(params)],
   encode: encodeWoodEarLink,
+  hash: async ({ colony }) => (await lazily(() => import('./hash.ts'))).colonyHash(colony),
   describe: async ({ colony }, metresPerPixel, language) => describeColony(colony, metresPerPixel, language),
   random: async (params, draw) => (await lazily(() => import('./controls/randomise.ts'))).randomWoodEars(params, draw),
   loadPanel: loadWoodEarPanel,
