@@ -42,12 +42,12 @@ function modelOf(): Model {
   };
 }
 
-const written = (options: ExportOptions): ExportedFile =>
+const written = (options: ExportOptions): Promise<ExportedFile> =>
   exportModel(modelOf(), { title: 'test', link: 'v=1', hasPatterns: false, extrasOf: (k) => ({ k }) }, resolveOptions(options));
 const read = ({ bytes }: ExportedFile): Promise<Document> => new WebIO().readBinary(bytes);
 
 test('bodies are numbered by their noun through all groups, and what is one thing is one object with the name of its group', async () => {
-  const root = (await read(written({}))).getRoot();
+  const root = (await read(await written({}))).getRoot();
   const tree = root
     .listScenes()[0]!
     .listChildren()
@@ -65,7 +65,7 @@ test('bodies are numbered by their noun through all groups, and what is one thin
     .map((primitive) => primitive.getMaterial()!.getName());
   assert.deepEqual([materials, log.getExtras(), log.getTranslation()], [['bark', 'end-grain'], { length: 2, k: 2 }, [3, 0, 0]]);
   const objects = new TextDecoder()
-    .decode(written({ format: 'obj' }).bytes)
+    .decode((await written({ format: 'obj' })).bytes)
     .split('\n')
     .filter((line) => /^(o|usemtl) /.test(line));
   assert.deepEqual(objects, [
@@ -83,7 +83,7 @@ test('bodies are numbered by their noun through all groups, and what is one thin
 });
 
 test('a kit places what is one thing as it is, once', async () => {
-  const root = (await read(written({ mesh: 'kit', kinds: 1 }))).getRoot();
+  const root = (await read(await written({ mesh: 'kit', kinds: 1 }))).getRoot();
   const meshes = root.listMeshes().map((mesh) => mesh.getName());
   assert.deepEqual(meshes, ['rock-kind-1', 'log', 'rock-kind-2', 'ear-kind-1']);
   const log = root.listNodes().filter((node) => node.getMesh()?.getName() === 'log');
@@ -92,7 +92,7 @@ test('a kit places what is one thing as it is, once', async () => {
     [['log', [3, 0, 0], [1, 1, 1], 2]],
   );
   for (const instancing of [false, true]) {
-    const { objects, triangles } = written({ mesh: 'kit', kinds: 1, instancing }).report;
+    const { objects, triangles } = (await written({ mesh: 'kit', kinds: 1, instancing })).report;
     assert.deepEqual([objects, triangles], [5, 24]);
   }
 });
@@ -101,7 +101,7 @@ test('what is one thing is not closed, and files with it are valid', async () =>
   for (const mesh of OPTIONS.mesh.choices) {
     for (const solid of [false, true]) {
       for (const instancing of [false, true]) {
-        const { bytes, report } = written({ mesh, solid, instancing });
+        const { bytes, report } = await written({ mesh, solid, instancing });
         const { issues } = await validator.validateBytes(bytes);
         assert.deepEqual([issues.numErrors, issues.numWarnings], [0, 0], `${mesh}, ${solid}, ${instancing}`);
         assert.equal(report.triangles, solid ? 4 * 8 + 2 * 4 : 6 * 4);

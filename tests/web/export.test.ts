@@ -387,13 +387,13 @@ test('what is wrong with an option is an error with its key, value and bounds, b
   await assert.rejects(exportScene({ seed: -1 }, {}), { name: 'OutOfRange', key: 'seed' });
 });
 
-test('a file that would be too large is refused before anything is allocated, with the numbers', () => {
+test('a file that would be too large is refused before anything is allocated, with the numbers', async () => {
   const many = { length: 3e9 };
   const model = { positions: many, indices: many, groupOf: { length: 1000 } } as unknown as Model;
   const source = { title: '', link: '', hasPatterns: false, extrasOf: () => ({}) };
   for (const format of OPTIONS.format.choices) {
-    assert.throws(
-      () => exportModel(model, source, resolveOptions({ format })),
+    await assert.rejects(
+      exportModel(model, source, resolveOptions({ format })),
       (error: RockFieldError) => error.name === 'ExportTooLarge' && (error.value as number) > error.max!,
     );
   }

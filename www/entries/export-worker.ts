@@ -5,7 +5,7 @@ import { onTask } from '../generator/task-scope.ts';
 import { exportField } from '../rocks/export.ts';
 import type { ExportTask } from '../rocks/export-client.ts';
 
-onTask<ExportTask, ExportedFile>(({ field, source, options }) => {
-  const result = exportField(field, source, options);
+onTask<ExportTask, ExportedFile>(async ({ field, source, options }, onProgress) => {
+  const result = await exportField(field, source, options, { onProgress });
   return { result, transfer: [result.bytes.buffer] };
 });

@@ -2,8 +2,8 @@
 
 import type { ExportedFile } from '../export/file.ts';
 import { exportWith } from '../rocks/export.ts';
+import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
-import type { GenerateOptions } from '../rocks/headless.ts';
 import type { FieldRequest } from '../rocks/request.ts';
 import { generate } from './core.node.ts';
 
@@ -11,6 +11,6 @@ export { RockFieldError } from '../base/errors.ts';
 export { exportSchema } from '../export/schema.ts';
 
 /** The field of a request as a file. */
-export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: GenerateOptions): Promise<ExportedFile> {
+export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
   return exportWith(generate, request, options, run);
 }

@@ -2,8 +2,8 @@
 
 import type { ExportedFile } from '../export/file.ts';
 import { exportWith } from '../rocks/export.ts';
+import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
-import type { GenerateOptions } from '../rocks/headless.ts';
 import type { FieldRequest } from '../rocks/request.ts';
 import { generate } from './core.ts';
 
@@ -12,7 +12,7 @@ export { exportSchema } from '../export/schema.ts';
 export type { ErrorInfo, ErrorName } from '../base/errors.ts';
 export type { ExportedFile, ExportNote, ExportReport } from '../export/file.ts';
 export type { ExportOptions, ExportTarget } from '../export/options.ts';
-export type { GenerateOptions } from '../rocks/headless.ts';
+export type { ExportRun } from '../rocks/export.ts';
 export type { FieldRequest } from '../rocks/request.ts';
 
 /**
@@ -20,6 +20,6 @@ export type { FieldRequest } from '../rocks/request.ts';
  *
  * @throws {RockFieldError} naming the parameter or the option, its value and its bounds; `ExportTooLarge`.
  */
-export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: GenerateOptions): Promise<ExportedFile> {
+export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
   return exportWith(generate, request, options, run);
 }

@@ -1,25 +1,63 @@
 /** Text and numbers as bytes, in pieces that are joined at the end: a text of a whole mesh would be twice its file, and may be too long for a string. */
 
-const PIECE = 1 << 20;
+import { decimalsFor, POWERS } from './significant.ts';
+
+/** Pieces grow with what is written, within these bounds; bytes. */
+const [LEAST_PIECE, MOST_PIECE] = [1 << 14, 1 << 20];
 /** A number takes no more: sign, ten digits, point, decimals, and what follows it. */
 const LONGEST = 32;
-const [MINUS, POINT, ZERO] = [45, 46, 48];
-
+/** Texts up to this length are written letter by letter, which takes less time than a call of the encoder. */
+const SHORT = 256;
+const ASCII = 127;
+/** Texts that JSON has as they are. */
+const PLAIN = /^[\w -]*$/;
+const [MINUS, POINT, ZERO, QUOTE, E] = [45, 46, 48, 34, 101];
 export class ByteWriter {
   #full: Uint8Array[] = [];
-  #piece = new Uint8Array(PIECE);
+  #fullLength = 0;
+  #piece = new Uint8Array(0);
   #at = 0;
   #encoder = new TextEncoder();
 
+  /** How many bytes have been written. */
+  get length(): number {
+    return this.#fullLength + this.#at;
+  }
+
   text(text: string): void {
-    const bytes = this.#encoder.encode(text);
-    if (this.#at + bytes.length > PIECE) this.#next();
-    // Longer than a piece: one by itself.
-    if (bytes.length > PIECE) this.#full.push(bytes);
-    else {
-      this.#piece.set(bytes, this.#at);
-      this.#at += bytes.length;
+    const length = text.length;
+    if (length > SHORT) {
+      this.#encoded(text);
+      return;
     }
+    this.#room(length);
+    const piece = this.#piece;
+    const begin = this.#at;
+    for (let k = 0; k < length; k++) {
+      const code = text.charCodeAt(k);
+      if (code > ASCII) {
+        this.#encoded(text);
+        return;
+      }
+      piece[begin + k] = code;
+    }
+    this.#at = begin + length;
+  }
+
+  /** A text as JSON has it. */
+  quoted(text: string): void {
+    if (PLAIN.test(text)) {
+      this.codes(QUOTE);
+      this.text(text);
+      this.codes(QUOTE);
+    } else this.text(JSON.stringify(text));
+  }
+
+  #encoded(text: string): void {
+    const bytes = this.#encoder.encode(text);
+    this.#room(bytes.length);
+    this.#piece.set(bytes, this.#at);
+    this.#at += bytes.length;
   }
 
   /** Up to a few dozen characters of ASCII, each as its code. */
@@ -47,15 +85,53 @@ export class ByteWriter {
     this.#room();
     if (isNegative && whole + millionths > 0) this.#piece[this.#at++] = MINUS;
     this.#digits(whole | 0, 1);
-    let rest = millionths | 0;
+    this.#fraction(millionths, 6);
+  }
+
+  /** A point and the digits after it, if there are any but zeros; `value` is that many digits as an integer of 32 bits. */
+  #fraction(value: number, digits: number): void {
+    let [rest, places] = [value | 0, digits];
     if (rest === 0) return;
-    let places = 6;
     while (rest % 10 === 0) {
       rest = (rest / 10) | 0;
       places -= 1;
     }
     this.#piece[this.#at++] = POINT;
     this.#digits(rest, places);
+  }
+
+  /** What JSON has of a number that is rounded to so many significant digits, which are at most nine. */
+  significant(value: number, digits: number): void {
+    const size = Math.abs(value);
+    let decimals = decimalsFor(size, digits);
+    if (decimals < 0) {
+      this.text(String(Number(value.toPrecision(digits))));
+      return;
+    }
+    let number = Math.floor(size * POWERS[decimals]! + 0.5);
+    if (number === POWERS[digits] && decimals > 0) {
+      number = POWERS[digits - 1]!;
+      decimals -= 1;
+    }
+    this.#room();
+    if (value < 0) this.#piece[this.#at++] = MINUS;
+    const exponent = digits - 1 - decimals;
+    if (exponent >= -6) this.#withPoint(number, decimals);
+    else {
+      // JSON has smaller numbers with an exponent.
+      this.#withPoint(number, digits - 1);
+      this.#piece[this.#at++] = E;
+      this.#piece[this.#at++] = MINUS;
+      this.#digits(-exponent, 1);
+    }
+  }
+
+  /** An integer below 10⁹ divided by a power of ten, without needless zeros at its end. */
+  #withPoint(value: number, decimals: number): void {
+    const unit = POWERS[decimals]!;
+    const whole = Math.floor(value / unit);
+    this.#digits(whole, 1);
+    this.#fraction(value - whole * unit, decimals);
   }
 
   /** `value` is an integer of 32 bits; zeros in front make at least `least` digits of it. */
@@ -72,25 +148,37 @@ export class ByteWriter {
     this.#at += count;
   }
 
-  #room(): void {
-    if (this.#at + LONGEST > PIECE) this.#next();
+  /** Makes room for so many bytes in a row. */
+  #room(bytes = LONGEST): void {
+    if (this.#at + bytes <= this.#piece.length) return;
+    this.#flush();
+    this.#piece = new Uint8Array(Math.max(bytes, Math.min(MOST_PIECE, Math.max(LEAST_PIECE, this.#fullLength))));
   }
 
-  #next(): void {
-    this.#full.push(this.#piece.subarray(0, this.#at));
-    this.#piece = new Uint8Array(PIECE);
+  #flush(): void {
+    if (this.#at > 0) this.#full.push(this.#piece.subarray(0, this.#at));
+    this.#fullLength += this.#at;
+    this.#piece = new Uint8Array(0);
     this.#at = 0;
   }
 
-  /** Everything that was written. */
-  bytes(): Uint8Array<ArrayBuffer> {
-    this.#next();
-    const all = new Uint8Array(this.#full.reduce((sum, piece) => sum + piece.length, 0));
-    let at = 0;
+  /** Moves everything that was written to where `to` has it from `at` on; the writer is empty then. Returns where it ends. */
+  moveTo(to: Uint8Array, at: number): number {
+    this.#flush();
+    let end = at;
     for (const piece of this.#full) {
-      all.set(piece, at);
-      at += piece.length;
+      to.set(piece, end);
+      end += piece.length;
     }
+    this.#full = [];
+    this.#fullLength = 0;
+    return end;
+  }
+
+  /** Everything that was written; the writer is empty then. */
+  bytes(): Uint8Array<ArrayBuffer> {
+    const all = new Uint8Array(this.length);
+    this.moveTo(all, 0);
     return all;
   }
 }

@@ -1,14 +1,18 @@
 /** A model as a file, in whatever format is asked for. */
 
 import { RockFieldError } from '../base/errors.ts';
+import type { ByteWriter } from './byte-writer.ts';
 import { writeGlb } from './glb.ts';
 import type { Written } from './glb.ts';
 import type { Counts, Told } from './gltf-json.ts';
 import { kitOf } from './kit.ts';
 import { measuresOf } from './measures.ts';
+import type { Measures } from './measures.ts';
 import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
+import { Pace } from './pace.ts';
+import type { Waiting } from './pace.ts';
 import { writeObj, writePly, writeStl } from './plain-formats.ts';
 import { closed } from './solid.ts';
 
@@ -69,24 +73,34 @@ export const MOST_BYTES = 2 ** 31 - 1;
 /** JSON of a rock's node, mesh and accessors; a line of OBJ. As measured, rounded up. */
 const [BYTES_A_ROCK, BYTES_A_LINE] = [900, 40];
 
+/** Digits of what is measured of a body: nobody measures a stone more closely. */
+const MEASURED = 4;
+
 /**
  * The file.
  *
  * @param model open below; `options.solid` closes it.
  * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
+ * @throws the reason of the signal when it was aborted.
  */
-export function exportModel(model: Model, { title, link, hasPatterns, extrasOf }: Source, options: ResolvedOptions): ExportedFile {
+export async function exportModel(
+  model: Model,
+  { title, link, hasPatterns, extrasOf }: Source,
+  options: ResolvedOptions,
+  waiting?: Waiting,
+): Promise<ExportedFile> {
   const { format, mesh, instancing, solid } = options;
   checkSize(model, options);
   const told: Told = {
     title,
     scene: { link, metresPerPixel: model.unit },
-    body: (k) => {
+    body: (out, k) => {
       const group = model.groupOf[k]!;
-      return isOneThing(model, group) ? { ...model.groups[group]!.extras, ...extrasOf(k) } : { ...extrasOf(k), ...measuresOf(model, k) };
+      if (isOneThing(model, group)) out.text(JSON.stringify({ ...model.groups[group]!.extras, ...extrasOf(k) }));
+      else writeMeasured(out, extrasOf(k), measuresOf(model, k));
     },
   };
-  const { bytes, counts } = write(solid ? closed(model) : model, options, told);
+  const { bytes, counts } = await write(solid ? closed(model) : model, options, told, new Pace(waiting));
   const notes: (keyof typeof NOTES)[] = [
     ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || hasPatterns),
     ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
@@ -100,11 +114,28 @@ export function exportModel(model: Model, { title, link, hasPatterns, extrasOf }
   };
 }
 
-function write(model: Model, options: ResolvedOptions, told: Told): Written {
-  if (options.format === 'obj') return writeObj(model, options, told);
+/** One JSON object. */
+function writeMeasured(out: ByteWriter, extras: Record<string, unknown>, { area, volume, size }: Measures): void {
+  const own = JSON.stringify(extras).slice(0, -1);
+  out.text(own);
+  out.text(own === '{' ? '"area":' : ',"area":');
+  out.significant(area, MEASURED);
+  out.text(',"volume":');
+  out.significant(volume, MEASURED);
+  out.text(',"size":[');
+  out.significant(size[0], MEASURED);
+  out.text(',');
+  out.significant(size[1], MEASURED);
+  out.text(',');
+  out.significant(size[2], MEASURED);
+  out.text(']}');
+}
+
+async function write(model: Model, options: ResolvedOptions, told: Told, pace: Pace): Promise<Written> {
+  if (options.format === 'obj') return writeObj(model, options, told, pace);
   if (options.format === 'stl') return writeStl(model, options, told);
   if (options.format === 'ply') return writePly(model, options, told);
-  return writeGlb(model, options, told, options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined);
+  return writeGlb(model, options, told, pace, options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined);
 }
 
 function checkSize({ positions, indices, groupOf }: Model, { format, mesh, solid }: ResolvedOptions): void {

@@ -5,13 +5,16 @@
  * @gltf-transform took ten times the time of generating the field. Tests read the files back with it, and with Khronos' validator.
  */
 
+import type { ByteWriter } from './byte-writer.ts';
+import { fillInstances, fillMeshes, layoutOf } from './gltf-buffers.ts';
 import { GltfJson } from './gltf-json.ts';
 import type { Counts, Told } from './gltf-json.ts';
-import { buffersOf, meshesOf } from './gltf-parts.ts';
+import { meshesOf } from './gltf-parts.ts';
 import type { Kit } from './kit.ts';
 import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
+import type { Pace } from './pace.ts';
 
 const [GLTF, JSON_CHUNK, BIN_CHUNK] = [0x46546c67, 0x4e4f534a, 0x004e4942];
 
@@ -20,35 +23,43 @@ export interface Written {
   counts: Counts;
 }
 
+/** The share of the work that is done when the JSON part is written. */
+const JSON_SHARE = 0.7;
+
 /** The file. `kit` where `mesh` is so. */
-export function writeGlb(model: Model, { mesh, instancing }: ResolvedOptions, told: Told, kit?: Kit): Written {
+export async function writeGlb(model: Model, { mesh, instancing }: ResolvedOptions, told: Told, pace: Pace, kit?: Kit): Promise<Written> {
   const meshes = meshesOf(model, mesh, kit);
-  const buffers = buffersOf(model, meshes, mesh === 'one', kit && instancing ? instancesOf(model) : 0);
-  const json = new GltfJson(model, buffers);
-  for (const one of meshes) json.addMesh(one);
-  if (kit) json.addKit(kit, meshes, told, instancing);
-  else if (mesh === 'one') json.addWholes(meshes);
-  else json.addSingles(meshes, told);
-  return { bytes: container(json.text(told), buffers.bytes), counts: json.counts };
+  const layout = layoutOf(model, meshes, mesh === 'one', kit && instancing ? instancesOf(model) : 0);
+  const json = new GltfJson(model, layout, told);
+  const objects = kit ? json.addKit(kit, meshes, instancing) : mesh === 'one' ? json.addWholes(meshes) : json.addSingles(meshes);
+  const expected = meshes.length + (kit ? model.groupOf.length : meshes.length);
+  let done = 0;
+  for (const steps of [json.addMeshes(meshes), objects]) {
+    for (const _ of steps) {
+      done += 1;
+      if (pace.isDue()) await pace.rest((JSON_SHARE * done) / expected);
+    }
+  }
+  const { bytes, bin } = container(json.pieces(), layout.length);
+  await fillMeshes(model, meshes, layout, bin, pace, [JSON_SHARE, 1]);
+  if (kit && instancing) fillInstances(model, kit, layout, bin);
+  return { bytes, counts: json.counts };
 }
 
 function instancesOf(model: Model): number {
   return model.groupOf.filter((group) => !isOneThing(model, group)).length;
 }
 
-function container(json: string, bin: Uint8Array): Uint8Array<ArrayBuffer> {
-  const text = new TextEncoder().encode(json);
-  const textLength = Math.ceil(text.length / 4) * 4;
-  const binLength = bin.length > 0 ? 8 + bin.length : 0;
-  const bytes = new Uint8Array(20 + textLength + binLength);
+/** The file with its JSON part, which is moved there; the binary part is still empty. */
+function container(json: readonly ByteWriter[], binLength: number): { bytes: Uint8Array<ArrayBuffer>; bin: Uint8Array<ArrayBuffer> } {
+  const textLength = json.reduce((sum, piece) => sum + piece.length, 0);
+  const begin = 20 + Math.ceil(textLength / 4) * 4;
+  const bytes = new Uint8Array(begin + (binLength > 0 ? 8 + binLength : 0));
   const view = new DataView(bytes.buffer);
-  [GLTF, 2, bytes.length, textLength, JSON_CHUNK].forEach((word, k) => view.setUint32(4 * k, word, true));
-  bytes.fill(0x20, 20 + text.length, 20 + textLength);
-  bytes.set(text, 20);
-  if (binLength > 0) {
-    view.setUint32(20 + textLength, bin.length, true);
-    view.setUint32(24 + textLength, BIN_CHUNK, true);
-    bytes.set(bin, 28 + textLength);
-  }
-  return bytes;
+  [GLTF, 2, bytes.length, begin - 20, JSON_CHUNK].forEach((word, k) => view.setUint32(4 * k, word, true));
+  let end = 20;
+  for (const piece of json) end = piece.moveTo(bytes, end);
+  bytes.fill(0x20, end, begin);
+  if (binLength > 0) [binLength, BIN_CHUNK].forEach((word, k) => view.setUint32(begin + 4 * k, word, true));
+  return { bytes, bin: bytes.subarray(Math.min(begin + 8, bytes.length)) };
 }

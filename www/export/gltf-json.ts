@@ -1,9 +1,14 @@
 /** The JSON part of a glTF file. */
 
-import type { Buffers, Mesh, Place } from './gltf-parts.ts';
+import { ByteWriter } from './byte-writer.ts';
+import { BOUNDS, boundsOf } from './gltf-buffers.ts';
+import type { Layout, View, ViewName } from './gltf-buffers.ts';
+import type { Mesh, Part } from './gltf-parts.ts';
 import type { Kit } from './kit.ts';
 import { isOneThing, thingsOf } from './model.ts';
 import type { Model } from './model.ts';
+import { instancesByKind, placementOf, translationOf } from './placement.ts';
+import type { Placement } from './placement.ts';
 
 /** What a file has in it, for its report. */
 export interface Counts {
@@ -16,184 +21,260 @@ export interface Counts {
   meshes: number;
 }
 
-/** What is said about the whole file, and about each body. JSON. */
+/** What is said about the whole file, and about each body. */
 export interface Told {
   title: string;
+  /** JSON. */
   scene: Record<string, unknown>;
-  body: (k: number) => Record<string, unknown>;
+  /** Writes a JSON object about body k. */
+  body: (out: ByteWriter, k: number) => void;
 }
 
 const FLOAT = 5126;
+/** Digits of numbers that people read, as many as a 32-bit float has; and of those that have to be a certain 32-bit float. */
+const [DIGITS, BOUND_DIGITS] = [7, 9];
 
-/** The JSON part, written as text from the start: as objects it would take ten times the memory. */
+/** What is written of vertices, in the order in which it stands in a primitive. */
+const ATTRIBUTES = [
+  { view: 'positions', semantic: 'POSITION', bytes: 12, type: 'VEC3' },
+  { view: 'normals', semantic: 'NORMAL', bytes: 12, type: 'VEC3' },
+  { view: 'ids', semantic: '_FEATURE_ID_0', bytes: 4, type: 'SCALAR' },
+] as const satisfies readonly { view: ViewName; semantic: string; bytes: number; type: string }[];
+
+/**
+ * The JSON part, whose lists are bytes from the start: as objects they would take ten times the time and the memory.
+ *
+ * What writes one object after the other yields after each, so that others can have their turn.
+ */
 export class GltfJson {
   readonly counts: Counts = { vertices: 0, triangles: 0, objects: 0, nodes: 0, meshes: 0 };
   #model: Model;
-  #buffers: Buffers;
-  #indices: number;
-  #accessors: string[] = [];
-  #meshes: string[] = [];
+  #layout: Layout;
+  #told: Told;
+  #accessors = new ByteWriter();
+  #accessorCount = 0;
+  #meshes = new ByteWriter();
   /** For each mesh. */
   #triangles: number[] = [];
   /** How many parts have been written. */
   #parts = 0;
   /** Numbers in the file of the model's materials, in the order in which they were used. */
   #materials = new Map<number, number>();
-  #nodes: string[] = [];
+  #nodes = new ByteWriter();
   #roots: number[] = [];
   #extensions = new Set<string>();
+  #bounds = new Float32Array(BOUNDS);
 
-  constructor(model: Model, buffers: Buffers) {
+  constructor(model: Model, layout: Layout, told: Told) {
     this.#model = model;
-    this.#buffers = buffers;
-    this.#indices = buffers.places.reduce((sum, { indices }) => sum + indices, 0);
+    this.#layout = layout;
+    this.#told = told;
   }
 
-  /** Meshes are added in the order of the buffers. */
-  addMesh({ name, parts }: Mesh): void {
-    const { places, views, indexType } = this.#buffers;
-    const bytes = views.indices!.length / this.#indices;
-    let triangles = 0;
-    const primitives = parts.map(({ material, bodies }) => {
-      const { vertex, vertices, index, indices, min, max } = places[this.#parts++]!;
-      const attributes: Record<string, number> = {
-        POSITION: this.#accessor('positions', 12 * vertex, FLOAT, vertices, 'VEC3', { min, max }),
-        NORMAL: this.#accessor('normals', 12 * vertex, FLOAT, vertices, 'VEC3'),
-      };
-      if (views.ids) attributes._FEATURE_ID_0 = this.#accessor('ids', 4 * vertex, FLOAT, vertices, 'SCALAR');
-      this.counts.vertices += vertices;
-      triangles += indices / 3;
-      return {
-        attributes,
-        indices: this.#accessor('indices', bytes * index, indexType, indices, 'SCALAR'),
-        material: this.#material(material),
-        ...(views.ids && { extensions: this.#used('EXT_mesh_features', { featureIds: [{ featureCount: bodies.length, attribute: 0 }] }) }),
-      };
-    });
-    this.#meshes.push(JSON.stringify({ name, primitives }));
-    this.#triangles.push(triangles);
-    this.counts.meshes += 1;
-  }
-
-  addWholes(meshes: readonly Mesh[]): void {
-    meshes.forEach(({ name, group }, mesh) => {
-      this.#roots.push(this.#node({ name, mesh, extras: this.#model.groups[group]!.extras }, mesh));
-    });
-  }
-
-  addSingles(meshes: readonly Mesh[], told: Told): void {
-    this.#grouped((group) => {
-      const children: number[] = [];
-      meshes.forEach(({ name, group: of, parts }, mesh) => {
-        if (of !== group) return;
-        const [k] = parts[0]!.bodies as [number];
-        children.push(this.#node({ name, mesh, translation: this.#placeOf(k), extras: told.body(k) }, mesh));
+  /** Meshes are added in the order of the layout. */
+  *addMeshes(meshes: readonly Mesh[]): Generator<void> {
+    const out = this.#meshes;
+    for (const { name, parts } of meshes) {
+      out.text(this.counts.meshes > 0 ? ',{"name":' : '{"name":');
+      out.quoted(name);
+      out.text(',"primitives":[');
+      let triangles = 0;
+      parts.forEach((part, p) => {
+        if (p > 0) out.text(',');
+        triangles += this.#addPart(part);
       });
-      return children;
-    });
-  }
-
-  addKit(kit: Kit, meshes: readonly Mesh[], told: Told, instancing: boolean): void {
-    if (instancing) this.#addInstances(kit, meshes, told);
-    else {
-      const things = thingsOf(this.#model);
-      this.#grouped((group) =>
-        things
-          .filter((thing) => thing.group === group)
-          .map(({ name, bodies: [k] }) => {
-            const mesh = kit.kindOf[k!]!;
-            const place = isOneThing(this.#model, group) ? { translation: this.#placeOf(k!) } : this.#instance(kit, k!);
-            return this.#node({ name, mesh, ...place, extras: told.body(k!) }, mesh);
-          }),
-      );
+      out.text(']}');
+      this.#triangles.push(triangles);
+      this.counts.meshes += 1;
+      yield;
     }
   }
 
-  /** The instances of a kind lie one after the other in their views. */
-  #addInstances(kit: Kit, meshes: readonly Mesh[], told: Told): void {
-    const { bytes, views } = this.#buffers;
-    const arrays = {
-      translation: new Float32Array(bytes.buffer, views.translations?.offset, (views.translations?.length ?? 0) / 4),
-      rotation: new Float32Array(bytes.buffer, views.rotations?.offset, (views.rotations?.length ?? 0) / 4),
-      scale: new Float32Array(bytes.buffer, views.scales?.offset, (views.scales?.length ?? 0) / 4),
-    };
+  /** Returns how many triangles it has. */
+  #addPart(part: Part): number {
+    const out = this.#meshes;
+    const { places, views, indexType, indexBytes } = this.#layout;
+    const { vertex, vertices, index, indices } = places[this.#parts++]!;
+    out.text('{"attributes":');
+    let before = '{"';
+    for (const { view, semantic, bytes, type } of ATTRIBUTES) {
+      if (!views[view]) continue;
+      const bounds = view === 'positions' ? boundsOf(this.#model, part, this.#bounds) : undefined;
+      out.text(before);
+      out.text(semantic);
+      out.text('":');
+      out.whole(this.#accessor(view, bytes * vertex, FLOAT, vertices, type, bounds));
+      before = ',"';
+    }
+    out.text('},"indices":');
+    out.whole(this.#accessor('indices', indexBytes * index, indexType, indices, 'SCALAR'));
+    out.text(',"material":');
+    out.whole(this.#material(part.material));
+    if (views.ids) {
+      const features = { featureIds: [{ featureCount: part.bodies.length, attribute: 0 }] };
+      out.text(`,"extensions":${JSON.stringify(this.#used('EXT_mesh_features', features))}`);
+    }
+    out.text('}');
+    this.counts.vertices += vertices;
+    return indices / 3;
+  }
+
+  *addWholes(meshes: readonly Mesh[]): Generator<void> {
+    for (const [mesh, { name, group }] of meshes.entries()) {
+      this.#roots.push(this.#beginNode(name));
+      this.#mesh(mesh);
+      this.#endNode(this.#model.groups[group]!.extras);
+      yield;
+    }
+  }
+
+  *addSingles(meshes: readonly Mesh[]): Generator<void> {
+    for (const group of this.#model.groups.keys()) {
+      const first = this.counts.nodes;
+      for (const [mesh, { name, group: of, parts }] of meshes.entries()) {
+        if (of !== group) continue;
+        const body = parts[0]!.bodies[0]!;
+        this.#object(name, mesh, translationOf(this.#model, body), undefined, body);
+        yield;
+      }
+      this.#group(group, first);
+    }
+  }
+
+  *addKit(kit: Kit, meshes: readonly Mesh[], instancing: boolean): Generator<void> {
+    if (instancing) {
+      this.#addInstances(kit, meshes);
+      return;
+    }
+    const things = thingsOf(this.#model);
+    for (const group of this.#model.groups.keys()) {
+      const first = this.counts.nodes;
+      for (const { name, group: of, bodies } of things) {
+        if (of !== group) continue;
+        const body = bodies[0]!;
+        const placement = isOneThing(this.#model, group) ? undefined : placementOf(this.#model, body, kit);
+        this.#object(name, kit.kindOf[body]!, placement?.translation ?? translationOf(this.#model, body), placement, body);
+        yield;
+      }
+      this.#group(group, first);
+    }
+  }
+
+  #addInstances(kit: Kit, meshes: readonly Mesh[]): void {
+    const instances = instancesByKind(this.#model, kit);
     let at = 0;
-    this.#grouped((group) =>
-      meshes.flatMap(({ name, group: of }, mesh) => {
-        const own = of === group ? [...kit.kindOf.keys()].filter((k) => kit.kindOf[k] === mesh) : [];
-        if (own.length === 0) return [];
+    for (const group of this.#model.groups.keys()) {
+      const first = this.counts.nodes;
+      for (const [mesh, { name, group: of, parts }] of meshes.entries()) {
+        if (of !== group) continue;
         if (isOneThing(this.#model, group)) {
-          return [this.#node({ name, mesh, translation: this.#placeOf(own[0]!), extras: told.body(own[0]!) }, mesh)];
+          const body = parts[0]!.bodies[0]!;
+          this.#object(name, mesh, translationOf(this.#model, body), undefined, body);
+          continue;
         }
+        const count = instances[mesh]!.length;
+        if (count === 0) continue;
         const attributes = {
-          TRANSLATION: this.#accessor('translations', 12 * at, FLOAT, own.length, 'VEC3'),
-          ROTATION: this.#accessor('rotations', 16 * at, FLOAT, own.length, 'VEC4'),
-          SCALE: this.#accessor('scales', 12 * at, FLOAT, own.length, 'VEC3'),
+          TRANSLATION: this.#accessor('translations', 12 * at, FLOAT, count, 'VEC3'),
+          ROTATION: this.#accessor('rotations', 16 * at, FLOAT, count, 'VEC4'),
+          SCALE: this.#accessor('scales', 12 * at, FLOAT, count, 'VEC3'),
         };
-        for (const k of own) {
-          const { translation, rotation, scale } = this.#instance(kit, k);
-          arrays.translation.set(translation, 3 * at);
-          arrays.rotation.set(rotation, 4 * at);
-          arrays.scale.set(scale, 3 * at);
-          at += 1;
-        }
-        this.counts.objects += own.length - 1;
-        this.counts.triangles += (own.length - 1) * this.#trianglesOf(mesh);
-        return [this.#node({ name, mesh, extensions: this.#used('EXT_mesh_gpu_instancing', { attributes }) }, mesh)];
-      }),
-    );
-  }
-
-  /** What makes the body's kind lie as the body does. */
-  #instance({ kinds, kindOf, frames }: Kit, k: number) {
-    const [own, kind] = [frames[k]!, frames[kinds[kindOf[k]!]!]!];
-    const [along, across, height] = own.extents.map((extent, axis) => rounded(extent / kind.extents[axis]!));
-    // Half of the angle, which is between −90° and 90°.
-    const [cos, sin] = [Math.sqrt((1 + own.cos) / 2), Math.sqrt(Math.max(0, (1 - own.cos) / 2)) * (own.sin < 0 ? -1 : 1)];
-    return { translation: this.#placeOf(k), rotation: [0, rounded(sin), 0, rounded(cos)], scale: [along!, height!, across!] };
-  }
-
-  /** Metres from the middle of the whole, y up. */
-  #placeOf(k: number): number[] {
-    const { origins, centre, unit } = this.#model;
-    const [x, y, z] = [0, 1, 2].map((axis) => unit * (origins[3 * k + axis]! - centre[axis]!)) as [number, number, number];
-    return [rounded(x), rounded(z), rounded(-y)];
-  }
-
-  /** A node for each group that has children; what is one thing needs none above it. */
-  #grouped(childrenOf: (group: number) => number[]): void {
-    this.#model.groups.forEach(({ name, extras }, group) => {
-      const children = childrenOf(group);
-      if (isOneThing(this.#model, group)) this.#roots.push(...children);
-      else if (children.length > 0) this.#roots.push(this.#node({ name, children, extras }));
-    });
-  }
-
-  #node(node: Record<string, unknown>, mesh?: number): number {
-    this.#nodes.push(JSON.stringify(node));
-    this.counts.nodes += 1;
-    if (mesh !== undefined) {
-      this.counts.objects += 1;
-      this.counts.triangles += this.#trianglesOf(mesh);
+        at += count;
+        this.#beginNode(name);
+        this.#mesh(mesh, count);
+        this.#nodes.text(`,"extensions":${JSON.stringify(this.#used('EXT_mesh_gpu_instancing', { attributes }))}}`);
+      }
+      this.#group(group, first);
     }
-    return this.#nodes.length - 1;
   }
 
-  #trianglesOf(mesh: number): number {
-    return this.#triangles[mesh]!;
+  /** Returns its number. What it is and its end are still to be written. */
+  #beginNode(name: string): number {
+    const out = this.#nodes;
+    out.text(this.counts.nodes > 0 ? ',{"name":' : '{"name":');
+    out.quoted(name);
+    this.counts.nodes += 1;
+    return this.counts.nodes - 1;
   }
 
-  #accessor(
-    view: keyof Buffers['views'],
-    byteOffset: number,
-    componentType: number,
-    count: number,
-    type: string,
-    bounds?: Pick<Place, 'min' | 'max'>,
-  ): number {
-    const bufferView = this.#buffers.views[view]!.index;
-    this.#accessors.push(JSON.stringify({ bufferView, byteOffset, componentType, count, type, ...bounds }));
-    return this.#accessors.length - 1;
+  #endNode(extras: Record<string, unknown>): void {
+    this.#nodes.text(`,"extras":${JSON.stringify(extras)}}`);
+  }
+
+  #mesh(mesh: number, times = 1): void {
+    this.#nodes.text(',"mesh":');
+    this.#nodes.whole(mesh);
+    this.counts.objects += times;
+    this.counts.triangles += times * this.#triangles[mesh]!;
+  }
+
+  #object(
+    name: string,
+    mesh: number,
+    translation: Placement['translation'],
+    { rotation, scale }: Partial<Placement> = {},
+    body: number,
+  ): void {
+    const out = this.#nodes;
+    this.#beginNode(name);
+    this.#mesh(mesh);
+    this.#list(out, ',"translation":[', translation, 0, 3, DIGITS);
+    if (rotation) this.#list(out, ',"rotation":[', rotation, 0, 4, DIGITS);
+    if (scale) this.#list(out, ',"scale":[', scale, 0, 3, DIGITS);
+    out.text(',"extras":');
+    this.#told.body(out, body);
+    out.text('}');
+  }
+
+  /** The numbers from `begin` to `end`. */
+  #list(out: ByteWriter, opening: string, numbers: ArrayLike<number>, begin: number, end: number, digits: number): void {
+    out.text(opening);
+    for (let k = begin; k < end; k++) {
+      if (k > begin) out.text(',');
+      out.significant(numbers[k]!, digits);
+    }
+    out.text(']');
+  }
+
+  /** A node above those of a group, which have been written from number `first` on; what is one thing needs none above it. */
+  #group(group: number, first: number): void {
+    const { name, extras } = this.#model.groups[group]!;
+    const end = this.counts.nodes;
+    if (isOneThing(this.#model, group)) {
+      for (let node = first; node < end; node++) this.#roots.push(node);
+    } else if (end > first) {
+      this.#roots.push(this.#beginNode(name));
+      let before = ',"children":[';
+      for (let node = first; node < end; node++) {
+        this.#nodes.text(before);
+        this.#nodes.whole(node);
+        before = ',';
+      }
+      this.#nodes.text(']');
+      this.#endNode(extras);
+    }
+  }
+
+  /** Returns its number. */
+  #accessor(view: ViewName, byteOffset: number, componentType: number, count: number, type: string, bounds?: Float32Array): number {
+    const out = this.#accessors;
+    out.text(this.#accessorCount > 0 ? ',{"bufferView":' : '{"bufferView":');
+    out.whole(this.#layout.views[view]!.index);
+    out.text(',"byteOffset":');
+    out.whole(byteOffset);
+    out.text(',"componentType":');
+    out.whole(componentType);
+    out.text(',"count":');
+    out.whole(count);
+    out.text(',"type":"');
+    out.text(type);
+    out.text('"');
+    if (bounds) {
+      this.#list(out, ',"min":[', bounds, 0, 3, BOUND_DIGITS);
+      this.#list(out, ',"max":[', bounds, 3, 6, BOUND_DIGITS);
+    }
+    out.text('}');
+    return this.#accessorCount++;
   }
 
   #material(ofModel: number): number {
@@ -206,40 +287,44 @@ export class GltfJson {
     return { [extension]: value };
   }
 
-  text({ title, scene }: Told): string {
-    const materials = [...this.#materials.keys()].map((used) => {
+  /** All of it, in pieces that follow one another. */
+  pieces(): ByteWriter[] {
+    const { title, scene } = this.#told;
+    const { length, views } = this.#layout;
+    const pieces: ByteWriter[] = [];
+    const text = (words: string): void => {
+      const piece = new ByteWriter();
+      piece.text(words);
+      pieces.push(piece);
+    };
+    const list = (name: string, items: ByteWriter): void => {
+      if (items.length === 0) return;
+      text(`,"${name}":[`);
+      pieces.push(items);
+      text(']');
+    };
+    text('{"asset":{"version":"2.0","generator":"rock-field"}');
+    if (this.#extensions.size > 0) text(`,"extensionsUsed":${JSON.stringify([...this.#extensions])}`);
+    if (this.#extensions.has('EXT_mesh_gpu_instancing')) text(',"extensionsRequired":["EXT_mesh_gpu_instancing"]');
+    const roots = this.#roots.length > 0 && { nodes: this.#roots };
+    text(`,"scene":0,"scenes":[${JSON.stringify({ name: title, ...roots, extras: scene })}]`);
+    list('nodes', this.#nodes);
+    list('meshes', this.#meshes);
+    if (this.counts.meshes > 0) text(`,"materials":${JSON.stringify(this.#usedMaterials())}`);
+    list('accessors', this.#accessors);
+    if (length > 0) text(`,"bufferViews":${JSON.stringify(Object.values(views).map(bufferView))},"buffers":[{"byteLength":${length}}]`);
+    text('}');
+    return pieces;
+  }
+
+  #usedMaterials(): object[] {
+    return [...this.#materials.keys()].map((used) => {
       const { name, color } = this.#model.materials[used]!;
       return { name, pbrMetallicRoughness: { baseColorFactor: [...color, 1], metallicFactor: 0, roughnessFactor: 0.9 } };
     });
-    const { bytes, views } = this.#buffers;
-    const bufferViews = Object.values(views).map(({ offset, length, stride, target }) => ({
-      buffer: 0,
-      byteOffset: offset,
-      byteLength: length,
-      ...(stride && { byteStride: stride }),
-      ...(target && { target }),
-    }));
-    const list = (name: string, items: readonly string[]): string[] => (items.length > 0 ? [`"${name}":[${items.join()}]`] : []);
-    const used = this.#extensions.size > 0 ? [`"extensionsUsed":${JSON.stringify([...this.#extensions])}`] : [];
-    const required = this.#extensions.has('EXT_mesh_gpu_instancing') ? ['"extensionsRequired":["EXT_mesh_gpu_instancing"]'] : [];
-    return `{${[
-      '"asset":{"version":"2.0","generator":"rock-field"}',
-      ...used,
-      ...required,
-      '"scene":0',
-      `"scenes":[${JSON.stringify({ name: title, ...(this.#roots.length > 0 && { nodes: this.#roots }), extras: scene })}]`,
-      ...list('nodes', this.#nodes),
-      ...list('meshes', this.#meshes),
-      ...(this.#meshes.length > 0 ? [`"materials":${JSON.stringify(materials)}`] : []),
-      ...list('accessors', this.#accessors),
-      ...(bytes.length > 0
-        ? [`"bufferViews":${JSON.stringify(bufferViews)}`, `"buffers":${JSON.stringify([{ byteLength: bytes.length }])}`]
-        : []),
-    ].join()}}`;
   }
 }
 
-/** Seven digits, as many as a 32-bit float has. */
-export function rounded(value: number): number {
-  return Number(value.toPrecision(7));
+function bufferView({ offset, length, stride, target }: View): object {
+  return { buffer: 0, byteOffset: offset, byteLength: length, ...(stride && { byteStride: stride }), ...(target && { target }) };
 }

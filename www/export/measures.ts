@@ -13,42 +13,58 @@ export interface Measures {
 }
 
 /** @param k the body, which is open below. */
-export function measuresOf({ positions, indices, indexStarts, vertexStarts, origins, unit }: Model, k: number): Measures {
-  const [first, last] = [vertexStarts[k]!, vertexStarts[k + 1]!];
-  const [begin, end] = [indexStarts[k]!, indexStarts[k + 1]!];
-  const rim = rimOf(last - first, (end - begin) / 3);
-  const [x, y] = [origins[3 * k]!, origins[3 * k + 1]!];
-  let [z, twiceArea] = [0, 0];
+export function measuresOf(model: Model, k: number): Measures {
+  const { positions, indexStarts, vertexStarts, origins, unit } = model;
+  const first = vertexStarts[k]!;
+  const last = vertexStarts[k + 1]!;
+  const rim = rimOf(last - first, (indexStarts[k + 1]! - indexStarts[k]!) / 3);
+  const x = origins[3 * k]!;
+  const y = origins[3 * k + 1]!;
+  let z = 0;
+  let twiceArea = 0;
   for (let v = 0; v < rim; v++) {
-    const [a, b] = [3 * (first + v), 3 * (first + ((v + 1) % rim))];
+    const a = 3 * (first + v);
+    const b = v + 1 < rim ? a + 3 : 3 * first;
     z += positions[a + 2]! / rim;
     twiceArea += (positions[a]! - x) * (positions[b + 1]! - y) - (positions[b]! - x) * (positions[a + 1]! - y);
   }
-  // Seen from the middle of the rim, from which the bottom is a fan without volume.
-  let sixfold = 0;
-  for (let i = begin; i < end; i += 3) {
-    const [a, b, c] = [3 * indices[i]!, 3 * indices[i + 1]!, 3 * indices[i + 2]!];
-    const [ax, ay, az] = [positions[a]! - x, positions[a + 1]! - y, positions[a + 2]! - z];
-    const [bx, by, bz] = [positions[b]! - x, positions[b + 1]! - y, positions[b + 2]! - z];
-    const [cx, cy, cz] = [positions[c]! - x, positions[c + 1]! - y, positions[c + 2]! - z];
-    sixfold += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
-  }
-  const spans = [0, 2, 1].map((axis) => {
-    let [least, most] = [Infinity, -Infinity];
-    for (let v = 3 * first + axis; v < 3 * last; v += 3) {
-      least = Math.min(least, positions[v]!);
-      most = Math.max(most, positions[v]!);
-    }
-    return rounded(unit * (most - least));
-  });
   return {
-    area: rounded((unit * unit * twiceArea) / 2),
-    volume: rounded((unit * unit * unit * sixfold) / 6),
-    size: spans as Measures['size'],
+    area: (unit * unit * twiceArea) / 2,
+    volume: (unit * unit * unit * sixfoldVolume(model, k, x, y, z)) / 6,
+    size: [unit * span(positions, first, last, 0), unit * span(positions, first, last, 2), unit * span(positions, first, last, 1)],
   };
 }
 
-/** Four digits: nobody measures a stone more closely. */
-function rounded(value: number): number {
-  return Number(value.toPrecision(4));
+/** Seen from the middle of the rim, from which the bottom is a fan without volume. */
+function sixfoldVolume({ positions, indices, indexStarts }: Model, k: number, x: number, y: number, z: number): number {
+  const end = indexStarts[k + 1]!;
+  let sum = 0;
+  for (let i = indexStarts[k]!; i < end; i += 3) {
+    const a = 3 * indices[i]!;
+    const b = 3 * indices[i + 1]!;
+    const c = 3 * indices[i + 2]!;
+    const ax = positions[a]! - x;
+    const ay = positions[a + 1]! - y;
+    const az = positions[a + 2]! - z;
+    const bx = positions[b]! - x;
+    const by = positions[b + 1]! - y;
+    const bz = positions[b + 2]! - z;
+    const cx = positions[c]! - x;
+    const cy = positions[c + 1]! - y;
+    const cz = positions[c + 2]! - z;
+    sum += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
+  }
+  return sum;
+}
+
+/** How far vertices reach along an axis. */
+function span(positions: Float32Array, first: number, last: number, axis: number): number {
+  let least = Infinity;
+  let most = -Infinity;
+  for (let v = 3 * first + axis; v < 3 * last; v += 3) {
+    const value = positions[v]!;
+    if (value < least) least = value;
+    if (value > most) most = value;
+  }
+  return most - least;
 }

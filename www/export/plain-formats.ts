@@ -6,6 +6,7 @@ import type { Told } from './gltf-json.ts';
 import { thingsOf } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
+import type { Pace } from './pace.ts';
 
 type Options = Pick<ResolvedOptions, 'mesh' | 'up' | 'scale'>;
 
@@ -26,16 +27,19 @@ function inFile({ positions, normals, unit, centre }: Model, { up, scale }: Opti
   return turned;
 }
 
+/** Numbers after which the time is looked at. */
+const MANY = 3 * 1024;
+
 const [LINE, SPACE, SLASH, F] = [10, 32, 47, 102];
 
 /** Wavefront OBJ: `v`, `vn` and `f` with a group for each layer, and an object for each body. Its comments say what the file is. */
-export function writeObj(model: Model, options: Options, told: Told): Written {
+export async function writeObj(model: Model, options: Options, told: Told, pace: Pace): Promise<Written> {
   const out = new ByteWriter();
   const { positions, normals } = inFile(model, options);
   out.text(`# ${told.title}, by rock-field\n`);
   for (const [key, value] of Object.entries(told.scene)) out.text(`# ${key}: ${String(value)}\n`);
-  writeTriples(out, 'v', positions);
-  writeTriples(out, 'vn', normals);
+  await writeTriples(out, 'v', positions, pace, 0);
+  await writeTriples(out, 'vn', normals, pace, 1 / 3);
   const objects = new Map(thingsOf(model).map(({ name, bodies: [first] }) => [first!, name]));
   let [group, material] = [-1, -1];
   for (let k = 0; k < model.groupOf.length; k++) {
@@ -61,12 +65,13 @@ export function writeObj(model: Model, options: Options, told: Told): Written {
       }
       out.codes(LINE);
     }
+    if (pace.isDue()) await pace.rest(2 / 3 + (k + 1) / model.groupOf.length / 3);
   }
   return { bytes: out.bytes(), counts: countsOf(model, options.mesh === 'rocks') };
 }
 
-/** A line for each three numbers. */
-function writeTriples(out: ByteWriter, name: string, list: Float32Array): void {
+/** A line for each three numbers, which is a third of the work, after `done` of it. */
+async function writeTriples(out: ByteWriter, name: string, list: Float32Array, pace: Pace, done: number): Promise<void> {
   const begin = [...name].map((letter) => letter.charCodeAt(0));
   for (let v = 0; v < list.length; v += 3) {
     out.codes(...begin);
@@ -75,6 +80,7 @@ function writeTriples(out: ByteWriter, name: string, list: Float32Array): void {
       out.decimal(list[v + axis]!);
     }
     out.codes(LINE);
+    if (v % MANY === 0 && pace.isDue()) await pace.rest(done + v / list.length / 3);
   }
 }
 

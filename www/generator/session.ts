@@ -1,6 +1,7 @@
 /** Drives one generator of the wasm: slices, time per stage, abort, and the buffers as what they are called here. In the worker and in Node. */
 
 import { errorInfo, isCoded, RockFieldError } from '../base/errors.ts';
+import { nextTask } from '../base/next-task.ts';
 import { Estimate } from './estimate.ts';
 import type { Progress } from './protocol.ts';
 
@@ -137,43 +138,4 @@ function stageOf<Stage extends string>(generator: RawSteps, stages: readonly Sta
 
 function progressOf<Stage extends string>(generator: RawSteps, stages: readonly Stage[]): Progress<Stage> {
   return { stage: stageOf(generator, stages), fraction: generator.progress() };
-}
-
-// Node only: a MessageChannel there keeps the process alive, and setImmediate is cheaper.
-declare const setImmediate: ((run: () => void) => void) | undefined;
-
-let channel: MessageChannel | undefined;
-/** Whether a message is on its way through the channel. */
-let awaited = false;
-const waiting: (() => void)[] = [];
-
-/**
- * Lets every message and event that is waiting be handled. `setTimeout` would cost 4 ms each time.
- *
- * Each task resumes one of the runs that wait, in turn, so that the queue is read after every slice however many runs there are.
- */
-function nextTask(): Promise<void> {
-  return new Promise((resolve) => {
-    if (typeof setImmediate === 'function') {
-      setImmediate(resolve);
-      return;
-    }
-    waiting.push(resolve);
-    wakeNext();
-  });
-}
-
-function wakeNext(): void {
-  if (awaited || waiting.length === 0) return;
-  if (!channel) {
-    channel = new MessageChannel();
-    channel.port1.onmessage = () => {
-      awaited = false;
-      waiting.shift()?.();
-      // Behind the slice that was resumed: what came in during it is read before the next.
-      queueMicrotask(wakeNext);
-    };
-  }
-  awaited = true;
-  channel.port2.postMessage(null);
 }

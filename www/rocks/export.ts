@@ -7,6 +7,8 @@ import type { ExportedFile } from '../export/file.ts';
 import type { Material, Model } from '../export/model.ts';
 import { resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
+import type { Waiting } from '../export/pace.ts';
+import type { Progress, StageName } from '../generator/protocol.ts';
 import type { GenerateOptions } from './headless.ts';
 import { encodeLink } from './link.ts';
 import type { Params, PresetName } from './params.ts';
@@ -30,7 +32,12 @@ export interface FieldSource {
  *
  * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
  */
-export function exportField(field: Field, { params, preset }: FieldSource, options: ResolvedOptions): ExportedFile {
+export function exportField(
+  field: Field,
+  { params, preset }: FieldSource,
+  options: ResolvedOptions,
+  waiting?: Waiting,
+): Promise<ExportedFile> {
   const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(ROCKS, preset ?? '') === 'natural');
   const { rockLayer } = field;
   const source = {
@@ -39,8 +46,17 @@ export function exportField(field: Field, { params, preset }: FieldSource, optio
     hasPatterns: isNatural,
     extrasOf: (rock: number) => ({ id: rock + 1, layer: params.layers[rockLayer[rock]!]!.id }),
   };
-  return exportModel(modelOf(field, params, options.metresPerPixel, isNatural), source, options);
+  return exportModel(modelOf(field, params, options.metresPerPixel, isNatural), source, options, waiting);
 }
+
+/** As of `generate`; progress goes on while the file is written, in the stage `file`. */
+export interface ExportRun extends Omit<GenerateOptions, 'onProgress'> {
+  /** Called every 16 ms or so. */
+  onProgress?: ((progress: Progress<StageName | 'file'>) => void) | undefined;
+}
+
+/** The share of the work that is done when the field is there. */
+const GENERATED = 0.6;
 
 /**
  * Generates and exports in one call: what `entries/export.ts` and `export.node.ts` share.
@@ -52,15 +68,21 @@ export async function exportWith(
   generate: (request?: FieldRequest, options?: GenerateOptions) => Promise<Field>,
   request: FieldRequest | undefined,
   options: ExportOptions | undefined,
-  run: GenerateOptions | undefined,
+  { onProgress, ...run }: ExportRun = {},
 ): Promise<ExportedFile> {
   // All of it is read now: what the caller does to the objects afterwards is no part of the request.
   const resolved = resolveOptions(options);
   const params = resolveParams(request);
   const preset = request?.preset;
-  const field = await generate(params, run);
-  run?.signal?.throwIfAborted();
-  return exportField(field, { params, preset }, resolved);
+  const field = await generate(params, {
+    ...run,
+    onProgress: onProgress && ((progress) => onProgress({ ...progress, fraction: GENERATED * progress.fraction })),
+  });
+  run.signal?.throwIfAborted();
+  return exportField(field, { params, preset }, resolved, {
+    signal: run.signal,
+    onProgress: onProgress && ((fraction) => onProgress({ stage: 'file', fraction: GENERATED + (1 - GENERATED) * fraction })),
+  });
 }
 
 /**
@@ -100,13 +122,17 @@ function modelOf(field: Field, params: Params, metresPerPixel: number, isNatural
 function standingPlaces({ positions, vertexStarts, rockLayer }: Field): Float64Array {
   const places = new Float64Array(3 * rockLayer.length);
   for (let rock = 0; rock < rockLayer.length; rock++) {
-    let [left, right, near, far] = [Infinity, -Infinity, Infinity, -Infinity];
+    let left = Infinity;
+    let right = -Infinity;
+    let near = Infinity;
+    let far = -Infinity;
     for (let v = 3 * vertexStarts[rock]!; v < 3 * vertexStarts[rock + 1]!; v += 3) {
-      const [x, y] = [positions[v]!, positions[v + 1]!];
-      left = Math.min(left, x);
-      right = Math.max(right, x);
-      near = Math.min(near, y);
-      far = Math.max(far, y);
+      const x = positions[v]!;
+      const y = positions[v + 1]!;
+      if (x < left) left = x;
+      if (x > right) right = x;
+      if (y < near) near = y;
+      if (y > far) far = y;
     }
     places[3 * rock] = (left + right) / 2;
     places[3 * rock + 1] = (near + far) / 2;

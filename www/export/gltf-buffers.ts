@@ -1,0 +1,223 @@
+/** The binary part of a glTF file: where everything lies in it, and how it is filled. Metres, y up: our (x, y, z) is its (x, z, −y). */
+
+import type { Mesh, Part } from './gltf-parts.ts';
+import type { Kit } from './kit.ts';
+import type { Model } from './model.ts';
+import type { Pace } from './pace.ts';
+import { instancesByKind, placementOf } from './placement.ts';
+
+const [ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER] = [34962, 34963];
+const [UNSIGNED_SHORT, UNSIGNED_INT] = [5123, 5125];
+/** Vertices that a mesh may have whose indices take two bytes: 65535 would restart a strip. */
+const SHORT = 65_535;
+
+/** Where the arrays of a part lie: its first vertex and index among all, and how many it has. */
+export interface Place {
+  vertex: number;
+  vertices: number;
+  index: number;
+  indices: number;
+}
+
+export interface Layout {
+  /** Of the whole part, bytes. */
+  length: number;
+  /** For each part, those of the first mesh first. */
+  places: Place[];
+  /** In the order of `VIEWS`; those that nothing is in are left out. */
+  views: Partial<Record<ViewName, View>>;
+  /** glTF's number for the type of the indices, and how many bytes each takes. */
+  indexType: number;
+  indexBytes: number;
+}
+
+/** A stretch of the buffer, and its number in the file. */
+export interface View {
+  index: number;
+  offset: number;
+  length: number;
+  stride?: number;
+  target?: number;
+}
+
+const VIEWS = ['positions', 'normals', 'ids', 'indices', 'translations', 'rotations', 'scales'] as const;
+export type ViewName = (typeof VIEWS)[number];
+
+/**
+ * Where everything is going to lie.
+ *
+ * @param withIds whether vertices tell which body they are of.
+ * @param instances how many bodies are placed by attributes.
+ */
+export function layoutOf({ indexStarts, vertexStarts }: Model, meshes: readonly Mesh[], withIds: boolean, instances: number): Layout {
+  const places: Place[] = [];
+  let [vertex, index, most] = [0, 0, 0];
+  for (const { parts } of meshes) {
+    for (const { bodies } of parts) {
+      let [vertices, indices] = [0, 0];
+      for (const k of bodies) {
+        vertices += vertexStarts[k + 1]! - vertexStarts[k]!;
+        indices += indexStarts[k + 1]! - indexStarts[k]!;
+      }
+      places.push({ vertex, vertices, index, indices });
+      vertex += vertices;
+      index += indices;
+      most = Math.max(most, vertices);
+    }
+  }
+  const indexBytes = most < SHORT ? 2 : 4;
+  const { views, length } = laidOut({
+    positions: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
+    normals: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
+    ids: { length: withIds ? 4 * vertex : 0, stride: 4, target: ARRAY_BUFFER },
+    indices: { length: indexBytes * index, target: ELEMENT_ARRAY_BUFFER },
+    translations: { length: 12 * instances },
+    rotations: { length: 16 * instances },
+    scales: { length: 12 * instances },
+  });
+  return { length, places, views, indexType: indexBytes === 2 ? UNSIGNED_SHORT : UNSIGNED_INT, indexBytes };
+}
+
+/** One after the other, each at a multiple of four bytes. */
+function laidOut(wanted: Record<ViewName, Omit<View, 'index' | 'offset'>>): Pick<Layout, 'views' | 'length'> {
+  const views: Layout['views'] = {};
+  let [index, end] = [0, 0];
+  for (const name of VIEWS) {
+    if (wanted[name].length === 0) continue;
+    views[name] = { ...wanted[name], index, offset: end };
+    index += 1;
+    end += Math.ceil(wanted[name].length / 4) * 4;
+  }
+  return { views, length: end };
+}
+
+/**
+ * Writes all meshes to where they lie.
+ *
+ * @param bytes the binary part, as long as the layout says, at a multiple of four bytes.
+ * @param share from which share of all work to which this takes.
+ */
+export async function fillMeshes(
+  model: Model,
+  meshes: readonly Mesh[],
+  { places, views, indexBytes }: Layout,
+  bytes: Uint8Array<ArrayBuffer>,
+  pace: Pace,
+  share: readonly [number, number],
+): Promise<void> {
+  const floats = (name: ViewName): Float32Array => floatsOf(bytes, views[name]);
+  const [positions, normals, ids] = [floats('positions'), floats('normals'), floats('ids')];
+  const { offset = 0, length = 0 } = views.indices ?? {};
+  const indices = new (indexBytes === 2 ? Uint16Array : Uint32Array)(bytes.buffer, bytes.byteOffset + offset, length / indexBytes);
+  let p = 0;
+  for (const { parts } of meshes) {
+    for (const part of parts) {
+      const { vertex, index } = places[p++]!;
+      fillVertices(model, part, positions, normals, 3 * vertex);
+      fillIndices(model, part, indices, index);
+      if (ids.length > 0) fillIds(model, part, ids, vertex);
+      if (pace.isDue()) await pace.rest(share[0] + ((share[1] - share[0]) * p) / places.length);
+    }
+  }
+}
+
+/** The instances of a kind lie one after the other, in the order of the kinds. */
+export function fillInstances(model: Model, kit: Kit, { views }: Layout, bytes: Uint8Array<ArrayBuffer>): void {
+  const floats = (name: ViewName): Float32Array => floatsOf(bytes, views[name]);
+  const [translations, rotations, scales] = [floats('translations'), floats('rotations'), floats('scales')];
+  instancesByKind(model, kit)
+    .flat()
+    .forEach((k, at) => {
+      const { translation, rotation, scale } = placementOf(model, k, kit);
+      translations.set(translation, 3 * at);
+      rotations.set(rotation, 4 * at);
+      scales.set(scale, 3 * at);
+    });
+}
+
+function floatsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined): Float32Array {
+  return new Float32Array(bytes.buffer, bytes.byteOffset + (view?.offset ?? 0), (view?.length ?? 0) / 4);
+}
+
+/** Writes a part's vertices in metres, y up, about its origin. */
+function fillVertices(
+  { positions, normals, vertexStarts, unit }: Model,
+  part: Part,
+  toPositions: Float32Array,
+  toNormals: Float32Array,
+  begin: number,
+): void {
+  const [x, y, z] = part.origin;
+  const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
+  let v = begin;
+  for (const k of part.bodies) {
+    const end = 3 * vertexStarts[k + 1]!;
+    for (let from = 3 * vertexStarts[k]!; from < end; from += 3, v += 3) {
+      const px = positions[from]! - x;
+      const py = positions[from + 1]! - y;
+      toPositions[v] = unit * (cos * px + sin * py);
+      toPositions[v + 1] = unit * (positions[from + 2]! - z);
+      toPositions[v + 2] = unit * (sin * px - cos * py);
+      const nx = normals[from]!;
+      const ny = normals[from + 1]!;
+      toNormals[v] = cos * nx + sin * ny;
+      toNormals[v + 1] = normals[from + 2]!;
+      toNormals[v + 2] = sin * nx - cos * ny;
+    }
+  }
+}
+
+/** Writes a part's indices, which begin with 0. */
+function fillIndices({ indices, indexStarts, vertexStarts }: Model, { bodies }: Part, to: Uint16Array | Uint32Array, begin: number): void {
+  let [i, vertex] = [begin, 0];
+  for (const k of bodies) {
+    const base = vertex - vertexStarts[k]!;
+    const end = indexStarts[k + 1]!;
+    for (let from = indexStarts[k]!; from < end; from++) to[i++] = indices[from]! + base;
+    vertex += vertexStarts[k + 1]! - vertexStarts[k]!;
+  }
+}
+
+/** Which body of the model each vertex is of. */
+function fillIds({ vertexStarts }: Model, { bodies }: Part, ids: Float32Array, begin: number): void {
+  let v = begin;
+  for (const k of bodies) {
+    const end = v + vertexStarts[k + 1]! - vertexStarts[k]!;
+    ids.fill(k, v, end);
+    v = end;
+  }
+}
+
+/** Where the least x, y and z of a part are put, and then the most. */
+export const BOUNDS = 6;
+
+/**
+ * The box around a part, as it is in the file.
+ *
+ * It comes before the vertices in the file, so that it is computed by itself: in the same way, since glTF wants it to the last digit.
+ *
+ * @param to of `BOUNDS` numbers.
+ */
+export function boundsOf({ positions, vertexStarts, unit }: Model, part: Part, to: Float32Array): Float32Array {
+  const [x, y, z] = part.origin;
+  const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
+  to.fill(Infinity, 0, 3);
+  to.fill(-Infinity, 3);
+  for (const k of part.bodies) {
+    const end = 3 * vertexStarts[k + 1]!;
+    for (let v = 3 * vertexStarts[k]!; v < end; v += 3) {
+      const px = positions[v]! - x;
+      const py = positions[v + 1]! - y;
+      const east = unit * (cos * px + sin * py);
+      const up = unit * (positions[v + 2]! - z);
+      const south = unit * (sin * px - cos * py);
+      if (east < to[0]!) to[0] = east;
+      if (up < to[1]!) to[1] = up;
+      if (south < to[2]!) to[2] = south;
+      if (east > to[3]!) to[3] = east;
+      if (up > to[4]!) to[4] = up;
+      if (south > to[5]!) to[5] = south;
+    }
+  }
+  return to;
+}
