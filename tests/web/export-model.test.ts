@@ -43,7 +43,11 @@ function modelOf(): Model {
 }
 
 const written = (options: ExportOptions): Promise<ExportedFile> =>
-  exportModel(modelOf(), { title: 'test', link: 'v=1', hasPatterns: false, extrasOf: (k) => ({ k }) }, resolveOptions(options));
+  exportModel(
+    modelOf(),
+    { title: 'test', link: 'v=1', hash: async () => '', hasPatterns: false, extrasOf: (k) => ({ k }) },
+    resolveOptions(options),
+  );
 const read = ({ bytes }: ExportedFile): Promise<Document> => new WebIO().readBinary(bytes);
 
 test('bodies are numbered by their noun through all groups, and what is one thing is one object with the name of its group', async () => {

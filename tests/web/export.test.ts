@@ -9,7 +9,10 @@ import { generate, presets, schema } from 'rock-field/core';
 import type { Field } from 'rock-field/core';
 import { exportScene, exportSchema, RockFieldError } from 'rock-field/export';
 import type { ExportOptions } from 'rock-field/export';
+import { fieldBuffers } from '../../www/data/buffers.ts';
+import { VERSION } from '../../www/data/version.ts';
 import { exportModel } from '../../www/export/file.ts';
+import { hashOf } from '../../www/export/hash.ts';
 import type { Model } from '../../www/export/model.ts';
 import { STONE_KINDS } from '../../www/data/palette.gen.ts';
 import { OPTIONS, resolveOptions, TARGETS } from '../../www/export/options.ts';
@@ -115,10 +118,14 @@ test('an object for each rock: named, standing where it touches the ground, with
   );
 });
 
-test('every object says what it is, and the scene which link it came from', async () => {
+test('every object says what it is, and the scene which link it came from, and its hash', async () => {
   const document = await read((await exportScene(REQUEST)).bytes);
-  const { link, metresPerPixel } = document.getRoot().listScenes()[0]!.getExtras();
-  assert.deepEqual([link, metresPerPixel], ['v=1&preset=riverbed&seed=7&w=200&h=150', METRES_PER_PIXEL]);
+  assert.deepEqual(document.getRoot().listScenes()[0]!.getExtras(), {
+    link: 'v=1&preset=riverbed&seed=7&w=200&h=150',
+    version: VERSION,
+    hash: hashOf(fieldBuffers(await fieldOf())),
+    metresPerPixel: METRES_PER_PIXEL,
+  });
   for (const node of bodies(document)) {
     const { id, layer, area, volume, size } = node.getExtras() as { id: number; layer: number; area: number; volume: number; size: Point };
     assert.equal(node.getName(), `rock-${id}`);
@@ -390,7 +397,7 @@ test('what is wrong with an option is an error with its key, value and bounds, b
 test('a file that would be too large is refused before anything is allocated, with the numbers', async () => {
   const many = { length: 3e9 };
   const model = { positions: many, indices: many, groupOf: { length: 1000 } } as unknown as Model;
-  const source = { title: '', link: '', hasPatterns: false, extrasOf: () => ({}) };
+  const source = { title: '', link: '', hash: async () => '', hasPatterns: false, extrasOf: () => ({}) };
   for (const format of OPTIONS.format.choices) {
     await assert.rejects(
       exportModel(model, source, resolveOptions({ format })),

@@ -11,6 +11,7 @@ import type { Measures } from './measures.ts';
 import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
+import { originOf } from './origin.ts';
 import { Pace } from './pace.ts';
 import type { Waiting } from './pace.ts';
 import { writeObj, writePly, writeStl } from './plain-formats.ts';
@@ -45,6 +46,8 @@ export interface Source {
   title: string;
   /** Brings the scene back. */
   link: string;
+  /** Of the scene's buffers, as `hash.ts` computes it. */
+  hash: () => Promise<string>;
   /** Whether materials have patterns that no file has. */
   hasPatterns: boolean;
   /** What is said of body k beside its measures. */
@@ -85,7 +88,7 @@ const MEASURED = 4;
  */
 export async function exportModel(
   model: Model,
-  { title, link, hasPatterns, extrasOf }: Source,
+  { title, link, hash, hasPatterns, extrasOf }: Source,
   options: ResolvedOptions,
   waiting?: Waiting,
 ): Promise<ExportedFile> {
@@ -93,7 +96,7 @@ export async function exportModel(
   checkSize(model, options);
   const told: Told = {
     title,
-    scene: { link, metresPerPixel: model.unit },
+    scene: { ...originOf({ link, hash: await hash(), metresPerPixel: model.unit }) },
     body: (out, k) => {
       const group = model.groupOf[k]!;
       if (isOneThing(model, group)) out.text(JSON.stringify({ ...model.groups[group]!.extras, ...extrasOf(k) }));

@@ -10,6 +10,7 @@ import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import type { Waiting } from '../export/pace.ts';
 import type { Progress, StageName } from '../generator/protocol.ts';
 import type { GenerateOptions } from './headless.ts';
+import { fieldHash } from './hash.ts';
 import { encodeLink } from './link.ts';
 import type { Params, PresetName } from './params.ts';
 import { resolveParams } from './request.ts';
@@ -43,6 +44,7 @@ export function exportField(
   const source = {
     title: `${preset ?? 'rock-field'}-${params.seed}`,
     link: encodeLink({ params, ...(preset !== undefined && { preset }) }),
+    hash: () => fieldHash(field),
     hasPatterns: isNatural,
     extrasOf: (rock: number) => ({ id: rock + 1, layer: params.layers[rockLayer[rock]!]!.id }),
   };
