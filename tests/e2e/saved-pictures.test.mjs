@@ -1,12 +1,13 @@
-// Pictures that are files of their scene: what a PNG carries.
+// Files of their scene: what a picture carries, and how files bring scenes back.
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
 import { PNG } from 'pngjs';
 import { generate } from 'rock-field/core';
+import { exportScene } from 'rock-field/export';
 import { launch } from './browser.mjs';
 import { hashField } from './golden.mjs';
-import { closeClean, openPage } from './shown.mjs';
+import { MESSAGE, closeClean, openPage, params } from './shown.mjs';
 
 /** @type {import('./browser.mjs').Session} */
 let session;
@@ -26,6 +27,8 @@ after(() => session?.close());
 
 /** A small field, in plain colours and seen by a camera of its own. */
 const ROCKS = '#v=1&preset=riverbed&seed=5&w=200&h=150&color=rock&camera=0.5,0.9,260,100,75,0';
+/** @type {import('rock-field/export').FieldRequest} */
+const REQUEST = { preset: 'riverbed', seed: 5, imageWidth: 200, imageHeight: 150 };
 const EARS = 'wood-ear.html#v=1&preset=thesis-default&d=30&r=25&m=90&e=6&ls=6&ground=v.1_preset.shingle_w.200_h.200';
 
 /**
@@ -53,7 +56,7 @@ test('a saved picture has the link to what is shown, as it is seen, and the gold
   const { page } = opened;
   const png = await pictureOf(page);
   const { version, ...told } = textIn(png);
-  const field = await generate({ preset: 'riverbed', seed: 5, imageWidth: 200, imageHeight: 150 });
+  const field = await generate(REQUEST);
   assert.deepEqual(told, { link: ROCKS.slice(1), hash: await hashField(field), metresPerPixel: 0.01 });
   assert.match(version, /^\d+\.\d+\.\d+/);
   const bare = await pictureOf(page, { link: false });
@@ -72,5 +75,142 @@ test('a picture of wood ears has their link, with the ground in it, and the hash
     return hashColony(document.querySelector('wood-ear-log').colony);
   });
   assert.equal(hash, golden);
+  await closeClean(opened);
+});
+
+/** What is shown, and how: everything that a file may bring back, and that a refusal leaves alone. */
+const state = (page) =>
+  page.evaluate(() => {
+    const { params, preset, view, color, camera } = document.querySelector('rock-field, wood-ear-log');
+    return { params, preset, view, color, camera, address: location.hash };
+  });
+
+/** Drops files on the middle of the page; `kind` is `paste` for a paste. */
+const drop = (page, files, kind = 'drop') =>
+  page.evaluate(
+    ([given, type]) => {
+      const transfer = new DataTransfer();
+      for (const [name, content] of given) transfer.items.add(new File([Uint8Array.from(content)], name));
+      const target = document.querySelector('.stage');
+      target.dispatchEvent(
+        type === 'paste'
+          ? new ClipboardEvent('paste', { clipboardData: transfer, bubbles: true, cancelable: true, composed: true })
+          : new DragEvent('drop', { dataTransfer: transfer, bubbles: true, cancelable: true, composed: true }),
+      );
+    },
+    [files.map(([name, bytes]) => [name, [...bytes]]), kind],
+  );
+
+const pasteText = (page, text) =>
+  page.evaluate((pasted) => {
+    const clipboardData = new DataTransfer();
+    clipboardData.setData('text/plain', pasted);
+    document.body.dispatchEvent(new ClipboardEvent('paste', { clipboardData, bubbles: true, cancelable: true }));
+  }, text);
+
+/** The listeners come after the page, as its button does. */
+const canOpen = (page) => page.locator('.panel input[type=file][accept*=png]').waitFor({ state: 'attached' });
+const fieldHash = (page) =>
+  page.evaluate(async () => {
+    const { hashField } = await import('/golden.mjs');
+    return hashField(await document.querySelector('rock-field').getField());
+  });
+const toast = (page, text) => page.locator('.toast.is-shown').filter({ hasText: text }).waitFor();
+const isUndone = (page) => page.getByRole('button', { name: 'Undo' }).isDisabled();
+
+test('a picture, a model, an archive, parameters and a link bring their scene back: the same hash, as one step of undo', async () => {
+  const opened = await openPage(session, ROCKS);
+  const { page } = opened;
+  await canOpen(page);
+  const [png, before, hash] = [await pictureOf(page), await state(page), await fieldHash(page)];
+  const glb = Buffer.from((await exportScene(REQUEST)).bytes);
+  await page.evaluate(() =>
+    Object.assign(document.querySelector('rock-field'), { params: { preset: 'journal-fig1', imageWidth: 100, imageHeight: 100 } }),
+  );
+  const other = await fieldHash(page);
+  assert.notEqual(other, hash);
+  /** @type {[string, () => Promise<unknown>][]} */
+  const ways = [
+    [
+      'saved.png',
+      () =>
+        drop(page, [
+          ['notes.txt', Buffer.from('hello')],
+          ['saved.png', png],
+        ]),
+    ],
+    ['saved.png', () => drop(page, [['saved.png', png]], 'paste')],
+    ['rocks.glb', () => drop(page, [['rocks.glb', glb]])],
+    [
+      'rocks.json',
+      () =>
+        page
+          .locator('.panel input[type=file][accept*=png]')
+          .setInputFiles({ name: 'rocks.json', mimeType: 'application/json', buffer: Buffer.from(JSON.stringify(REQUEST)) }),
+    ],
+    ['pasted scene', () => pasteText(page, `https://example.com/${ROCKS}`)],
+  ];
+  for (const [name, bring] of ways) {
+    await bring();
+    await toast(page, name);
+    await page.evaluate(() => document.querySelector('.toast').classList.remove('is-shown'));
+    assert.equal(await fieldHash(page), hash, name);
+    if (name === 'saved.png') assert.deepEqual(await state(page), before);
+    await page.getByRole('button', { name: 'Undo' }).click();
+    assert.equal(await fieldHash(page), other, `${name}, undone`);
+  }
+  assert.equal(await page.locator(MESSAGE).count(), 0);
+  await closeClean(opened);
+});
+
+test('what was not made here, or is damaged, is refused in words, and nothing changes', async () => {
+  const opened = await openPage(session, ROCKS);
+  const { page } = opened;
+  await canOpen(page);
+  const [png, before, hash] = [await pictureOf(page), await state(page), await fieldHash(page)];
+  const bare = await pictureOf(page, { link: false });
+  const damaged = Buffer.from(png);
+  damaged[80] ^= 1;
+  /** @type {[string, Buffer, RegExp][]} */
+  const refused = [
+    ['photo.png', bare, /^photo\.png brings no scene back: it was not made here/],
+    ['half.png', damaged, /^half\.png is damaged/],
+    ['notes.txt', Buffer.from('hello'), /^notes\.txt brings no scene back/],
+    ['bad.json', Buffer.from('{"preset":"riverbed","imageWidth":-5}'), /must be between 1 and 8192/],
+  ];
+  for (const [name, bytes, words] of refused) {
+    await drop(page, [[name, bytes]]);
+    await page.locator(`${MESSAGE} p`).filter({ hasText: words }).waitFor();
+    await page.locator(`${MESSAGE} button`).click();
+    assert.deepEqual(await state(page), before, name);
+    assert.equal(await fieldHash(page), hash, name);
+    assert.equal(await isUndone(page), true, name);
+  }
+  await pasteText(page, 'hello');
+  await page
+    .locator(`${MESSAGE} p`)
+    .filter({ hasText: /^what was pasted brings no scene back/ })
+    .waitFor();
+  await closeClean(opened);
+});
+
+test('a file of the other page is offered there, in both directions', async () => {
+  const opened = await openPage(session, EARS);
+  const { page } = opened;
+  await canOpen(page);
+  const ears = await pictureOf(page);
+  const model = Buffer.from((await exportScene(REQUEST)).bytes);
+  const before = await state(page);
+  await drop(page, [['rocks.glb', model]]);
+  await page.locator(`${MESSAGE} p`).filter({ hasText: 'rocks.glb is a scene of the page “Rocks”.' }).waitFor();
+  assert.deepEqual(await state(page), before);
+  await page.getByRole('button', { name: 'Open it there' }).click();
+  await page.waitForURL(/\/(index\.html)?#v=1&preset=riverbed&seed=5&w=200&h=150$/);
+  await canOpen(page);
+  assert.equal((await params(page)).seed, 5);
+  await drop(page, [['ears.png', ears]]);
+  await page.locator(`${MESSAGE} p`).filter({ hasText: 'ears.png is a scene of the page “Wood ears”.' }).waitFor();
+  await page.getByRole('button', { name: 'Open it there' }).click();
+  await page.waitForURL((url) => url.href.endsWith(EARS));
   await closeClean(opened);
 });

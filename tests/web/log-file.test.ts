@@ -4,7 +4,7 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { FARTHEST, MOST_TRIANGLES, MOST_VERTICES } from '../../www/wood-ear/log-file/limits.ts';
 import { readLogFile } from '../../www/wood-ear/log-file/read.ts';
-import { shown } from '../../www/wood-ear/log-file/refusal.ts';
+import { shown } from '../../www/base/file-name.ts';
 import { QUAD, given, refusal } from './log-files.ts';
 
 test('a file of another format is told what it is', async () => {

@@ -19,6 +19,7 @@ export const ERROR_GROUPS = {
   request: { title: 'Parameters', means: 'a value that is not allowed; `key` names it, and nothing has changed' },
   log: { title: 'Logs from files and meshes', means: 'a log that cannot be read or grown on; the old log stays' },
   export: { title: 'Exports', means: 'a file that cannot be made so; nothing has been written' },
+  import: { title: 'Files that bring a scene back', means: 'a file that brings none; nothing has changed' },
   element: { title: 'Element and picture', means: 'the element is in no document, or there is no picture to take' },
   graphics: { title: 'Graphics', means: 'this device or browser cannot draw the picture' },
   loading: { title: 'Loading', means: 'a file did not arrive, or a policy forbids it' },
@@ -170,6 +171,26 @@ export const ERRORS = /* @__PURE__ */ listed({
     message: 'the file would be about {value} MB; it may be at most {max} MB: choose mesh "kit", a smaller image, or less detail',
     cause: 'More rocks or triangles than fit into a file of 2 GB.',
     remedy: 'Export a kit, in which rocks share meshes, or generate the field in parts.',
+  },
+
+  ImportForeign: {
+    group: 'import',
+    message: '{file} brings no scene back: it was not made here, or what it said of its scene was taken out of it',
+    cause:
+      'A picture, model or archive of another program, or one that has lost the text with its link: chat programs, web sites and the clipboard drop it from pictures.',
+    remedy: 'Take the file as it was saved, or the link itself.',
+  },
+  ImportBroken: {
+    group: 'import',
+    message: '{file} is damaged: the scene in it cannot be read',
+    cause: 'A file that was cut short or changed, or one that has been moved since it was chosen.',
+    remedy: 'Save or download it again.',
+  },
+  ImportOther: {
+    group: 'import',
+    message: '{file} shows a scene of another kind',
+    cause: 'A file of wood ears that is opened as rocks, or the other way round; or one of a preset that this version does not have.',
+    remedy: 'Pass it to `importFile()` of the other element, or drop it on the other page.',
   },
 
   NotConnected: {

@@ -93,7 +93,7 @@ export function showDialog<K extends Kind>(store: Store<K>, place: Place, headin
 const toastTimers = new WeakMap<HTMLElement, ReturnType<typeof setTimeout>>();
 
 /** Says that something was done; read out by screen readers. */
-function toast(place: Place, text: string, ms: number): void {
+export function toast(place: Place, text: string, ms: number): void {
   const line = place.querySelector<HTMLElement>('.toast') ?? made(place, 'p', 'toast');
   line.setAttribute('role', 'status');
   line.textContent = text;

@@ -12,6 +12,9 @@ import type { Kind } from '../table/table.ts';
 import type { Actions } from './actions.ts';
 import type { Store } from './store.ts';
 
+/** What may have a scene in it. */
+const OPENED = '.png,.glb,.gltf,.json,.zip,image/png,model/gltf-binary,model/gltf+json,application/json,application/zip';
+
 export interface LastSection<K extends Kind> {
   store: Store<K>;
   actions: Actions<K>;
@@ -41,6 +44,21 @@ export function lastSection<K extends Kind>({
         </button>
       `
     : nothing;
+  const open = ({ currentTarget }: Event): void => {
+    const input = currentTarget as HTMLInputElement;
+    const files = [...(input.files ?? [])];
+    // So that the same file can be chosen again.
+    input.value = '';
+    if (files.length > 0) actions.openFiles?.(files);
+  };
+  const openHelp = later(store.language, 'openFileHelp');
+  const openButton = actions.openFiles
+    ? html`
+        <label class="button file-button" title=${openHelp} data-help=${openHelp}>
+          ${icon('open')}${later(store.language, 'openFile')}<input class="visually-hidden" type="file" accept=${OPENED} @change=${open} />
+        </label>
+      `
+    : nothing;
   if (isEmbedded) {
     if (!actions.embed && !exportFiles) return nothing;
     return html`<div class="section"><div class="button-row">${exportButton} ${actions.embed ? embedButton : nothing}</div></div>`;
@@ -63,7 +81,7 @@ export function lastSection<K extends Kind>({
         action: (theme) => store.setTheme(theme),
       })}
       <div class="button-row">
-        ${exportButton} ${embedButton}
+        ${exportButton} ${openButton} ${embedButton}
         <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
         <a class="button" href="docs/" hreflang="en" data-help=${later(store.language, 'docsHelp')}>${store.text('docs')}</a>
       </div>

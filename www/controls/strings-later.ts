@@ -47,6 +47,25 @@ export const LATER = {
     en: '{name}: {size}, {objects} objects, {triangles} triangles',
     ja: '{name}：{size}、オブジェクト {objects} 個、三角形 {triangles} 枚',
   },
+  openFile: { en: 'Open', ja: '開く' },
+  openFileHelp: {
+    en: 'Brings back the scene of a picture or file that was saved here. You can also drop it on the page, or paste it.',
+    ja: 'ここで保存した画像やファイルから、そのシーンを復元します。ページへのドロップや貼り付けもできます。',
+  },
+  dropFile: {
+    en: 'Drop a picture or file made here: its scene comes back',
+    ja: 'ここで作った画像やファイルをドロップすると、そのシーンに戻ります',
+  },
+  noFile: { en: 'There is no file in what was dropped', ja: 'ドロップされたものにファイルがありません' },
+  sceneBack: { en: 'The scene of {file} is back', ja: '{file} のシーンを復元しました' },
+  scenePasted: { en: 'The pasted scene is shown', ja: '貼り付けたシーンを表示しました' },
+  sceneDiffers: {
+    en: 'Not quite what {file} shows: another version of this page made it, or its log came from a file.',
+    ja: '{file} とは一部異なります。別のバージョンで作られたか、丸太がファイルから読み込まれたものです。',
+  },
+  otherPage: { en: '{file} is a scene of the page “{page}”.', ja: '{file} は「{page}」のページのシーンです。' },
+  pastedOther: { en: 'That is a scene of the page “{page}”.', ja: '「{page}」のページのシーンです。' },
+  openThere: { en: 'Open it there', ja: 'そのページで開く' },
   save: { en: 'Save', ja: '保存' },
   'note-plain-colours': {
     en: 'Each rock has one colour. The patterns of stone, moss and dust are drawn here alone.',

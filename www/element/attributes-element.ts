@@ -128,6 +128,19 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
     if (has('src', 'camera-orbit')) super.camera = read.camera;
   }
 
+  /** Shows what a link says, as one step of undo. */
+  protected showLink({ params, preset, view, color, camera }: Link<K>): void {
+    this.readAttributes();
+    const before = this.seenSettled;
+    this.params = { ...params, preset };
+    if (!this.isSettled) this.#beforeLink = before;
+    this.sceneView = view;
+    this.#chooseColor(color);
+    this.dress();
+    super.camera = camera;
+    this.changed();
+  }
+
   #withAssigned(params: K['params']): K['params'] {
     try {
       return this.#definition.properties.withAssigned(this, params);

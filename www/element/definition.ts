@@ -3,7 +3,7 @@
 import type { Language } from '../base/language.ts';
 import type { Look } from '../data/look.ts';
 import type { Runs, RunsHost } from '../generator/runs.ts';
-import type { Link } from '../table/link.ts';
+import type { DecodedLink, Link } from '../table/link.ts';
 import type { Row } from '../table/row.ts';
 import type { Draw, Kind, Table } from '../table/table.ts';
 import type { ElementAttributes } from './attribute-reader.ts';
@@ -35,6 +35,7 @@ export interface AttributesDefinition<K extends Kind> extends ParamsDefinition<K
 
 export interface Definition<K extends Kind, Owner extends ControlledElement> extends AttributesDefinition<K> {
   encode(state: Link<K>): string;
+  decode(text: string): DecodedLink<K>;
   /** Of the buffers of a result, hexadecimal. */
   hash(result: K['result']): Promise<string>;
   /** What is shown, in a sentence. */

@@ -2,7 +2,7 @@
 
 import type { CameraState } from '../base/view.ts';
 import { CAN_SHOW } from '../base/document-styles.ts';
-import { errorInfo } from '../base/errors.ts';
+import { errorInfo, notConnected } from '../base/errors.ts';
 import type { ErrorDetail } from '../base/error-pace.ts';
 import { lazily } from '../base/lazy.ts';
 import type { PictureSource } from '../scene/picture.ts';
@@ -68,6 +68,23 @@ export abstract class GeneratorElement<K extends Kind> extends AttributesElement
     const { params, preset } = this.history.settled;
     url.hash = this.#definition.encode({ params, preset, ...this.seenSettled });
     return url.href;
+  }
+
+  /**
+   * Shows the scene of a file that was made here, a PNG picture, a glTF model, an archive with one of them, or parameters as JSON: as one
+   * step of `undo`. Resolves when it is on screen.
+   *
+   * @throws {RockFieldError} `ImportForeign`, `ImportBroken` or `ImportOther` where the file brings none, and nothing has changed; `NotConnected`; what `generate()` rejects with.
+   */
+  async importFile(file: Blob): Promise<void> {
+    if (!this.isConnected) throw notConnected();
+    const { importedScene } = await lazily(() => import('./import-file.ts'));
+    const scene = await importedScene(this.#definition, file);
+    if (!this.isConnected) throw notConnected();
+    this.showLink(scene);
+    for (const { text } of scene.notices) this.notify(text);
+    this.start();
+    await this.newest();
   }
 
   protected override get pictureSource(): PictureSource {

@@ -1,13 +1,13 @@
 /** Why a file brings no scene back, before it is put into words. */
 
-/** `foreign`: it was not made here. `broken`: it says that it was, and cannot be read. */
+/** `foreign`: nothing in it says that it was made here. `broken`: it cannot be read as what it says that it is. */
 export type Reason = 'foreign' | 'broken';
 
 export class Refused extends Error {
   readonly reason: Reason;
 
-  constructor(reason: Reason) {
-    super(reason);
+  constructor(reason: Reason, options?: ErrorOptions) {
+    super(reason, options);
     this.reason = reason;
   }
 }

@@ -21,8 +21,8 @@ export class Address<K extends Kind> {
   /** Undefined while the address is as it is to be. */
   #timer: ReturnType<typeof setTimeout> | undefined;
 
-  /** Keeps the address of the page from now on. `opened` is called when another link has been put there and the store shows it. */
-  constructor(store: Store<K>, links: Links<K>, opened: (link: OpenedLink<K>) => void) {
+  /** Keeps the address of the page from now on. `open` shows another link that has been put there. */
+  constructor(store: Store<K>, links: Links<K>, open: (link: OpenedLink<K>) => void) {
     this.#store = store;
     this.#links = links;
     // Whoever leaves the page finds it again as it was left. A click comes before the page is left, a closed window does not.
@@ -38,9 +38,7 @@ export class Address<K extends Kind> {
       // A place on the page, not a link: what is shown stays.
       if (hash !== '' && !isLink(store.table, hash)) return;
       clearTimeout(this.#timer);
-      const link = links.readLink(hash);
-      store.open(link);
-      opened(link);
+      open(links.readLink(hash));
     });
   }
 

@@ -14,6 +14,7 @@ import type { Draw, Edition, Kind } from '../table/table.ts';
 import type { Change, OpenedLink, Preferences, Store } from '../controls/store.ts';
 import type { GeneratorElement, ElementEventMap } from '../element/generator-element.ts';
 import type { History } from '../base/history.ts';
+import type { FileParts } from './bring-back.ts';
 import type { Links } from './address.ts';
 import type { StringKey } from '../controls/strings.en.ts';
 
@@ -29,6 +30,8 @@ export interface Page<K extends Kind> extends Links<K> {
   actions?: object;
   /** Whether a reload would lose a log from a file, which is not in the address. */
   hasUnsavedLog?: () => boolean;
+  /** What brings scenes back out of files. */
+  files: () => Promise<{ listenToFiles: (parts: FileParts<K>) => void }>;
   /** Other parameters by lot. */
   random: (params: K['params'], draw: Draw) => Promise<K['params']>;
 }
@@ -47,7 +50,11 @@ export function openPage<K extends Kind>(page: Page<K>): Store<K> {
   );
   // What helps when a file cannot be had has to be there before that.
   const offline = lazily(() => import('./offline.ts'));
-  const address = new Address(store, page, ({ camera }) => (element.camera = store.camera = camera));
+  const open = (link: OpenedLink<K>): void => {
+    store.open(link);
+    element.camera = store.camera = link.camera;
+  };
+  const address = new Address(store, page, open);
   const showPreferences = preferencesOf(page, store);
 
   const listen = listensTo(element);
@@ -63,6 +70,7 @@ export function openPage<K extends Kind>(page: Page<K>): Store<K> {
 
   showPreferences();
   show(page, store, address);
+  void lazily(page.files).then(({ listenToFiles }) => listenToFiles({ store, element, panel: page.panel, open }));
   void offline.then(({ offerNewerVersion, sayUncaught }) => {
     offerNewerVersion(onMissingFile, store, () => address.leave(), page.hasUnsavedLog ?? (() => false));
     sayUncaught(store);

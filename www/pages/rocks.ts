@@ -34,5 +34,6 @@ openPage({
   readLink,
   encode: encodeLink,
   shown: () => element.field,
+  files: () => import('./rock-files.ts'),
   random: async (params, draw) => (await ROCK_LATER.load()).randomParams(params, draw),
 });

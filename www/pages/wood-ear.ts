@@ -7,7 +7,6 @@ import { WoodEarStore } from '../wood-ear/controls/store.ts';
 import { errorInfo, isAbort } from '../base/errors.ts';
 import { lazily } from '../base/lazy.ts';
 import { isLink } from '../table/link.ts';
-import { droppedFiles, hasFiles, logAmong } from '../wood-ear/log-drop.ts';
 import { openPage } from './page.ts';
 import { loadJapanese } from '../controls/strings.ts';
 import { decodeWoodEarLink, encodeWoodEarLink } from '../wood-ear/link.ts';
@@ -43,22 +42,10 @@ const store = openPage({
   readLink,
   encode: encodeWoodEarLink,
   shown: () => element.scene,
+  files: () => import('./wood-ear-files.ts'),
   random: async (params, draw) => (await lazily(() => import('../wood-ear/controls/randomise.ts'))).randomWoodEars(params, draw),
   hasUnsavedLog: () => element.params.mesh !== null,
   actions: { loadLog, rocksPage: './' },
 });
 
 element.editable = true;
-
-// A file that is dropped beside the picture is meant for it; the browser would leave the page for the file.
-window.addEventListener('dragover', (event) => {
-  if (hasFiles(event)) event.preventDefault();
-});
-window.addEventListener('drop', (event) => {
-  if (event.defaultPrevented || !hasFiles(event)) return;
-  event.preventDefault();
-  void droppedFiles(event.dataTransfer).then((files) => {
-    const file = logAmong(files);
-    if (file) loadLog(file);
-  });
-});

@@ -21,7 +21,7 @@ import type { ReflectedProperties } from '../element/reflected-properties.ts';
 import { ROCKS } from './table.ts';
 import type { Rocks } from './table.ts';
 import { Runs } from '../generator/runs.ts';
-import { encodeLink } from './link.ts';
+import { decodeLink, encodeLink } from './link.ts';
 
 export interface RockFieldEventMap extends ElementEventMap<StageName> {
   /** A field is finished and on screen. `superseded`: a newer one is on its way. */
@@ -40,6 +40,7 @@ const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
   lookOf,
   groundSize: ({ imageWidth, imageHeight }) => [imageWidth, imageHeight],
   encode: encodeLink,
+  decode: decodeLink,
   hash: async (field) => (await lazily(() => import('./hash.ts'))).fieldHash(field),
   describe: async (field, metresPerPixel, language) =>
     (await lazily(() => import('./description.ts'))).describeField(field, metresPerPixel, language),

@@ -24,7 +24,7 @@ import type { Wood } from '../renderer/renderer.ts';
 import { Runs } from '../generator/runs.ts';
 import { readWoodEarAttributes, WOOD_EAR_ATTRIBUTES } from './attributes.ts';
 import type { WoodEarBase, WoodEarPresetName, WoodEarProperties } from './request.ts';
-import { encodeWoodEarLink } from './link.ts';
+import { decodeWoodEarLink, encodeWoodEarLink } from './link.ts';
 import { woodEarLook } from './look.ts';
 import { WoodEarSceneClient } from './runs.ts';
 import { isSlowThesis, timeLeft } from './patience.ts';
@@ -53,6 +53,7 @@ const DEFINITION: Definition<WoodEars, GeneratorElement<WoodEars>> = {
   lookOf: woodEarLook,
   groundSize: (params) => [groundSide(params), groundSide(params)],
   encode: encodeWoodEarLink,
+  decode: decodeWoodEarLink,
   hash: async ({ colony }) => (await lazily(() => import('./hash.ts'))).colonyHash(colony),
   describe: async ({ colony }, metresPerPixel, language) => describeColony(colony, metresPerPixel, language),
   random: async (params, draw) => (await lazily(() => import('./controls/randomise.ts'))).randomWoodEars(params, draw),
@@ -209,7 +210,7 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     super.cancel();
   }
 
-  /** Of files that were dropped or chosen together, the log. */
+  /** Of files that were dropped or chosen together, the log; or a scene that was made here. */
   #open(files: readonly File[]): void {
     const file = logAmong(files);
     if (!file) {
@@ -218,11 +219,16 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
     }
     const notice = besideNotice(files, this.language);
     if (notice) this.notify(notice);
-    this.loadLog(file).catch((thrown: unknown) => {
+    this.#openFile(file).catch((thrown: unknown) => {
       if (isAbort(thrown)) return;
       const error = errorInfo(thrown);
       if (this.emit('error', { error, shown: false })) this.say(error.words?.[this.language] ?? error.message);
     });
+  }
+
+  async #openFile(file: File): Promise<void> {
+    const { isSceneFile } = await lazily(() => import('../element/import-file.ts'));
+    await ((await isSceneFile(file)) ? this.importFile(file) : this.loadLog(file));
   }
 
   /** Says once for each run that it is slow. */

@@ -1,11 +1,15 @@
 /** Files that are dragged over a picture and dropped on it. */
 
 import { addStyles, removeStyles } from '../base/document-styles.ts';
+import { droppedFiles, hasFiles } from '../base/dropped-files.ts';
 import { filled } from '../base/filled.ts';
 import type { Language } from '../base/language.ts';
 
 const WORDS = {
-  drop: { en: 'Drop a GLB or OBJ file: it becomes the log', ja: 'GLB・OBJ ファイルをドロップすると丸太になります' },
+  drop: {
+    en: 'Drop a GLB or OBJ file: it becomes the log. A picture or file made here brings its scene back',
+    ja: 'GLB・OBJ ファイルは丸太になります。ここで作った画像やファイルは、そのシーンに戻ります',
+  },
   nothing: { en: 'There is no file in what was dropped', ja: 'ドロップされたものにファイルがありません' },
   beside: { en: '{file} was opened; of the other files nothing was read', ja: '{file} を開きました。ほかのファイルは読み込んでいません' },
 } as const;
@@ -40,47 +44,10 @@ export function nothingDropped(language: Language): string {
   return WORDS.nothing[language];
 }
 
-/** Of a folder that was dropped, the first so many files are looked at. */
-const MOST_FILES = 1000;
-
-/** The files of a drop, with those in folders. To be called while the event is told: later there is nothing in it. */
-export async function droppedFiles(transfer: DataTransfer | null): Promise<File[]> {
-  const files = [...(transfer?.files ?? [])];
-  const entries = [...(transfer?.items ?? [])].flatMap((item) => item.webkitGetAsEntry?.() ?? []);
-  if (!entries.some(({ isDirectory }) => isDirectory)) return files;
-  const found: File[] = [];
-  for (const entry of entries) {
-    if (entries.length + found.length > MOST_FILES) break;
-    if (isFolder(entry)) entries.push(...(await entriesOf(entry)));
-    else found.push(await new Promise<File>((resolve, reject) => (entry as FileSystemFileEntry).file(resolve, reject)));
-  }
-  return found;
-}
-
-function isFolder(entry: FileSystemEntry): entry is FileSystemDirectoryEntry {
-  return entry.isDirectory;
-}
-
-/** Browsers hand out some hundred at a time. */
-async function entriesOf(folder: FileSystemDirectoryEntry): Promise<FileSystemEntry[]> {
-  const reader = folder.createReader();
-  const found: FileSystemEntry[] = [];
-  for (;;) {
-    const some = await new Promise<FileSystemEntry[]>((resolve, reject) => reader.readEntries(resolve, reject));
-    if (some.length === 0 || found.length >= MOST_FILES) return found;
-    found.push(...some);
-  }
-}
-
 /** What is said where several files could have been the log; else null. */
 export function besideNotice(files: Iterable<File>, language: Language): string | null {
   const logs = [...files].filter(({ name }) => LOGS.test(name));
   return logs.length > 1 ? filled(WORDS.beside[language], { file: logs[0]?.name ?? '' }) : null;
-}
-
-/** Whether a drag carries files. What they are is not known before they are dropped. */
-export function hasFiles(event: DragEvent): boolean {
-  return event.dataTransfer?.types.includes('Files') ?? false;
 }
 
 /** Listens on `host`, over which a frame is shown while files are dragged. */
@@ -106,7 +73,8 @@ export function listenToDrops(host: HTMLElement, { root, language, isOpen, open 
   });
   on('drop', (event) => {
     frame.hidden = true;
-    if (!isOpen() || !hasFiles(event)) return;
+    // A page may have taken it already.
+    if (event.defaultPrevented || !isOpen() || !hasFiles(event)) return;
     event.preventDefault();
     // What cannot be read is refused by name when it is opened.
     const { dataTransfer } = event;

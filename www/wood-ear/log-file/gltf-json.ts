@@ -2,7 +2,8 @@
 
 import type { Words } from '../../base/language.ts';
 import { MOST_BYTES } from './limits.ts';
-import { megabytes, refused, shown } from './refusal.ts';
+import { shown } from '../../base/file-name.ts';
+import { megabytes, refused } from './refusal.ts';
 
 /** An object of the file. Nothing is known about its values before they are asked for. */
 export type Item = Readonly<Record<string, unknown>>;

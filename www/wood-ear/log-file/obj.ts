@@ -9,7 +9,8 @@ import { GrowingFloats, GrowingIndices } from './growing.ts';
 import { MOST_LISTED, MOST_TRIANGLES } from './limits.ts';
 import type { Words } from '../../base/language.ts';
 import type { Soup } from './mesh.ts';
-import { refused, shown } from './refusal.ts';
+import { shown } from '../../base/file-name.ts';
+import { refused } from './refusal.ts';
 import { triangulated } from './triangulate.ts';
 
 /** How often the progress is told, as a share of the text. */

@@ -8,7 +8,8 @@ import { MOST_BYTES } from './limits.ts';
 import { logOf } from './mesh.ts';
 import type { LogFile, Soup } from './mesh.ts';
 import { readObj } from './obj.ts';
-import { megabytes, refused, shown } from './refusal.ts';
+import { shown } from '../../base/file-name.ts';
+import { megabytes, refused } from './refusal.ts';
 
 export type { LogFile };
 
