@@ -234,6 +234,83 @@ mod tests {
         }
     }
 
+    /// The numbers of all colours in a function of a shader, in their order there.
+    fn colours(path: &str, function: &str) -> Vec<[f32; 3]> {
+        let shader = source(path);
+        let (_, code) = shader.split_once(function).expect("the function");
+        let code = code.split_once("\n}").map_or(code, |(body, _)| body);
+        let numbers = |text: &str| {
+            let parts: Vec<f32> = text.split(',').filter_map(|part| part.trim().parse().ok()).collect();
+            <[f32; 3]>::try_from(parts).ok()
+        };
+        code.split("vec3f(").skip(1).filter_map(|part| numbers(part.split_once(')')?.0)).collect()
+    }
+
+    fn mixed_colour(a: [f32; 3], b: [f32; 3], share: f32) -> [f32; 3] {
+        [0, 1, 2].map(|k| a[k] + share * (b[k] - a[k]))
+    }
+
+    /// As TypeScript writes it, rounded to four digits after the point.
+    fn written(colour: [f32; 3]) -> String {
+        let numbers = colour.map(|value| format!("{}", (f64::from(value) * 1.0e4).round() / 1.0e4));
+        format!("[{}]", numbers.join(", "))
+    }
+
+    /// The kinds of wood in the order of `log.kinds`, with their colours: plain as `wood_color` of common.wgsl has them,
+    /// and natural as log.wgsl has them on the mean.
+    fn wood() -> String {
+        // On the mean, bark is so far up from the floor of its fissures; rings, stains and gaps darken end grain.
+        const HIGH: f32 = 0.68;
+        const GRAIN: f32 = 0.7;
+        let plain = colours("src/shading/shaders/common.wgsl", "fn wood_color");
+        let bark = colours("src/shading/shaders/log.wgsl", "fn bark(");
+        // Before these are directions.
+        let [low, brown, grey] = bark[bark.len() - 3..] else { panic!("bark has other colours") };
+        let bare = colours("src/shading/shaders/log.wgsl", "fn bare_wood(");
+        let pale = bare.iter().position(|colour| *colour == [0.27, 0.19, 0.115]).expect("the pale wood");
+        let torn = bare.iter().position(|colour| *colour == [0.28, 0.19, 0.11]).expect("the torn wood");
+        let natural = [
+            mixed_colour(low, mixed_colour(brown, grey, 0.5), HIGH),
+            mixed_colour(bare[pale], bare[pale + 1], 0.5).map(|value| GRAIN * value),
+            mixed_colour(bare[torn], bare[torn + 1], 0.5),
+        ];
+        let mut content = String::from(
+            "\n/** What a log is made of, in the order of its `kinds`, with mean colours in linear light. */\nexport const WOOD = [\n",
+        );
+        for ((name, plain), natural) in ["bark", "end-grain", "splinter"].iter().zip([0, 1, 1].map(|k| plain[k])).zip(natural) {
+            content += &format!("  {{ name: '{name}', plain: {}, natural: {} }},\n", written(plain), written(natural));
+        }
+        content + "] as const;\n"
+    }
+
+    /// The colours that `flesh_albedo` of ear.wgsl mixes, and those of plain wood ears.
+    fn flesh() -> String {
+        let natural = colours("src/shading/shaders/ear.wgsl", "fn flesh_albedo(");
+        let plain = colours("src/shading/shaders/common.wgsl", "fn wood_color");
+        let [grown, old, young, dry_inside, dry_outside, wet_outside] = natural[..] else {
+            panic!("flesh has other colours")
+        };
+        let rows = [
+            ("young", young),
+            ("grown", grown),
+            ("old", old),
+            ("dryInside", dry_inside),
+            ("wetOutside", wet_outside),
+            ("dryOutside", dry_outside),
+            ("velvet", colours("src/shading/shaders/ear.wgsl", "// Velvet")[0]),
+            ("plainInside", plain[2]),
+            ("plainOutside", plain[3]),
+        ];
+        let mut content = String::from(
+            "\n/** What the colours of wood ears are mixed from, in linear light: those of wet flesh by age, of the other\n * states and sides, and of plain ones. */\n\
+             export const FLESH = {\n",
+        );
+        for (name, colour) in rows {
+            content += &format!("  {name}: {},\n", written(colour));
+        }
+        content + "} as const;\n"
+    }
+
     #[test]
     fn the_panels_swatches_have_the_colours_of_the_layers() {
         let tokens = source("www/styles/tokens.css");
@@ -264,6 +341,7 @@ mod tests {
             content += &format!("  {{ name: '{name}', albedo: [{albedo}] }},\n");
         }
         content += "] as const;\n";
+        content += &(wood() + &flesh());
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data/palette.gen.ts");
         if std::env::var_os("UPDATE").is_some() {
             std::fs::write(path, &content).expect("the file can be written");

@@ -29,10 +29,10 @@ function modelOf(): Model {
     vertexStarts: starts(5),
     groupOf: Uint8Array.from(GROUP_OF),
     groups: [
-      { name: 'layer-1', noun: 'rock', extras: {} },
+      { name: 'layer-1', noun: 'rock', isOpenBelow: true, extras: {} },
       { name: 'log', extras: { length: 2 } },
-      { name: 'layer-2', noun: 'rock', extras: {} },
-      { name: 'colony-1', noun: 'ear', extras: {} },
+      { name: 'layer-2', noun: 'rock', isOpenBelow: true, extras: {} },
+      { name: 'colony-1', noun: 'ear', isOpenBelow: true, extras: {} },
     ],
     materialOf: Uint8Array.of(0, 0, 1, 2, 0, 3),
     materials: ['stone', 'bark', 'end-grain', 'flesh'].map((name) => ({ name, color: [0.2, 0.2, 0.2] as const })),

@@ -68,13 +68,13 @@ export const LATER = {
   openThere: { en: 'Open it there', ja: 'そのページで開く' },
   save: { en: 'Save', ja: '保存' },
   'note-plain-colours': {
-    en: 'Each rock has one colour. The patterns of stone, moss and dust are drawn here alone.',
-    ja: '岩は単色になります。石の模様、苔、砂埃はここだけで描画されます。',
+    en: 'Each material has one colour. The patterns of stone, wood and flesh, moss and dust are drawn here alone.',
+    ja: '材質ごとに単色になります。石や木、キクラゲの模様、苔、砂埃はここだけで描画されます。',
   },
   'note-no-colours': { en: 'This kind of file has no colours.', ja: 'この形式には色がありません。' },
   'note-no-objects': {
-    en: 'This kind of file has no objects: all rocks are one mesh.',
-    ja: 'この形式にはオブジェクトがなく、すべての岩が 1 つのメッシュになります。',
+    en: 'This kind of file has no objects: everything is one mesh.',
+    ja: 'この形式にはオブジェクトがなく、すべてが 1 つのメッシュになります。',
   },
   'note-no-units': {
     en: 'This kind of file has no units. One unit is {unit}.',
@@ -84,6 +84,19 @@ export const LATER = {
   'note-kit-differs': {
     en: 'Copies are like the rocks of the picture, not the same.',
     ja: '複製は画像の岩に似た形で、同一ではありません。',
+  },
+  'note-thickened': {
+    en: 'These wood ears are sheets. To be solid they have been made 1.5 mm thick.',
+    ja: '厚みのないキクラゲを、立体にするため 1.5 mm の厚さにしました。',
+  },
+  'note-crosses-itself': {
+    en: '{count} objects pass through themselves. Slicers join what overlaps; Boolean operations may not.',
+    ja: '{count} 個のオブジェクトが自己交差しています。スライサーでは問題ありませんが、ブーリアン演算では失敗することがあります。',
+  },
+  'note-open-log': { en: 'The log is not closed, so that it is not solid.', ja: '丸太は閉じていないため、立体ではありません。' },
+  'note-log-not-in-link': {
+    en: 'The log from your file is in no link: the file has none.',
+    ja: 'ファイルの丸太はリンクに含まれないため、リンクは書き込まれません。',
   },
   rocks: { en: 'Rocks', ja: '岩' },
   triangles: { en: 'Triangles', ja: '三角形' },

@@ -25,3 +25,24 @@ export const STONE_KINDS = [
   { name: 'quartz', albedo: [0.41, 0.395, 0.36] },
   { name: 'red-sandstone', albedo: [0.215, 0.166, 0.142] },
 ] as const;
+
+/** What a log is made of, in the order of its `kinds`, with mean colours in linear light. */
+export const WOOD = [
+  { name: 'bark', plain: [0.2, 0.16, 0.125], natural: [0.1282, 0.1017, 0.0789] },
+  { name: 'end-grain', plain: [0.42, 0.33, 0.23], natural: [0.1645, 0.126, 0.0885] },
+  { name: 'splinter', plain: [0.42, 0.33, 0.23], natural: [0.24, 0.1825, 0.13] },
+] as const;
+
+/** What the colours of wood ears are mixed from, in linear light: those of wet flesh by age, of the other
+ * states and sides, and of plain ones. */
+export const FLESH = {
+  young: [0.2, 0.098, 0.042],
+  grown: [0.115, 0.046, 0.019],
+  old: [0.04, 0.013, 0.0085],
+  dryInside: [0.026, 0.019, 0.016],
+  wetOutside: [0.086, 0.058, 0.041],
+  dryOutside: [0.185, 0.162, 0.142],
+  velvet: [0.36, 0.32, 0.285],
+  plainInside: [0.2, 0.085, 0.06],
+  plainOutside: [0.27, 0.21, 0.18],
+} as const;

@@ -5,7 +5,10 @@ import { exportWith } from '../rocks/export.ts';
 import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
 import type { FieldRequest } from '../rocks/request.ts';
-import { generate } from './core.node.ts';
+import { exportColonyWith } from '../wood-ear/headless-export.ts';
+import type { WoodEarExportRequest } from '../wood-ear/headless-export.ts';
+import type { WoodEarOptions } from '../wood-ear/headless.ts';
+import { generate, growWoodEar } from './core.node.ts';
 
 export { RockFieldError } from '../base/errors.ts';
 export { exportSchema } from '../export/schema.ts';
@@ -13,4 +16,9 @@ export { exportSchema } from '../export/schema.ts';
 /** The field of a request as a file. */
 export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
   return exportWith(generate, request, options, run);
+}
+
+/** The colony of a request on its log, and the rocks around it, as a file. */
+export function exportWoodEar(request?: WoodEarExportRequest, options?: ExportOptions, run?: WoodEarOptions): Promise<ExportedFile> {
+  return exportColonyWith({ grow: growWoodEar, generate }, request, options, run);
 }

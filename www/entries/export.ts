@@ -5,7 +5,10 @@ import { exportWith } from '../rocks/export.ts';
 import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
 import type { FieldRequest } from '../rocks/request.ts';
-import { generate } from './core.ts';
+import { exportColonyWith } from '../wood-ear/headless-export.ts';
+import type { WoodEarExportRequest } from '../wood-ear/headless-export.ts';
+import type { WoodEarOptions } from '../wood-ear/headless.ts';
+import { generate, growWoodEar } from './core.ts';
 
 export { RockFieldError } from '../base/errors.ts';
 export { exportSchema } from '../export/schema.ts';
@@ -14,6 +17,8 @@ export type { ExportedFile, ExportNote, ExportReport } from '../export/file.ts';
 export type { ExportOptions, ExportTarget } from '../export/options.ts';
 export type { ExportRun } from '../rocks/export.ts';
 export type { FieldRequest } from '../rocks/request.ts';
+export type { WoodEarExportRequest } from '../wood-ear/headless-export.ts';
+export type { WoodEarOptions } from '../wood-ear/headless.ts';
 
 /**
  * The field of a request as a file. The same request and options give the same bytes everywhere.
@@ -22,4 +27,13 @@ export type { FieldRequest } from '../rocks/request.ts';
  */
 export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
   return exportWith(generate, request, options, run);
+}
+
+/**
+ * The colony of a request on its log, and the rocks around it, as a file. The generator of wood ears is fetched when it is first called.
+ *
+ * @throws {RockFieldError} naming the parameter or the option, its value and its bounds; `ExportImpossible`; `ExportTooLarge`.
+ */
+export function exportWoodEar(request?: WoodEarExportRequest, options?: ExportOptions, run?: WoodEarOptions): Promise<ExportedFile> {
+  return exportColonyWith({ grow: growWoodEar, generate }, request, options, run);
 }

@@ -1,6 +1,7 @@
 /** A model as a file, in whatever format is asked for. */
 
 import { RockFieldError } from '../base/errors.ts';
+import { filled } from '../base/filled.ts';
 import type { ByteWriter } from './byte-writer.ts';
 import { writeGlb } from './glb.ts';
 import type { Written } from './glb.ts';
@@ -8,7 +9,6 @@ import type { Counts, Told } from './gltf-json.ts';
 import { kitOf } from './kit.ts';
 import { measuresOf } from './measures.ts';
 import type { Measures } from './measures.ts';
-import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
 import { originOf } from './origin.ts';
@@ -24,8 +24,15 @@ export interface ExportReport extends Counts {
   notes: ExportNote[];
 }
 
-export interface ExportNote {
-  code: keyof typeof NOTES;
+type NoteCode = keyof typeof NOTES;
+
+/** What is noted, and of how many things where it is not of all. */
+export interface Note {
+  code: NoteCode;
+  count?: number | undefined;
+}
+
+export interface ExportNote extends Note {
   /** In English. */
   message: string;
 }
@@ -50,17 +57,24 @@ export interface Source {
   hash: () => Promise<string>;
   /** Whether materials have patterns that no file has. */
   hasPatterns: boolean;
-  /** What is said of body k beside its measures. */
+  /** What is said of a thing beside its measures; k is its first body. */
   extrasOf: (k: number) => Record<string, unknown>;
+  /** What else the report says. */
+  notes?: readonly Note[] | undefined;
 }
 
 const NOTES = {
-  'plain-colours': 'Each rock has one colour: the patterns of stone, moss and dust are drawn by rock-field alone.',
+  'plain-colours': 'Each material has one colour: the patterns of stone, wood and flesh, moss and dust are drawn by rock-field alone.',
   'no-colours': 'This format has no colours.',
-  'no-objects': 'This format has no objects: all rocks are one mesh.',
+  'no-objects': 'This format has no objects: everything is one mesh.',
   'no-units': 'This format has no units: tell the program that opens it what a unit is.',
   'few-readers': 'Few programs read EXT_mesh_gpu_instancing; without `instancing` all do.',
   'kit-differs': 'Rocks of a kit are like the rocks of the scene, not the same.',
+  thickened: 'Wood ears without a thickness are sheets: to be solid they have been made 1.5 mm thick.',
+  'crosses-itself':
+    '{count} of the objects pass through themselves; their `extras` have `solid: false`. Slicers join what overlaps; Boolean operations may not.',
+  'open-log': 'The log is not closed, so that it is not solid; its `extras` have `solid: false`.',
+  'log-not-in-link': 'The log is a mesh of your own, which is in no link: that of the file shows a grown one.',
 } as const;
 
 const FORMATS = {
@@ -88,7 +102,7 @@ const MEASURED = 4;
  */
 export async function exportModel(
   model: Model,
-  { title, link, hash, hasPatterns, extrasOf }: Source,
+  { title, link, hash, hasPatterns, extrasOf, notes: own = [] }: Source,
   options: ResolvedOptions,
   waiting?: Waiting,
 ): Promise<ExportedFile> {
@@ -98,22 +112,23 @@ export async function exportModel(
     title,
     scene: { ...originOf({ link, hash: await hash(), metresPerPixel: model.unit }) },
     body: (out, k) => {
-      const group = model.groupOf[k]!;
-      if (isOneThing(model, group)) out.text(JSON.stringify({ ...model.groups[group]!.extras, ...extrasOf(k) }));
-      else writeMeasured(out, extrasOf(k), measuresOf(model, k));
+      const { noun, extras, isOpenBelow } = model.groups[model.groupOf[k]!]!;
+      if (isOpenBelow) writeMeasured(out, extrasOf(k), measuresOf(model, k));
+      else out.text(JSON.stringify({ ...(noun === undefined && extras), ...extrasOf(k) }));
     },
   };
   const { bytes, counts } = await write(solid ? closed(model) : model, options, told, new Pace(waiting));
-  const notes: (keyof typeof NOTES)[] = [
+  const codes: NoteCode[] = [
     ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || hasPatterns),
     ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
     ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
   ];
+  const notes = [...codes.map((code): Note => ({ code })), ...own];
   return {
     bytes,
     name: `${title}.${format}`,
     type: FORMATS[format].type,
-    report: { ...counts, bytes: bytes.length, notes: notes.map((code) => ({ code, message: NOTES[code] })) },
+    report: { ...counts, bytes: bytes.length, notes: notes.map((note) => ({ ...note, message: filled(NOTES[note.code], { count: note.count }) })) },
   };
 }
 

@@ -2,6 +2,7 @@
 
 import type { Mesh, Part } from './gltf-parts.ts';
 import type { Kit } from './kit.ts';
+import { thingsOf } from './model.ts';
 import type { Model } from './model.ts';
 import type { Pace } from './pace.ts';
 import { instancesByKind, placementOf } from './placement.ts';
@@ -46,7 +47,7 @@ export type ViewName = (typeof VIEWS)[number];
 /**
  * Where everything is going to lie.
  *
- * @param withIds whether vertices tell which body they are of.
+ * @param withIds whether vertices tell which thing they are of.
  * @param instances how many bodies are placed by attributes.
  */
 export function layoutOf({ indexStarts, vertexStarts }: Model, meshes: readonly Mesh[], withIds: boolean, instances: number): Layout {
@@ -109,13 +110,14 @@ export async function fillMeshes(
   const [positions, normals, ids] = [floats('positions'), floats('normals'), floats('ids')];
   const { offset = 0, length = 0 } = views.indices ?? {};
   const indices = new (indexBytes === 2 ? Uint16Array : Uint32Array)(bytes.buffer, bytes.byteOffset + offset, length / indexBytes);
+  const numbers = ids.length > 0 ? numbersOf(model) : undefined;
   let p = 0;
   for (const { parts } of meshes) {
     for (const part of parts) {
       const { vertex, index } = places[p++]!;
       fillVertices(model, part, positions, normals, 3 * vertex);
       fillIndices(model, part, indices, index);
-      if (ids.length > 0) fillIds(model, part, ids, vertex);
+      if (numbers) fillIds(model, part, numbers, ids, vertex);
       if (pace.isDue()) await pace.rest(share[0] + ((share[1] - share[0]) * p) / places.length);
     }
   }
@@ -178,12 +180,19 @@ function fillIndices({ indices, indexStarts, vertexStarts }: Model, { bodies }: 
   }
 }
 
-/** Which body of the model each vertex is of. */
-function fillIds({ vertexStarts }: Model, { bodies }: Part, ids: Float32Array, begin: number): void {
+/** For each body the number of the thing that it is of, from 0 on among those with the same noun. */
+function numbersOf(model: Model): Uint32Array {
+  const numbers = new Uint32Array(model.groupOf.length);
+  for (const { number, bodies } of thingsOf(model)) for (const k of bodies) numbers[k] = number - 1;
+  return numbers;
+}
+
+/** Which thing each vertex is of. */
+function fillIds({ vertexStarts }: Model, { bodies }: Part, numbers: Uint32Array, ids: Float32Array, begin: number): void {
   let v = begin;
   for (const k of bodies) {
     const end = v + vertexStarts[k + 1]! - vertexStarts[k]!;
-    ids.fill(k, v, end);
+    ids.fill(numbers[k]!, v, end);
     v = end;
   }
 }

@@ -319,8 +319,12 @@ export class GltfJson {
 
   #usedMaterials(): object[] {
     return [...this.#materials.keys()].map((used) => {
-      const { name, color } = this.#model.materials[used]!;
-      return { name, pbrMetallicRoughness: { baseColorFactor: [...color, 1], metallicFactor: 0, roughnessFactor: 0.9 } };
+      const { name, color, roughness = 0.9, isTwoSided } = this.#model.materials[used]!;
+      return {
+        name,
+        pbrMetallicRoughness: { baseColorFactor: [...color, 1], metallicFactor: 0, roughnessFactor: roughness },
+        ...(isTwoSided && { doubleSided: true }),
+      };
     });
   }
 }

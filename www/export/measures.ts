@@ -31,7 +31,7 @@ export function measuresOf(model: Model, k: number): Measures {
   return {
     area: (unit * unit * twiceArea) / 2,
     volume: (unit * unit * unit * sixfoldVolume(model, k, x, y, z)) / 6,
-    size: [unit * span(positions, first, last, 0), unit * span(positions, first, last, 2), unit * span(positions, first, last, 1)],
+    size: sizeOf(positions, first, last, unit),
   };
 }
 
@@ -55,6 +55,11 @@ function sixfoldVolume({ positions, indices, indexStarts }: Model, k: number, x:
     sum += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx);
   }
   return sum;
+}
+
+/** Of the box around the vertices from `first` to before `last`. */
+export function sizeOf(positions: Float32Array, first: number, last: number, unit: number): Measures['size'] {
+  return [unit * span(positions, first, last, 0), unit * span(positions, first, last, 2), unit * span(positions, first, last, 1)];
 }
 
 /** How far vertices reach along an axis. */

@@ -3,11 +3,15 @@
 /** Bodies that belong together, such as the rocks of a layer; or the parts of one thing, such as a log. */
 export interface Group {
   name: string;
-  /**
-   * What each body is called, before its number: `rock`. A group without it is one thing, which has the group's name and is neither measured nor
-   * closed; each of its bodies is the part of it that is of another material, and they have one origin.
-   */
+  /** What each of its things is called, before its number: `rock`. A group without it is one thing, which has the group's name. */
   noun?: string | undefined;
+  /**
+   * How many bodies, one after the other, make a thing; 1 unless given, and all of them where the group is one thing. They are its parts, each of
+   * another material, and have one origin. A kit cannot have things of several parts.
+   */
+  parts?: number | undefined;
+  /** Whether its bodies are open below, and their rims their first vertices: they are measured, and closed where a file shall be solid. */
+  isOpenBelow?: boolean | undefined;
   /** What a reader of the file may want to know. JSON. */
   extras: Record<string, unknown>;
 }
@@ -17,6 +21,10 @@ export interface Material {
   name: string;
   /** Linear, 0 … 1. */
   color: readonly [number, number, number];
+  /** 0 … 1; 0.9 unless given. */
+  roughness?: number | undefined;
+  /** Whether it is seen from behind too, as what has no other side has to be. */
+  isTwoSided?: boolean | undefined;
 }
 
 /** z is up; `unit` says what a unit is. Body k owns the vertices and indices between `starts[k]` and `starts[k + 1]`. */
@@ -42,31 +50,33 @@ export interface Model {
   centre: readonly [number, number, number];
 }
 
-/** What becomes an object: a body, or all bodies of a group that is one thing. */
+/** What becomes an object. */
 export interface Thing {
   name: string;
   group: number;
+  /** From 1 on, among those with the same noun. */
+  number: number;
   bodies: readonly number[];
 }
 
-/** In the order of their first bodies. Bodies with the same noun are numbered from 1 on, whatever their groups are. */
+/** In the order of their first bodies. Those with the same noun are numbered through, whatever their groups are. */
 export function thingsOf({ groups, groupOf }: Pick<Model, 'groups' | 'groupOf'>): Thing[] {
   const counts = new Map<string, number>();
-  const wholes = new Map<number, number[]>();
+  /** For each group, the bodies of the thing that lacks some. */
+  const unfinished = new Map<number, number[]>();
   const things: Thing[] = [];
   groupOf.forEach((group, k) => {
-    const { name, noun } = groups[group]!;
-    const parts = wholes.get(group);
-    if (parts) parts.push(k);
-    else if (noun === undefined) {
-      const bodies = [k];
-      wholes.set(group, bodies);
-      things.push({ name, group, bodies });
-    } else {
-      const number = (counts.get(noun) ?? 0) + 1;
-      counts.set(noun, number);
-      things.push({ name: `${noun}-${number}`, group, bodies: [k] });
+    const { name, noun, parts = noun === undefined ? Infinity : 1 } = groups[group]!;
+    let bodies = unfinished.get(group);
+    if (bodies) bodies.push(k);
+    else {
+      bodies = [k];
+      const number = noun === undefined ? 1 : (counts.get(noun) ?? 0) + 1;
+      if (noun !== undefined) counts.set(noun, number);
+      things.push({ name: noun === undefined ? name : `${noun}-${number}`, group, number, bodies });
     }
+    if (bodies.length < parts) unfinished.set(group, bodies);
+    else unfinished.delete(group);
   });
   return things;
 }

@@ -160,7 +160,8 @@ function consistent(options: ResolvedOptions, given: Record<string, unknown>): R
   return options;
 }
 
-function impossible(key: OptionKey, value: unknown, reason: string): RockFieldError {
+/** The error about an option that cannot be had. */
+export function impossible(key: OptionKey, value: unknown, reason: string): RockFieldError {
   return new RockFieldError({
     name: 'ExportImpossible',
     key,

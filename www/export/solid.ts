@@ -1,6 +1,5 @@
 /** Rocks closed from below. */
 
-import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 
 /**
@@ -13,12 +12,12 @@ export function rimOf(vertices: number, triangles: number): number {
   return 2 * vertices - triangles - 2;
 }
 
-/** The model with a bottom under each body that is not part of one thing: a fan from the middle of its rim, with vertices of its own, whose normals point down. */
+/** The model with a bottom under each body that is open below: a fan from the middle of its rim, with vertices of its own, whose normals point down. */
 export function closed(model: Model): Model {
   const { positions, normals, indices, indexStarts, vertexStarts, origins } = model;
   const bodies = model.groupOf.length;
   const rims = Uint32Array.from(model.groupOf, (group, k) =>
-    isOneThing(model, group) ? 0 : rimOf(vertexStarts[k + 1]! - vertexStarts[k]!, (indexStarts[k + 1]! - indexStarts[k]!) / 3),
+    model.groups[group]!.isOpenBelow ? rimOf(vertexStarts[k + 1]! - vertexStarts[k]!, (indexStarts[k + 1]! - indexStarts[k]!) / 3) : 0,
   );
   const rimVertices = rims.reduce((sum, rim) => sum + rim, 0);
   const bottoms = rims.filter((rim) => rim > 0).length;

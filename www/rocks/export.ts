@@ -40,15 +40,19 @@ export function exportField(
   waiting?: Waiting,
 ): Promise<ExportedFile> {
   const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(ROCKS, preset ?? '') === 'natural');
-  const { rockLayer } = field;
   const source = {
     title: `${preset ?? 'rock-field'}-${params.seed}`,
     link: encodeLink({ params, ...(preset !== undefined && { preset }) }),
     hash: () => fieldHash(field),
     hasPatterns: isNatural,
-    extrasOf: (rock: number) => ({ id: rock + 1, layer: params.layers[rockLayer[rock]!]!.id }),
+    extrasOf: (rock: number) => rockExtras(field, params, rock),
   };
-  return exportModel(modelOf(field, params, options.metresPerPixel, isNatural), source, options, waiting);
+  return exportModel(rocksModel(field, params, options.metresPerPixel, isNatural), source, options, waiting);
+}
+
+/** What is said of a rock beside its measures. */
+export function rockExtras({ rockLayer }: Field, { layers }: Params, rock: number): Record<string, unknown> {
+  return { id: rock + 1, layer: layers[rockLayer[rock]!]!.id };
 }
 
 /** As of `generate`; progress goes on while the file is written, in the stage `file`. */
@@ -93,7 +97,7 @@ export async function exportWith(
  * @param field as it was generated; its buffers are used as they are.
  * @param params that it was generated from.
  */
-function modelOf(field: Field, params: Params, metresPerPixel: number, isNatural: boolean): Model {
+export function rocksModel(field: Field, params: Params, metresPerPixel: number, isNatural: boolean): Model {
   const { positions, normals, indices, rockStarts, vertexStarts, rockLayer, imageWidth, imageHeight } = field;
   return {
     unit: metresPerPixel,
@@ -106,6 +110,7 @@ function modelOf(field: Field, params: Params, metresPerPixel: number, isNatural
     groups: field.layers.map(({ id, radius }, index) => ({
       name: `layer-${index + 1}`,
       noun: 'rock',
+      isOpenBelow: true,
       extras: { layer: id, radius: radius * metresPerPixel, material: params.layers[index]!.material },
     })),
     materialOf: isNatural ? stoneKinds(field, params) : rockLayer,

@@ -35,9 +35,15 @@ export interface FieldGenerator {
   dispose(): void;
 }
 
+/** Where no rock may grow, as in a `FieldJob`. A symbol, so that no request from outside has one. */
+export const FOOTPRINT = Symbol('footprint');
+
+/** What another generator asks for, whose things lie among the rocks. */
+export type HeadlessJob = FieldRequest & { [FOOTPRINT]?: Float64Array | undefined };
+
 class HeadlessFields extends Headless<GeneratorModule, FieldRequest, FlatRequest, Field, StageName> implements FieldGenerator {
   protected encode(request: FieldRequest | undefined, maxBytes: number): FlatRequest {
-    return flatRequest(resolveParams(request), maxBytes);
+    return { ...flatRequest(resolveParams(request), maxBytes), footprint: (request as HeadlessJob | undefined)?.[FOOTPRINT] };
   }
 
   protected open(module: GeneratorModule) {

@@ -26,7 +26,7 @@ function mixed(byte: number): number {
 }
 
 /** As `hash` of palette.rs. */
-function hash(layer: number, site: number): number {
+export function hash(layer: number, site: number): number {
   let h = Math.imul(layer, 0x9e3779b9) ^ (Math.imul(site, 0x85ebca6b) + 1);
   h = Math.imul(h ^ (h >>> 16), 0x85ebca6b);
   h = Math.imul(h ^ (h >>> 13), 0xc2b2ae35);

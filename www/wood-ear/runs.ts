@@ -5,20 +5,15 @@
  */
 
 import type { WoodEarColony, WoodEarLog } from '../data/colony.ts';
-import { errorInfo, isCoded, RockFieldError } from '../base/errors.ts';
 import type { Field } from '../data/field.ts';
-import { footprintOf } from './footprint.ts';
+import { bareField, ofGround, rocksAround, sceneOf } from './ground.ts';
 import { GeneratorClient } from '../rocks/client.ts';
 import { ColonyClient } from './client.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { WoodEarStage } from './session.ts';
-import { decodeLink } from '../rocks/link.ts';
 import type { Arrival, OnResult, RunClient } from '../generator/runs.ts';
 import { colonyRequest, groundSide, placeOf } from './table.ts';
 import type { Place, WoodEarScene, WoodEarSceneParams } from './table.ts';
-
-/** Rocks that are higher than this at their edge do not fit under the log's side, px. */
-const CLEARANCE = 9;
 
 /** The rocks round a log. */
 interface Ground {
@@ -122,40 +117,10 @@ export class WoodEarSceneClient implements RunClient<WoodEarSceneParams, WoodEar
 
   async #rocksOf(link: string, side: number, log: WoodEarLog, place: Place): Promise<Field> {
     this.#rocks ??= new GeneratorClient();
-    const { params } = decodeLink(link);
     try {
-      return await this.#rocks.generate({ ...params, imageWidth: side, imageHeight: side, footprint: footprintOf(log, place, CLEARANCE) });
+      return await this.#rocks.generate(rocksAround(link, side, log, place));
     } catch (thrown) {
       throw ofGround(thrown);
     }
   }
-}
-
-function sceneOf(colony: WoodEarColony, ground: Field, params: WoodEarSceneParams): WoodEarScene {
-  const { rings, meridians } = params;
-  return { colony, ground, place: placeOf(colony.log, params), rings, meridians };
-}
-
-/** What is wrong with a parameter of the rocks is wrong with the ground, which has no such parameter of its own. */
-function ofGround(thrown: unknown): unknown {
-  return isCoded(thrown) && thrown.key
-    ? new RockFieldError({ ...errorInfo(thrown), key: 'ground', layer: undefined, message: `ground: ${thrown.message}` })
-    : thrown;
-}
-
-/** Soil without a rock. */
-function bareField(side: number): Field {
-  const none = { sites: 0, cells: 0, selection: 0, shape: 0, mesh: 0, total: 0 };
-  return {
-    imageWidth: side,
-    imageHeight: side,
-    layers: [],
-    positions: new Float32Array(),
-    normals: new Float32Array(),
-    indices: new Uint32Array(),
-    rockStarts: new Uint32Array(1),
-    vertexStarts: new Uint32Array(1),
-    rockLayer: new Uint8Array(),
-    stats: { rocks: 0, triangles: 0, coveredFraction: 0, ms: none },
-  };
 }

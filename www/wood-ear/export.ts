@@ -1,0 +1,70 @@
+/** Colonies of wood ears as files, with their log and the rocks that it lies on. */
+
+import { exportModel } from '../export/file.ts';
+import type { ExportedFile, Note } from '../export/file.ts';
+import { joined } from '../export/join.ts';
+import { impossible, resolveOptions } from '../export/options.ts';
+import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
+import { rockExtras, rocksModel } from '../rocks/export.ts';
+import { decodeLink } from '../rocks/link.ts';
+import { presetColor } from '../table/table.ts';
+import { colonyModel } from './export-model.ts';
+import { encodeWoodEarLink } from './link.ts';
+import type { WoodEarPresetName } from './request.ts';
+import { WOOD_EARS } from './table.ts';
+import type { WoodEarScene, WoodEarSceneParams } from './table.ts';
+
+/** Where a colony comes from. */
+export interface ColonySource {
+  params: WoodEarSceneParams;
+  /** The preset that the parameters began with, if any: the file is named after it. */
+  preset?: WoodEarPresetName | undefined;
+}
+
+/** What there is to write: the colony, the rocks around it, and where the log's origin is on the ground. */
+export type ExportedScene = Pick<WoodEarScene, 'colony' | 'ground' | 'place'>;
+
+/**
+ * All options, checked.
+ *
+ * @throws {RockFieldError} as `resolveOptions`; `ExportImpossible` for a kit.
+ */
+export function colonyOptions(options?: ExportOptions): ResolvedOptions {
+  const resolved = resolveOptions(options);
+  if (resolved.mesh !== 'kit') return resolved;
+  throw impossible('mesh', 'kit', 'every wood ear has its own shape, pressed against its neighbours: use mesh "rocks" or "one"');
+}
+
+/**
+ * A colony as a file. The same scene and options give the same bytes everywhere.
+ *
+ * @throws {RockFieldError} `ExportTooLarge`.
+ */
+export function exportColony(
+  { colony, ground, place }: ExportedScene,
+  { params, preset }: ColonySource,
+  options: ResolvedOptions,
+): ExportedFile {
+  const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(WOOD_EARS, preset ?? '') === 'natural');
+  const { model, extras, notes } = colonyModel(colony, params, options, isNatural);
+  const [x, y, z] = place;
+  const soil = { ...model, centre: [0, 0, -z] as const };
+  const rocks = decodeLink(params.ground).params;
+  const whole = ground.stats.rocks > 0 ? joined(soil, rocksModel(ground, rocks, options.metresPerPixel, isNatural), [-x, -y, -z]) : soil;
+  const own = model.groupOf.length;
+  return exportModel(
+    whole,
+    {
+      title: `${preset ?? 'wood-ear-log'}-${params.seed}`,
+      link: params.mesh ? undefined : linkOf(params, preset),
+      hasPatterns: isNatural,
+      extrasOf: (body) => (body < own ? extras(body) : rockExtras(ground, rocks, body - own)),
+      notes: params.mesh ? [...notes, { code: 'log-not-in-link' } satisfies Note] : notes,
+    },
+    options,
+  );
+}
+
+function linkOf(params: WoodEarSceneParams, preset: WoodEarPresetName = WOOD_EARS.presets[0]!.name): string {
+  return encodeWoodEarLink({ params, preset, view: WOOD_EARS.views[0]!, color: null, camera: null });
+}

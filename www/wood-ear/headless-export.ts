@@ -1,0 +1,52 @@
+/** Colonies as files without a page: what `entries/export.ts` and `export.node.ts` share. */
+
+import type { WoodEarColony } from '../data/colony.ts';
+import type { Field } from '../data/field.ts';
+import type { ExportedFile } from '../export/file.ts';
+import type { ExportOptions } from '../export/options.ts';
+import { FOOTPRINT } from '../rocks/headless.ts';
+import type { GenerateOptions, HeadlessJob } from '../rocks/headless.ts';
+import { colonyOptions, exportColony } from './export.ts';
+import { bareField, ofGround, rocksAround } from './ground.ts';
+import type { WoodEarOptions } from './headless.ts';
+import type { WoodEarRequest } from './request.ts';
+import { colonyRequest, groundSide, placeOf, WOOD_EARS } from './table.ts';
+
+/** A colony with what its log lies on: a link to a field of rocks, or an empty text for bare soil. Natural presets lie on a forest's floor. */
+export type WoodEarExportRequest = WoodEarRequest & { ground?: string | undefined };
+
+/** The two generators of `rock-field/core`. */
+export interface Generators {
+  grow: (request: WoodEarRequest, options?: WoodEarOptions) => Promise<WoodEarColony>;
+  generate: (request: HeadlessJob, options?: GenerateOptions) => Promise<Field>;
+}
+
+/**
+ * Grows a colony, generates the rocks around its log, and exports them.
+ *
+ * @throws {RockFieldError} about a parameter, about an option, or `ExportTooLarge`.
+ */
+export async function exportColonyWith(
+  { grow, generate }: Generators,
+  request: WoodEarExportRequest = {},
+  options?: ExportOptions,
+  run: WoodEarOptions = {},
+): Promise<ExportedFile> {
+  // All of it is read now: what the caller does to the objects afterwards is no part of the request.
+  const resolved = colonyOptions(options);
+  const params = WOOD_EARS.resolve(request);
+  const { preset } = request;
+  const colony = await grow(colonyRequest(params), run);
+  const place = placeOf(colony.log, params);
+  const side = groundSide(params);
+  const { signal, maxBytes } = run;
+  const rocks = async (): Promise<Field> => {
+    const { footprint, ...job } = rocksAround(params.ground, side, colony.log, place);
+    return generate({ ...job, [FOOTPRINT]: footprint }, { signal, maxBytes }).catch((thrown: unknown) => {
+      throw ofGround(thrown);
+    });
+  };
+  const ground = params.ground === '' ? bareField(side) : await rocks();
+  signal?.throwIfAborted();
+  return exportColony({ colony, ground, place }, { params, preset }, resolved);
+}
