@@ -134,7 +134,9 @@ function report({ language }: RockStore, written: Written): TemplateResult {
     triangles: found.triangles.toLocaleString(language),
   };
   const unit = chosen.options.scale === 1000 ? '1 mm' : '1 m';
-  const notes = found.notes.map(({ code, count }) => html`<li>${later(language, `note-${code}`, { unit, count: count?.toLocaleString(language) })}</li>`);
+  const notes = found.notes.map(
+    ({ code, count }) => html`<li>${later(language, `note-${code}`, { unit, count: count?.toLocaleString(language) })}</li>`,
+  );
   return html`<p>${later(language, 'exportFigures', figures)}</p>${notes.length > 0 ? html`<ul class="quiet">${notes}</ul>` : nothing}`;
 }
 
