@@ -218,7 +218,6 @@ test('a log of one’s own is one part, its ears stand on it, and an open one sa
     assert.equal((log.getExtras() as { solid?: boolean }).solid, isOpen ? false : undefined);
     const codes = report.notes.map(({ code }) => code);
     assert.deepEqual([codes.includes('open-log'), codes.includes('log-not-in-link')], [isOpen, true]);
-    assert.equal(document.getRoot().listScenes()[0]!.getExtras().link, undefined);
     // 2 cm of it are in the soil.
     const height = (y: number): number => 100 * y + 2;
     for (const node of all.filter((one) => one !== log)) {

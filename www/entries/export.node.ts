@@ -6,8 +6,7 @@ import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
 import type { FieldRequest } from '../rocks/request.ts';
 import { exportColonyWith } from '../wood-ear/headless-export.ts';
-import type { WoodEarExportRequest } from '../wood-ear/headless-export.ts';
-import type { WoodEarOptions } from '../wood-ear/headless.ts';
+import type { WoodEarExportRequest, WoodEarExportRun } from '../wood-ear/headless-export.ts';
 import { generate, growWoodEar } from './core.node.ts';
 
 export { RockFieldError } from '../base/errors.ts';
@@ -19,6 +18,6 @@ export function exportScene(request?: FieldRequest, options?: ExportOptions, run
 }
 
 /** The colony of a request on its log, and the rocks around it, as a file. */
-export function exportWoodEar(request?: WoodEarExportRequest, options?: ExportOptions, run?: WoodEarOptions): Promise<ExportedFile> {
+export function exportWoodEar(request?: WoodEarExportRequest, options?: ExportOptions, run?: WoodEarExportRun): Promise<ExportedFile> {
   return exportColonyWith({ grow: growWoodEar, generate }, request, options, run);
 }

@@ -6,8 +6,7 @@ import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
 import type { FieldRequest } from '../rocks/request.ts';
 import { exportColonyWith } from '../wood-ear/headless-export.ts';
-import type { WoodEarExportRequest } from '../wood-ear/headless-export.ts';
-import type { WoodEarOptions } from '../wood-ear/headless.ts';
+import type { WoodEarExportRequest, WoodEarExportRun } from '../wood-ear/headless-export.ts';
 import { generate, growWoodEar } from './core.ts';
 
 export { RockFieldError } from '../base/errors.ts';
@@ -17,8 +16,7 @@ export type { ExportedFile, ExportNote, ExportReport } from '../export/file.ts';
 export type { ExportOptions, ExportTarget } from '../export/options.ts';
 export type { ExportRun } from '../rocks/export.ts';
 export type { FieldRequest } from '../rocks/request.ts';
-export type { WoodEarExportRequest } from '../wood-ear/headless-export.ts';
-export type { WoodEarOptions } from '../wood-ear/headless.ts';
+export type { WoodEarExportRequest, WoodEarExportRun } from '../wood-ear/headless-export.ts';
 
 /**
  * The field of a request as a file. The same request and options give the same bytes everywhere.
@@ -34,6 +32,6 @@ export function exportScene(request?: FieldRequest, options?: ExportOptions, run
  *
  * @throws {RockFieldError} naming the parameter or the option, its value and its bounds; `ExportImpossible`; `ExportTooLarge`.
  */
-export function exportWoodEar(request?: WoodEarExportRequest, options?: ExportOptions, run?: WoodEarOptions): Promise<ExportedFile> {
+export function exportWoodEar(request?: WoodEarExportRequest, options?: ExportOptions, run?: WoodEarExportRun): Promise<ExportedFile> {
   return exportColonyWith({ grow: growWoodEar, generate }, request, options, run);
 }

@@ -128,7 +128,11 @@ export async function exportModel(
     bytes,
     name: `${title}.${format}`,
     type: FORMATS[format].type,
-    report: { ...counts, bytes: bytes.length, notes: notes.map((note) => ({ ...note, message: filled(NOTES[note.code], { count: note.count }) })) },
+    report: {
+      ...counts,
+      bytes: bytes.length,
+      notes: notes.map((note) => ({ ...note, message: filled(NOTES[note.code], { count: note.count }) })),
+    },
   };
 }
 

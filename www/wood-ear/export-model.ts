@@ -4,9 +4,10 @@ import type { WoodEarColony, WoodEarLog } from '../data/colony.ts';
 import { WOOD } from '../data/palette.gen.ts';
 import { crossesItself, isClosed } from '../export/crossings.ts';
 import type { Note } from '../export/file.ts';
-import { rounded, sizeOf } from '../export/measures.ts';
+import { sizeOf } from '../export/measures.ts';
 import type { Group, Model } from '../export/model.ts';
 import type { ResolvedOptions } from '../export/options.ts';
+import type { Pace } from '../export/pace.ts';
 import { compact, earsOf, partsOf, thickened } from './ear-parts.ts';
 import type { Ears, Part } from './ear-parts.ts';
 import { fleshOf, woodMaterials } from './materials.ts';
@@ -24,7 +25,13 @@ export interface ColonyModel {
   notes: Note[];
 }
 
-export function colonyModel(colony: WoodEarColony, params: WoodEarSceneParams, options: ResolvedOptions, isNatural: boolean): ColonyModel {
+export async function colonyModel(
+  colony: WoodEarColony,
+  params: WoodEarSceneParams,
+  options: ResolvedOptions,
+  isNatural: boolean,
+  pace: Pace,
+): Promise<ColonyModel> {
   const { solid, metresPerPixel: unit } = options;
   const grown = earsOf(colony, params);
   const ears = solid ? thickened(grown, SHEET) : grown;
@@ -33,8 +40,7 @@ export function colonyModel(colony: WoodEarColony, params: WoodEarSceneParams, o
   const log = logParts(colony.log);
   // A log that is made is closed.
   const isLogOpen = params.mesh !== null && !isClosed(colony.log);
-  const isCrossing = Uint8Array.from({ length: solid ? ears.count : 0 }, (_, ear) => Number(crossesItself(earOf(ears, ear))));
-  const crossing = isCrossing.reduce((sum, one) => sum + one, 0);
+  const crossing = solid ? await crossingEars(ears, pace) : new Set<number>();
   const bases = params.bases.length;
   const bodies = ears.count * earParts.length;
   const groups: Group[] = params.bases.map(({ range }, base) => ({
@@ -45,7 +51,10 @@ export function colonyModel(colony: WoodEarColony, params: WoodEarSceneParams, o
   }));
   groups.push({
     name: 'log',
-    extras: { size: sizeOf(colony.log.positions, 0, colony.log.positions.length / 3, unit), ...(solid && isLogOpen && { solid: false }) },
+    extras: {
+      size: sizeOf(colony.log.positions, 0, colony.log.positions.length / 3, unit).map(rounded),
+      ...(solid && isLogOpen && { solid: false }),
+    },
   });
   const feet = placesOnLog(colony, params);
   const model: Model = {
@@ -67,7 +76,7 @@ export function colonyModel(colony: WoodEarColony, params: WoodEarSceneParams, o
   };
   const notes: Note[] = [];
   if (solid && !grown.isThick && grown.count > 0) notes.push({ code: 'thickened' });
-  if (crossing > 0) notes.push({ code: 'crosses-itself', count: crossing });
+  if (crossing.size > 0) notes.push({ code: 'crosses-itself', count: crossing.size });
   if (solid && isLogOpen) notes.push({ code: 'open-log' });
   const extras = (body: number): Record<string, unknown> => {
     if (body >= bodies) return {};
@@ -78,10 +87,20 @@ export function colonyModel(colony: WoodEarColony, params: WoodEarSceneParams, o
       radius: rounded(unit * colony.size[ear]!),
       ...measured(ears, ear, unit),
       ...(params.thickness > 0 && { thickness: rounded(unit * params.thickness) }),
-      ...(isCrossing[ear] && { solid: false }),
+      ...(crossing.has(ear) && { solid: false }),
     };
   };
   return { model, extras, notes };
+}
+
+/** Those that pass through themselves. */
+async function crossingEars(ears: Ears, pace: Pace): Promise<Set<number>> {
+  const crossing = new Set<number>();
+  for (let ear = 0; ear < ears.count; ear++) {
+    if (crossesItself(earOf(ears, ear))) crossing.add(ear);
+    if (pace.isDue()) await pace.rest(ear / ears.count);
+  }
+  return crossing;
 }
 
 /** An ear by itself. */
@@ -105,7 +124,7 @@ function measured(ears: Ears, ear: number, unit: number): Record<string, unknown
   return {
     area: rounded((unit * unit * twiceArea) / 2),
     ...(ears.isThick && { volume: rounded((unit * unit * unit * sixfold) / 6) }),
-    size: sizeOf(positions, 0, positions.length / 3, unit),
+    size: sizeOf(positions, 0, positions.length / 3, unit).map(rounded),
   };
 }
 
@@ -158,4 +177,9 @@ function meshOf(ears: Ears, earParts: readonly Part[], log: WoodEarLog, own: rea
   for (let ear = 0; ear < ears.count; ear++) for (const part of earParts) add(part, ears, ear * ears.vertices);
   for (const part of own) add(part, log, 0);
   return mesh;
+}
+
+/** Four digits: nobody measures a wood ear more closely. */
+function rounded(value: number): number {
+  return Number(value.toPrecision(4));
 }

@@ -5,10 +5,13 @@ import type { ExportedFile, Note } from '../export/file.ts';
 import { joined } from '../export/join.ts';
 import { impossible, resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
+import { Pace } from '../export/pace.ts';
+import type { Waiting } from '../export/pace.ts';
 import { rockExtras, rocksModel } from '../rocks/export.ts';
 import { decodeLink } from '../rocks/link.ts';
 import { presetColor } from '../table/table.ts';
 import { colonyModel } from './export-model.ts';
+import { colonyHash } from './hash.ts';
 import { encodeWoodEarLink } from './link.ts';
 import type { WoodEarPresetName } from './request.ts';
 import { WOOD_EARS } from './table.ts';
@@ -40,13 +43,17 @@ export function colonyOptions(options?: ExportOptions): ResolvedOptions {
  *
  * @throws {RockFieldError} `ExportTooLarge`.
  */
-export function exportColony(
+export async function exportColony(
   { colony, ground, place }: ExportedScene,
   { params, preset }: ColonySource,
   options: ResolvedOptions,
-): ExportedFile {
+  { signal, onProgress }: Waiting = {},
+): Promise<ExportedFile> {
   const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(WOOD_EARS, preset ?? '') === 'natural');
-  const { model, extras, notes } = colonyModel(colony, params, options, isNatural);
+  // Solid ears are looked at one by one.
+  const looked = options.solid ? 0.6 : 0;
+  const pace = new Pace({ signal, onProgress: onProgress && ((fraction) => onProgress(looked * fraction)) });
+  const { model, extras, notes } = await colonyModel(colony, params, options, isNatural, pace);
   const [x, y, z] = place;
   const soil = { ...model, centre: [0, 0, -z] as const };
   const rocks = decodeLink(params.ground).params;
@@ -56,12 +63,14 @@ export function exportColony(
     whole,
     {
       title: `${preset ?? 'wood-ear-log'}-${params.seed}`,
-      link: params.mesh ? undefined : linkOf(params, preset),
+      link: linkOf(params, preset),
+      hash: () => colonyHash(colony),
       hasPatterns: isNatural,
       extrasOf: (body) => (body < own ? extras(body) : rockExtras(ground, rocks, body - own)),
       notes: params.mesh ? [...notes, { code: 'log-not-in-link' } satisfies Note] : notes,
     },
     options,
+    { signal, onProgress: onProgress && ((fraction) => onProgress(looked + (1 - looked) * fraction)) },
   );
 }
 

@@ -2,6 +2,7 @@
 
 import type { WoodEarColony } from '../data/colony.ts';
 import type { Field } from '../data/field.ts';
+import type { Progress } from '../generator/protocol.ts';
 import type { ExportedFile } from '../export/file.ts';
 import type { ExportOptions } from '../export/options.ts';
 import { FOOTPRINT } from '../rocks/headless.ts';
@@ -10,10 +11,20 @@ import { colonyOptions, exportColony } from './export.ts';
 import { bareField, ofGround, rocksAround } from './ground.ts';
 import type { WoodEarOptions } from './headless.ts';
 import type { WoodEarRequest } from './request.ts';
+import type { WoodEarStage } from './session.ts';
 import { colonyRequest, groundSide, placeOf, WOOD_EARS } from './table.ts';
 
 /** A colony with what its log lies on: a link to a field of rocks, or an empty text for bare soil. Natural presets lie on a forest's floor. */
 export type WoodEarExportRequest = WoodEarRequest & { ground?: string | undefined };
+
+/** As of `growWoodEar`; progress goes on while the file is written, in the stage `file`. */
+export interface WoodEarExportRun extends Omit<WoodEarOptions, 'onProgress' | 'onPreview'> {
+  /** Called every 16 ms or so. */
+  onProgress?: ((progress: Progress<WoodEarStage | 'file'>) => void) | undefined;
+}
+
+/** The share of the work that is done when the colony is there. */
+const GROWN = 0.5;
 
 /** The two generators of `rock-field/core`. */
 export interface Generators {
@@ -30,13 +41,16 @@ export async function exportColonyWith(
   { grow, generate }: Generators,
   request: WoodEarExportRequest = {},
   options?: ExportOptions,
-  run: WoodEarOptions = {},
+  { onProgress, ...run }: WoodEarExportRun = {},
 ): Promise<ExportedFile> {
   // All of it is read now: what the caller does to the objects afterwards is no part of the request.
   const resolved = colonyOptions(options);
   const params = WOOD_EARS.resolve(request);
   const { preset } = request;
-  const colony = await grow(colonyRequest(params), run);
+  const colony = await grow(colonyRequest(params), {
+    ...run,
+    onProgress: onProgress && ((progress) => onProgress({ ...progress, fraction: GROWN * progress.fraction })),
+  });
   const place = placeOf(colony.log, params);
   const side = groundSide(params);
   const { signal, maxBytes } = run;
@@ -48,5 +62,8 @@ export async function exportColonyWith(
   };
   const ground = params.ground === '' ? bareField(side) : await rocks();
   signal?.throwIfAborted();
-  return exportColony({ colony, ground, place }, { params, preset }, resolved);
+  return exportColony({ colony, ground, place }, { params, preset }, resolved, {
+    signal,
+    onProgress: onProgress && ((fraction) => onProgress({ stage: 'file', fraction: GROWN + (1 - GROWN) * fraction })),
+  });
 }
