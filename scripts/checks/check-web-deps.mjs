@@ -36,6 +36,7 @@ const UNKNOWN_TO = {
 const PACKAGES = {
   lit: new RegExp(`^((${NAMES})/)?controls/`),
   '@noble/hashes': /^export\/hash\.ts$/,
+  fflate: /^export\/maps\//,
   earcut: /^wood-ear\/log-file\//,
   meshoptimizer: /^wood-ear\/log-file\//,
   react: /^typings\//,

@@ -15,7 +15,7 @@ import { exportModel } from '../../www/export/file.ts';
 import { hashOf } from '../../www/export/hash.ts';
 import type { Model } from '../../www/export/model.ts';
 import { STONE_KINDS } from '../../www/data/palette.gen.ts';
-import { OPTIONS, resolveOptions, TARGETS } from '../../www/export/options.ts';
+import { FORMS, resolveOptions, TARGETS } from '../../www/export/options.ts';
 import type { Params } from '../../www/rocks/params.ts';
 import { stoneKinds } from '../../www/rocks/stone-kinds.ts';
 
@@ -72,7 +72,7 @@ function assertNear(found: readonly Point[], expected: readonly Point[], within:
 }
 
 test('every preset is valid glTF for every target, whatever its mesh form', async () => {
-  const forms = OPTIONS.mesh.choices;
+  const forms = FORMS.glb!;
   const targets = Object.keys(TARGETS) as (keyof typeof TARGETS)[];
   for (const [p, preset] of PRESETS.entries()) {
     for (const [t, target] of targets.entries()) {
@@ -398,7 +398,7 @@ test('a file that would be too large is refused before anything is allocated, wi
   const many = { length: 3e9 };
   const model = { positions: many, indices: many, groupOf: { length: 1000 } } as unknown as Model;
   const source = { title: '', link: '', hash: async () => '', hasPatterns: false, extrasOf: () => ({}) };
-  for (const format of OPTIONS.format.choices) {
+  for (const format of ['glb', 'obj', 'stl', 'ply'] as const) {
     await assert.rejects(
       exportModel(model, source, resolveOptions({ format })),
       (error: RockFieldError) => error.name === 'ExportTooLarge' && (error.value as number) > error.max!,
@@ -418,7 +418,7 @@ test('an aborted export rejects with the reason, and what the caller changes aft
 
 test('a field without rocks is a file without meshes', async () => {
   const nothing = { ...REQUEST, layers: [] };
-  for (const mesh of OPTIONS.mesh.choices) {
+  for (const mesh of FORMS.glb!) {
     const { bytes, report } = await exportScene(nothing, { mesh });
     const { issues } = await validator.validateBytes(bytes);
     assert.deepEqual([issues.numErrors, issues.numWarnings, report.triangles], [0, 0, 0]);

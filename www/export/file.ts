@@ -7,20 +7,26 @@ import { writeGlb } from './glb.ts';
 import type { Written } from './glb.ts';
 import type { Counts, Told } from './gltf-json.ts';
 import { kitOf } from './kit.ts';
+import { writeMaps } from './maps/maps.ts';
+import type { MapFacts, WrittenMaps } from './maps/maps.ts';
 import { measuresOf } from './measures.ts';
 import type { Measures } from './measures.ts';
 import type { Model } from './model.ts';
+import { isMap } from './options.ts';
 import type { ResolvedOptions } from './options.ts';
 import { originOf } from './origin.ts';
 import { Pace } from './pace.ts';
 import type { Waiting } from './pace.ts';
 import { writeObj, writePly, writeStl } from './plain-formats.ts';
+import { writeCsv, writePlyPoints } from './points.ts';
 import { closed } from './solid.ts';
 
 /** What there is in a file, and what of the scene is not. */
 export interface ExportReport extends Counts {
   /** Length of the file. */
   bytes: number;
+  /** Of maps. */
+  map?: MapFacts | undefined;
   notes: ExportNote[];
 }
 
@@ -75,6 +81,10 @@ const NOTES = {
     '{count} of the objects pass through themselves; their `extras` have `solid: false`. Slicers join what overlaps; Boolean operations may not.',
   'open-log': 'The log is not closed, so that it is not solid; its `extras` have `solid: false`.',
   'log-not-in-link': 'The log is a mesh of your own, which is in no link: that of the file shows a grown one.',
+  'kinds-of-kit': 'The kinds are the meshes of a kit that is exported with the same `kinds` and `solid`, as GLB.',
+  'no-header': 'This format has no header: tell the program that opens it the width and height in pixels, 16 bits, little-endian.',
+  'height-range': 'In 16 bits 0 is the ground, and 65535 the `highest` of `report.map`, in metres.',
+  data: 'The numbers are no colours: import the pictures as linear data, without sRGB.',
 } as const;
 
 const FORMATS = {
@@ -82,13 +92,18 @@ const FORMATS = {
   obj: { type: 'model/obj', lost: ['no-colours', 'no-units'] },
   stl: { type: 'model/stl', lost: ['no-colours', 'no-objects', 'no-units'] },
   ply: { type: 'application/octet-stream', lost: ['plain-colours', 'no-objects', 'no-units'] },
+  csv: { type: 'text/csv', lost: [] },
+  png: { type: 'image/png', lost: [] },
+  r16: { type: 'application/octet-stream', lost: [] },
+  exr: { type: 'image/x-exr', lost: [] },
+  zip: { type: 'application/zip', lost: [] },
 } as const satisfies Record<ResolvedOptions['format'], { type: string; lost: readonly (keyof typeof NOTES)[] }>;
 
 /** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
 export const MOST_BYTES = 2 ** 31 - 1;
 
-/** JSON of a rock's node, mesh and accessors; a line of OBJ. As measured, rounded up. */
-const [BYTES_A_ROCK, BYTES_A_LINE] = [900, 40];
+/** JSON of a rock's node, mesh and accessors; a line of OBJ; a line of CSV. As measured, rounded up. */
+const [BYTES_A_ROCK, BYTES_A_LINE, BYTES_A_POINT] = [900, 40, 200];
 
 /** Digits of what is measured of a body: nobody measures a stone more closely. */
 const MEASURED = 4;
@@ -106,7 +121,7 @@ export async function exportModel(
   options: ResolvedOptions,
   waiting?: Waiting,
 ): Promise<ExportedFile> {
-  const { format, mesh, instancing, solid } = options;
+  const { format, solid } = options;
   checkSize(model, options);
   const told: Told = {
     title,
@@ -117,23 +132,41 @@ export async function exportModel(
       else out.text(JSON.stringify({ ...(noun === undefined && extras), ...extrasOf(k) }));
     },
   };
-  const { bytes, counts } = await write(solid ? closed(model) : model, options, told, new Pace(waiting));
-  const codes: NoteCode[] = [
-    ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || hasPatterns),
-    ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
-    ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
-  ];
-  const notes = [...codes.map((code): Note => ({ code })), ...own];
+  const {
+    bytes,
+    counts,
+    ending = `.${format}`,
+    map,
+  } = await write(solid && !isMap(options) ? closed(model) : model, options, told, new Pace(waiting));
+  const notes = [...codesOf(options, hasPatterns).map((code): Note => ({ code })), ...own];
   return {
     bytes,
-    name: `${title}.${format}`,
+    name: `${title}${ending}`,
     type: FORMATS[format].type,
     report: {
       ...counts,
       bytes: bytes.length,
+      ...(map && { map }),
       notes: notes.map((note) => ({ ...note, message: filled(NOTES[note.code], { count: note.count }) })),
     },
   };
+}
+
+function codesOf(options: ResolvedOptions, hasPatterns: boolean): NoteCode[] {
+  const { format, mesh, instancing, map } = options;
+  if (isMap(options)) {
+    return [
+      ...(format === 'r16' ? (['no-header'] as const) : []),
+      ...(format !== 'exr' && (map === 'height' || map === 'all') ? (['height-range'] as const) : []),
+      ...(format === 'png' || format === 'zip' ? (['data'] as const) : []),
+    ];
+  }
+  if (mesh === 'points') return ['kinds-of-kit'];
+  return [
+    ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || hasPatterns),
+    ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
+    ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
+  ];
 }
 
 /** One JSON object. */
@@ -153,14 +186,19 @@ function writeMeasured(out: ByteWriter, extras: Record<string, unknown>, { area,
   out.text(']}');
 }
 
-async function write(model: Model, options: ResolvedOptions, told: Told, pace: Pace): Promise<Written> {
+async function write(model: Model, options: ResolvedOptions, told: Told, pace: Pace): Promise<Written & Partial<WrittenMaps>> {
+  if (isMap(options)) return writeMaps(model, options, told, pace);
+  if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options) : writePlyPoints(model, options, told);
   if (options.format === 'obj') return writeObj(model, options, told, pace);
   if (options.format === 'stl') return writeStl(model, options, told);
   if (options.format === 'ply') return writePly(model, options, told);
   return writeGlb(model, options, told, pace, options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined);
 }
 
-function checkSize({ positions, indices, groupOf }: Model, { format, mesh, solid }: ResolvedOptions): void {
+/** Maps are checked where they are made. */
+function checkSize({ positions, indices, groupOf }: Model, options: ResolvedOptions): void {
+  if (isMap(options)) return;
+  const { format, mesh, solid } = options;
   const bodies = groupOf.length;
   let [vertices, triangles] = [positions.length / 3, indices.length / 3];
   if (solid) {
@@ -168,12 +206,13 @@ function checkSize({ positions, indices, groupOf }: Model, { format, mesh, solid
     vertices += rims + bodies;
     triangles += rims;
   }
-  const expected = {
+  const ofMeshes: Partial<Record<typeof format, number>> = {
     glb: 24 * vertices + 12 * triangles + (mesh === 'one' ? 4 * vertices : BYTES_A_ROCK * bodies),
     obj: BYTES_A_LINE * (2 * vertices + triangles),
     stl: 50 * triangles,
     ply: 27 * vertices + 13 * triangles,
-  }[format];
+  };
+  const expected = mesh === 'points' ? BYTES_A_POINT * bodies : ofMeshes[format]!;
   if (expected <= MOST_BYTES) return;
   const megabytes = (bytes: number): number => Math.round(bytes / 1e6);
   throw new RockFieldError({

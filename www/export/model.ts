@@ -48,6 +48,15 @@ export interface Model {
   origins: Float64Array;
   /** The middle of the whole, at which the file has its origin. */
   centre: readonly [number, number, number];
+  /** What maps show; absent where there is no ground that is seen from above. */
+  ground?: Ground | undefined;
+}
+
+/** A rectangle on z = 0, from the origin on along x and y. */
+export interface Ground {
+  size: readonly [number, number];
+  /** For each group, whether its bodies are small ones: gravel. */
+  gravel: readonly boolean[];
 }
 
 /** What becomes an object. */

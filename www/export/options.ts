@@ -40,15 +40,15 @@ function rows<const Rows extends Record<string, OptionRow>>(table: Rows): Rows {
 export const OPTIONS = /* @__PURE__ */ rows({
   format: {
     kind: 'choice',
-    choices: ['glb', 'obj', 'stl', 'ply'],
+    choices: ['glb', 'obj', 'stl', 'ply', 'csv', 'png', 'r16', 'exr', 'zip'],
     default: 'glb',
-    doc: 'The kind of file: binary glTF 2.0, Wavefront OBJ, binary STL or binary PLY.',
+    doc: 'The kind of file. Meshes: binary glTF 2.0, Wavefront OBJ, binary STL or binary PLY. Points: CSV or PLY. Maps: PNG, raw 16 bits without a header, OpenEXR, or a ZIP of them.',
   },
   mesh: {
     kind: 'choice',
-    choices: ['one', 'rocks', 'kit'],
+    choices: ['one', 'rocks', 'kit', 'points'],
     default: 'rocks',
-    doc: '`one` mesh for each layer; `rocks`: an object for each rock, whose origin is on the ground; `kit`: `kinds` meshes for each layer, and every rock an instance of the nearest.',
+    doc: '`one` mesh for each layer; `rocks`: an object for each rock, whose origin is on the ground; `kit`: `kinds` meshes for each layer, and every rock an instance of the nearest; `points`: where the rocks of a kit lie, without their meshes.',
   },
   kinds: { kind: 'integer', min: 1, max: 256, default: 12, doc: 'How many meshes of a layer a `kit` has.' },
   instancing: {
@@ -72,6 +72,45 @@ export const OPTIONS = /* @__PURE__ */ rows({
     doc: 'Units of the file in a metre, in OBJ, STL and PLY: 1000 for millimetres. In glTF a unit is always a metre.',
   },
   metresPerPixel: { kind: 'real', min: 1e-6, max: 1e3, default: 0.01, doc: 'How many metres a pixel of the field is.' },
+  axes: {
+    kind: 'choice',
+    choices: ['gltf', 'blender', 'unreal', 'unity'],
+    default: 'gltf',
+    doc: 'Axes and unit of points, those of a kit that the program has imported: `gltf`: metres, right-handed, y up; `blender`: z up; `unreal`: centimetres, left-handed, z up; `unity`: left-handed, y up.',
+  },
+  map: {
+    kind: 'choice',
+    choices: ['height', 'normal', 'id', 'cover', 'contact', 'splat', 'all'],
+    default: 'height',
+    doc: 'What PNG, R16 and EXR show, or a ZIP has in it: `all` is the default of a ZIP, and needs one.',
+  },
+  side: {
+    kind: 'integer',
+    min: 0,
+    max: 16_384,
+    default: 0,
+    doc: 'Pixels of the longer side of a map; 0: one for each pixel of the field.',
+  },
+  square: { kind: 'switch', default: false, doc: 'Whether a map is stretched to a square, as the landscapes of Unity have to be.' },
+  samples: {
+    kind: 'choice',
+    choices: ['centres', 'corners'],
+    default: 'centres',
+    doc: 'Where a map is measured: in the `centres` of its pixels, as textures are, or so that the outermost pixels lie on the border of the field, as landscapes with 2ⁿ + 1 `corners` on a side are.',
+  },
+  green: {
+    kind: 'choice',
+    choices: ['up', 'down'],
+    default: 'up',
+    doc: 'Where green of a normal map points: `up` in the picture, as in OpenGL, Blender, Unity and Godot, or `down`, as in DirectX and Unreal.',
+  },
+  contact: {
+    kind: 'real',
+    min: 1e-6,
+    max: 1e3,
+    default: 0.1,
+    doc: 'How far the foot of the rocks reaches, in metres: from them to there the contact map falls to 0.',
+  },
 });
 
 export type OptionKey = keyof typeof OPTIONS;
@@ -94,9 +133,9 @@ function targets<const Rows extends Record<string, TargetRow>>(table: Rows): Row
 
 export const TARGETS = /* @__PURE__ */ targets({
   gltf: { title: 'glTF', options: {} },
-  blender: { title: 'Blender', options: {} },
-  unreal: { title: 'Unreal', options: { solid: true } },
-  unity: { title: 'Unity', options: {} },
+  blender: { title: 'Blender', options: { axes: 'blender' } },
+  unreal: { title: 'Unreal', options: { solid: true, axes: 'unreal', green: 'down' } },
+  unity: { title: 'Unity', options: { axes: 'unity' } },
   godot: { title: 'Godot', options: {} },
   three: { title: 'three.js', options: { mesh: 'one' } },
   print: { title: '3D printing', options: { format: 'stl', mesh: 'one', solid: true, up: 'z', scale: 1000 } },
@@ -140,24 +179,51 @@ function checked(key: string, row: OptionRow | Pick<ChoiceRow, 'kind' | 'choices
   return checkValue({ key, component: null, kind: 'choice', choices, ...bounds }, bounds, value);
 }
 
-/** A kit is made of objects that share meshes, and only glTF has those. */
+/** What a format can hold of a mesh's forms; those of maps hold none, and take no notice of it. The first is what a target's own choice gives way to. */
+export const FORMS: Partial<Record<ResolvedOptions['format'], readonly ResolvedOptions['mesh'][]>> = {
+  glb: ['rocks', 'kit', 'one'],
+  obj: ['rocks', 'one'],
+  stl: ['one'],
+  ply: ['one', 'points'],
+  csv: ['points'],
+};
+
+/** The maps that a format can hold. */
+export const MAPS: Partial<Record<ResolvedOptions['format'], readonly ResolvedOptions['map'][]>> = {
+  png: ['height', 'normal', 'id', 'cover', 'contact', 'splat'],
+  r16: ['height'],
+  exr: ['height', 'id'],
+  zip: ['all', 'height', 'normal', 'id', 'cover', 'contact', 'splat'],
+};
+
+/** Whether the file is one of maps. */
+export function isMap({ format }: Pick<ResolvedOptions, 'format'>): boolean {
+  return MAPS[format] !== undefined;
+}
+
+/** A target's or a default's choice gives way to what the caller asked for, and what was asked for has to fit. */
 function consistent(options: ResolvedOptions, given: Record<string, unknown>): ResolvedOptions {
-  const { format, mesh } = options;
-  if (format !== 'glb' && mesh === 'kit') {
-    throw impossible(
-      'mesh',
-      mesh,
-      `${format.toUpperCase()} files cannot share meshes between rocks: use format "glb", or mesh "rocks" or "one"`,
-    );
-  }
-  // A target's own choice gives way to what the caller asked for.
-  if (format !== 'glb' && format !== 'obj' && mesh === 'rocks') {
-    if (given.mesh === 'rocks') {
-      throw impossible('mesh', mesh, `${format.toUpperCase()} files have no objects: use format "glb" or "obj", or mesh "one"`);
-    }
-    return { ...options, mesh: 'one' };
-  }
-  return options;
+  const { format } = options;
+  return { ...options, ...fitting('mesh', FORMS, options, given), ...fitting('map', MAPS, options, given), format };
+}
+
+function fitting<Key extends 'mesh' | 'map'>(
+  key: Key,
+  holds: Partial<Record<ResolvedOptions['format'], readonly ResolvedOptions[Key][]>>,
+  { format, [key]: value }: ResolvedOptions,
+  given: Record<string, unknown>,
+): Partial<ResolvedOptions> {
+  const held = holds[format];
+  // A ZIP of one map is only made on wish.
+  if (!held || (held.includes(value) && (format !== 'zip' || given[key] !== undefined))) return {};
+  if (given[key] === undefined) return { [key]: held[0] };
+  const others = Object.entries(holds).filter(([, forms]) => forms.includes(value));
+  const formats = others.map(([other]) => `"${other}"`).join(' or ');
+  throw impossible(
+    key,
+    value,
+    `a ${format.toUpperCase()} file cannot hold it: use format ${formats}, or ${key} ${held.map((one) => `"${one}"`).join(' or ')}`,
+  );
 }
 
 /** The error about an option that cannot be had. */

@@ -13,12 +13,20 @@ export interface Waiting {
   onProgress?: ((fraction: number) => void) | undefined;
 }
 
+/** Called now and then by work of which `fraction` is done, 0 … 1, and awaited: others have their turn where it is time. */
+export type Turn = (fraction: number) => Promise<void> | undefined;
+
 export class Pace {
   #waiting: Waiting;
   #begin = performance.now();
 
   constructor(waiting: Waiting = {}) {
     this.#waiting = waiting;
+  }
+
+  /** The turns of a part of the work, which is done from the share `begin` to `end` of the whole. */
+  turns(begin: number, end: number): Turn {
+    return (fraction) => (this.isDue() ? this.rest(begin + fraction * (end - begin)) : undefined);
   }
 
   /** Whether the slice is over: call `rest` then. */

@@ -5,7 +5,7 @@
 
 import { Refused } from './refused.ts';
 
-const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
+export const SIGNATURE = [0x89, 0x50, 0x4e, 0x47, 0x0d, 0x0a, 0x1a, 0x0a];
 /** Signature and header chunk, which comes first. */
 const HEAD = 8 + 25;
 /** Length and type before a chunk's data, and the checksum after it. */

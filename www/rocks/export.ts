@@ -122,7 +122,14 @@ export function rocksModel(field: Field, params: Params, metresPerPixel: number,
         })),
     origins: standingPlaces(field),
     centre: [imageWidth / 2, imageHeight / 2, 0],
+    ground: { size: [imageWidth, imageHeight], gravel: areSmall(field.layers.map(({ radius }) => radius)) },
   };
+}
+
+/** For each radius, whether it is below the geometric mean of the smallest and the largest. */
+function areSmall(radii: readonly number[]): boolean[] {
+  const limit = Math.min(...radii) * Math.max(...radii);
+  return radii.map((radius) => radius * radius < limit);
 }
 
 /** For each rock x, y, z: the middle of the box around all of its vertices, seen from above, and 0. */
