@@ -98,6 +98,22 @@ export const LATER = {
     en: 'The log from your file is in no link: the file has none.',
     ja: 'ファイルの丸太はリンクに含まれないため、リンクは書き込まれません。',
   },
+  'note-kinds-of-kit': {
+    en: 'Kinds are the meshes of “Copies of a few”, saved as GLB with the same undersides.',
+    ja: '種類の番号は、同じ底面の設定で GLB に保存した「少数の複製」のメッシュに対応します。',
+  },
+  'note-no-header': {
+    en: 'This kind of file has no header. Tell the program the width and height, 16 bits, little-endian.',
+    ja: 'この形式にはヘッダーがありません。読み込む際に幅と高さ、16 ビット、リトルエンディアンを指定してください。',
+  },
+  'note-height-range': {
+    en: 'In 16 bits 0 is the ground, and 65535 the greatest height.',
+    ja: '16 ビットの値は、0 が地面、65535 が最大の高さです。',
+  },
+  'note-data': {
+    en: 'Import as linear data (non-colour), without sRGB.',
+    ja: 'sRGB ではなく、リニアデータ（Non-Color）として読み込んでください。',
+  },
   rocks: { en: 'Rocks', ja: '岩' },
   triangles: { en: 'Triangles', ja: '三角形' },
   covered: { en: 'Ground covered', ja: '被覆率' },
