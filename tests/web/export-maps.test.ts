@@ -89,17 +89,17 @@ test('ids tell more than 65,535 rocks apart, in PNG as in EXR, and 0 is the grou
 test('cover, contact and splat agree with the ids: contact falls with the distance from the nearest rock, and splat sums to 255', async () => {
   const request = { ...REQUEST, preset: 'journal-fig1' } as const;
   const field = await generate(request);
-  const [radius, options] = [0.05, { format: 'png', contact: 0.05, square: true, side: 80 } as const];
+  const [radius, options] = [0.05, { format: 'png', contact: 0.05, square: true, side: 40 } as const];
   const maps = await Promise.all(
     (['id', 'cover', 'contact', 'splat'] as const).map(async (map) => read((await exportScene(request, { ...options, map })).bytes)),
   );
   const [id, cover, contact, splat] = maps as [PNG, PNG, PNG, PNG];
-  const ids = Array.from({ length: 80 * 80 }, (_, at) => id.data[4 * at]! + 256 * id.data[4 * at + 1]!);
+  const ids = Array.from({ length: 40 * 40 }, (_, at) => id.data[4 * at]! + 256 * id.data[4 * at + 1]!);
   assert.deepEqual(
     first(cover),
     ids.map((value) => (value > 0 ? 255 : 0)),
   );
-  const [across, along] = [(96 * METRES_PER_PIXEL) / 80, (64 * METRES_PER_PIXEL) / 80];
+  const [across, along] = [(96 * METRES_PER_PIXEL) / 40, (64 * METRES_PER_PIXEL) / 40];
   const rocks = ids.flatMap((value, at) => (value > 0 ? [at] : []));
   const radii = field.layers.map((layer) => layer.radius);
   const isGravel = (rock: number): boolean => radii[field.rockLayer[rock - 1]!]! ** 2 < Math.min(...radii) * Math.max(...radii);
@@ -107,7 +107,7 @@ test('cover, contact and splat agree with the ids: contact falls with the distan
   ids.forEach((value, at) => {
     const away = rocks.reduce(
       (least, rock) =>
-        Math.min(least, Math.hypot(((rock % 80) - (at % 80)) * across, (Math.floor(rock / 80) - Math.floor(at / 80)) * along)),
+        Math.min(least, Math.hypot(((rock % 40) - (at % 40)) * across, (Math.floor(rock / 40) - Math.floor(at / 40)) * along)),
       Infinity,
     );
     const near = Math.max(0, 255 * (1 - away / radius));

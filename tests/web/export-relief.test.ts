@@ -10,7 +10,7 @@ import { GROUND, reliefOf } from '../../www/export/maps/relief.ts';
 import { gridFor, modelOf, pyramid } from './map-files.ts';
 import type { Point } from './map-files.ts';
 
-const SMALL = { imageWidth: 96, imageHeight: 64 };
+const SMALL = { imageWidth: 64, imageHeight: 48 };
 
 /** 2⁻⁶⁰ is 1: enough for every 32-bit float that is a coordinate here. */
 const exact = (value: number): bigint => BigInt(value * 2 ** 60);

@@ -169,8 +169,8 @@ export const ERRORS = /* @__PURE__ */ listed({
   ExportTooLarge: {
     group: 'export',
     message: 'the file would be about {value} MB; it may be at most {max} MB: choose mesh "kit", a smaller image, or less detail',
-    cause: 'More rocks or triangles than fit into a file of 2 GB.',
-    remedy: 'Export a kit, in which rocks share meshes, or generate the field in parts.',
+    cause: 'More rocks or triangles than fit into a file of 2 GB, or a map that takes more than 1.5 GiB of memory.',
+    remedy: 'Export a kit, in which rocks share meshes, or generate the field in parts. Of a map, the message names the `side` that fits.',
   },
 
   ImportForeign: {

@@ -7,7 +7,7 @@ import { writeGlb } from './glb.ts';
 import type { Written } from './glb.ts';
 import type { Counts, Told } from './gltf-json.ts';
 import { kitOf } from './kit.ts';
-import { writeMaps } from './maps/maps.ts';
+import { checkMaps, writeMaps } from './maps/maps.ts';
 import type { MapFacts, WrittenMaps } from './maps/maps.ts';
 import { measuresOf } from './measures.ts';
 import type { Measures } from './measures.ts';
@@ -195,10 +195,13 @@ async function write(model: Model, options: ResolvedOptions, told: Told, pace: P
   return writeGlb(model, options, told, pace, options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined);
 }
 
-/** Maps are checked where they are made. */
-function checkSize({ positions, indices, groupOf }: Model, options: ResolvedOptions): void {
-  if (isMap(options)) return;
+function checkSize(model: Model, options: ResolvedOptions): void {
+  if (isMap(options)) {
+    checkMaps(model, options);
+    return;
+  }
   const { format, mesh, solid } = options;
+  const { positions, indices, groupOf } = model;
   const bodies = groupOf.length;
   let [vertices, triangles] = [positions.length / 3, indices.length / 3];
   if (solid) {

@@ -69,9 +69,8 @@ export const MOST_MEMORY = 1.5 * 2 ** 30;
  * @throws {RockFieldError} `ExportTooLarge`, or `ExportImpossible` of a model without ground, before anything is allocated.
  */
 export async function writeMaps(model: Model, options: ResolvedOptions, told: Told, pace = new Pace()): Promise<WrittenMaps> {
-  if (!isMapped(model)) throw impossible('format', options.format, 'maps show ground from above, and here is none: use format "glb"');
+  checkMaps(model, options);
   const grid = gridOf(model.ground.size, options);
-  checkMemory(grid, options);
   const { format, map } = options;
   const names = map === 'all' ? NAMES : [map];
   const rasters = await Rasters.of(model, grid, options, names.some(needsTriangles), pace.turns(0, RELIEF));
@@ -92,8 +91,10 @@ export async function writeMaps(model: Model, options: ResolvedOptions, told: To
   return { ...report, ending: map === 'all' ? '-maps.zip' : `-${map}.zip`, bytes: writeZip(entries) };
 }
 
-function isMapped(model: Model): model is Mapped {
-  return model.ground !== undefined;
+/** Refuses what `writeMaps` would refuse. */
+export function checkMaps(model: Model, options: ResolvedOptions): asserts model is Mapped {
+  if (!model.ground) throw impossible('format', options.format, 'maps show ground from above, and here is none: use format "glb"');
+  checkMemory(gridOf(model.ground.size, options), options);
 }
 
 class Maps {
