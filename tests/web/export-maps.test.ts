@@ -6,10 +6,13 @@ import type { PNG } from 'pngjs';
 import { generate } from 'rock-field/core';
 import { exportScene } from 'rock-field/export';
 import type { ExportOptions, RockFieldError } from 'rock-field/export';
+import { fieldBuffers } from '../../www/data/buffers.ts';
+import { hashOf } from '../../www/export/hash.ts';
 import { bytesPerPixel, MOST_MEMORY, writeMaps } from '../../www/export/maps/maps.ts';
 import { Rasters } from '../../www/export/maps/rasters.ts';
 import { reliefOf } from '../../www/export/maps/relief.ts';
 import { OPTIONS, resolveOptions } from '../../www/export/options.ts';
+import { sceneInFile } from '../../www/export/scene-in-file.ts';
 import { first, gridFor, METRES_PER_PIXEL, modelOf, pyramid, read, readExr, told } from './map-files.ts';
 import type { Point } from './map-files.ts';
 
@@ -37,7 +40,12 @@ test('PNG, R16 and EXR have the same heights: 16 bits up to the highest vertex, 
   assert.ok(raw.includes(0) && Math.max(...raw) > 60_000);
 });
 
-test('a map says where it comes from and what its numbers are', async () => {
+test('a map says where it comes from and what its numbers are, and so brings its scene back', async () => {
+  const field = await generate(REQUEST);
+  const origin = { link: 'v=1&preset=riverbed&seed=7&w=96&h=64', hash: hashOf(fieldBuffers(field)) };
+  for (const options of [{ format: 'png' }, { format: 'zip' }, { format: 'zip', map: 'id' }] as const) {
+    assert.deepEqual(await sceneInFile(new Blob([(await exportScene(REQUEST, options)).bytes])), origin);
+  }
   const { bytes } = await exportScene(REQUEST, { format: 'png', contact: 0.25, map: 'contact' });
   const chunks = new TextDecoder('latin1').decode(bytes);
   assert.match(chunks, /iTXtrock-field\0\0\0\0\0\{"link":"v=1&preset=riverbed&seed=7&w=96&h=64"/);

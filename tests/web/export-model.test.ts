@@ -7,7 +7,7 @@ import validator from 'gltf-validator';
 import { exportModel } from '../../www/export/file.ts';
 import type { ExportedFile } from '../../www/export/file.ts';
 import type { Model } from '../../www/export/model.ts';
-import { OPTIONS, resolveOptions } from '../../www/export/options.ts';
+import { FORMS, resolveOptions } from '../../www/export/options.ts';
 import type { ExportOptions } from '../../www/export/options.ts';
 
 /** A pyramid at (x, 0, 0), open below, as rocks are. */
@@ -102,7 +102,7 @@ test('a kit places what is one thing as it is, once', async () => {
 });
 
 test('what is one thing is not closed, and files with it are valid', async () => {
-  for (const mesh of OPTIONS.mesh.choices) {
+  for (const mesh of FORMS.glb!) {
     for (const solid of [false, true]) {
       for (const instancing of [false, true]) {
         const { bytes, report } = await written({ mesh, solid, instancing });

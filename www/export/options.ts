@@ -91,7 +91,7 @@ export const OPTIONS = /* @__PURE__ */ rows({
     default: 0,
     doc: 'Pixels of the longer side of a map; 0: one for each pixel of the field.',
   },
-  square: { kind: 'switch', default: false, doc: 'Whether a map is stretched to a square, as the landscapes of Unity have to be.' },
+  square: { kind: 'switch', default: false, doc: 'Whether a map is stretched to a square: landscapes of Unity are square.' },
   samples: {
     kind: 'choice',
     choices: ['centres', 'corners'],

@@ -12,7 +12,7 @@ import type { Place } from '../../controls/parts.ts';
 import { errorText, later } from '../../controls/strings-later.ts';
 import type { LaterKey } from '../../controls/strings-later.ts';
 import type { ExportReport } from '../../export/file.ts';
-import { OPTIONS, resolveOptions, TARGETS } from '../../export/options.ts';
+import { FORMS, resolveOptions, TARGETS } from '../../export/options.ts';
 import type { ExportTarget, ResolvedOptions } from '../../export/options.ts';
 import type { RockStore } from './store.ts';
 
@@ -66,8 +66,7 @@ function fitting(options: ResolvedOptions, { format: isFormatNew }: Partial<Reso
 
 /** What a format can hold. */
 function meshesOf(format: ResolvedOptions['format']): readonly ResolvedOptions['mesh'][] {
-  if (format === 'glb') return OPTIONS.mesh.choices;
-  return format === 'obj' ? ['rocks', 'one'] : ['one'];
+  return (FORMS[format] ?? []).filter((mesh) => mesh !== 'points');
 }
 
 function content(store: RockStore, written: Written, choose: (change: Partial<ResolvedOptions>) => void): TemplateResult {
@@ -98,7 +97,7 @@ function content(store: RockStore, written: Written, choose: (change: Partial<Re
     ${segments({
       name: 'export-format',
       label: words('exportFormat'),
-      options: OPTIONS.format.choices.map((value) => ({ value, label: value.toUpperCase() })),
+      options: (['glb', 'obj', 'stl', 'ply'] as const).map((value) => ({ value, label: value.toUpperCase() })),
       value: options.format,
       action: (format) => choose({ format }),
     })}
