@@ -6,11 +6,16 @@ import type { ByteWriter } from './byte-writer.ts';
 import { writeGlb } from './glb.ts';
 import type { Written } from './glb.ts';
 import type { Counts, Told } from './gltf-json.ts';
+import type { Shapes } from './gltf-parts.ts';
+import { HULL_NAMES, hullsOf } from './hulls.ts';
 import { kitOf } from './kit.ts';
+import type { Kit } from './kit.ts';
+import { levelsOf } from './lods.ts';
 import { checkMaps, writeMaps } from './maps/maps.ts';
 import type { MapFacts, WrittenMaps } from './maps/maps.ts';
 import { measuresOf } from './measures.ts';
 import type { Measures } from './measures.ts';
+import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import { isMap } from './options.ts';
 import type { ResolvedOptions } from './options.ts';
@@ -102,11 +107,14 @@ const FORMATS = {
 /** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
 export const MOST_BYTES = 2 ** 31 - 1;
 
-/** JSON of a rock's node, mesh and accessors; a line of OBJ; a line of CSV. As measured, rounded up. */
-const [BYTES_A_ROCK, BYTES_A_LINE, BYTES_A_POINT] = [900, 40, 200];
+/** JSON of a rock's node, mesh and accessors; a hull with its JSON; a line of OBJ; a line of CSV. As measured, rounded up. */
+const [BYTES_A_ROCK, BYTES_A_HULL, BYTES_A_LINE, BYTES_A_POINT] = [900, 1100, 40, 200];
 
 /** Digits of what is measured of a body: nobody measures a stone more closely. */
 const MEASURED = 4;
+
+/** The share of the work that is done when levels and hulls are there. */
+const SHAPES_SHARE = 0.4;
 
 /**
  * The file.
@@ -132,12 +140,10 @@ export async function exportModel(
       else out.text(JSON.stringify({ ...(noun === undefined && extras), ...extrasOf(k) }));
     },
   };
-  const {
-    bytes,
-    counts,
-    ending = `.${format}`,
-    map,
-  } = await write(solid && !isMap(options) ? closed(model) : model, options, told, new Pace(waiting));
+  const kit = options.mesh === 'kit' ? kitOf(solid ? closed(model) : model, options.kinds) : undefined;
+  const pace = new Pace(waiting);
+  const shapes = await shapesOf(model, options, pace.within(0, SHAPES_SHARE), kit);
+  const { bytes, counts, ending = `.${format}`, map } = await write(shapes, options, told, pace.within(SHAPES_SHARE, 1), kit);
   const notes = [...codesOf(options, hasPatterns).map((code): Note => ({ code })), ...own];
   return {
     bytes,
@@ -186,13 +192,29 @@ function writeMeasured(out: ByteWriter, extras: Record<string, unknown>, { area,
   out.text(']}');
 }
 
-async function write(model: Model, options: ResolvedOptions, told: Told, pace: Pace): Promise<Written & Partial<WrittenMaps>> {
+async function shapesOf(open: Model, options: ResolvedOptions, pace: Pace, kit?: Kit): Promise<Shapes> {
+  const { solid, lods, hulls } = options;
+  const model = solid && !isMap(options) ? closed(open) : open;
+  const kinds = kit && new Set(kit.kinds);
+  const isOne = (k: number): boolean => isOneThing(open, open.groupOf[k]!);
+  const isWritten = (k: number): boolean => !kinds || kinds.has(k) || isOne(k);
+  const levels = await levelsOf(model, open, lods, isWritten, pace.within(0, 0.7));
+  if (hulls === 'none') return { levels, hullName: (object) => object };
+  return {
+    levels,
+    hulls: await hullsOf(open, (k) => isWritten(k) && !isOne(k), pace.within(0.7, 1)),
+    hullName: HULL_NAMES[hulls],
+  };
+}
+
+async function write(shapes: Shapes, options: ResolvedOptions, told: Told, pace: Pace, kit?: Kit): Promise<Written & Partial<WrittenMaps>> {
+  const model = shapes.levels[0]!;
   if (isMap(options)) return writeMaps(model, options, told, pace);
   if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options) : writePlyPoints(model, options, told);
-  if (options.format === 'obj') return writeObj(model, options, told, pace);
+  if (options.format === 'obj') return writeObj(shapes.levels, options, told, pace);
   if (options.format === 'stl') return writeStl(model, options, told);
   if (options.format === 'ply') return writePly(model, options, told);
-  return writeGlb(model, options, told, pace, options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined);
+  return writeGlb(shapes, options, told, pace, kit);
 }
 
 function checkSize(model: Model, options: ResolvedOptions): void {
@@ -200,7 +222,7 @@ function checkSize(model: Model, options: ResolvedOptions): void {
     checkMaps(model, options);
     return;
   }
-  const { format, mesh, solid } = options;
+  const { format, mesh, solid, lods, hulls } = options;
   const { positions, indices, groupOf } = model;
   const bodies = groupOf.length;
   let [vertices, triangles] = [positions.length / 3, indices.length / 3];
@@ -209,8 +231,14 @@ function checkSize(model: Model, options: ResolvedOptions): void {
     vertices += rims + bodies;
     triangles += rims;
   }
+  // Of closed bodies that are small, a level has half of the one before.
+  vertices *= (lods + 1) / 2;
+  triangles *= (lods + 1) / 2;
   const ofMeshes: Partial<Record<typeof format, number>> = {
-    glb: 24 * vertices + 12 * triangles + (mesh === 'one' ? 4 * vertices : BYTES_A_ROCK * bodies),
+    glb:
+      24 * vertices +
+      12 * triangles +
+      (mesh === 'one' ? 4 * vertices : (lods * BYTES_A_ROCK + (hulls === 'none' ? 0 : BYTES_A_HULL)) * bodies),
     obj: BYTES_A_LINE * (2 * vertices + triangles),
     stl: 50 * triangles,
     ply: 27 * vertices + 13 * triangles,

@@ -45,16 +45,17 @@ const VIEWS = ['positions', 'normals', 'ids', 'indices', 'translations', 'rotati
 export type ViewName = (typeof VIEWS)[number];
 
 /**
- * Where everything is going to lie.
+ * Where everything is going to lie. Hulls, which have positions alone, come last.
  *
  * @param withIds whether vertices tell which thing they are of.
  * @param instances how many bodies are placed by attributes.
  */
-export function layoutOf({ indexStarts, vertexStarts }: Model, meshes: readonly Mesh[], withIds: boolean, instances: number): Layout {
+export function layoutOf(meshes: readonly Mesh[], withIds: boolean, instances: number): Layout {
   const places: Place[] = [];
-  let [vertex, index, most] = [0, 0, 0];
+  let [vertex, index, most, dressed] = [0, 0, 0, 0];
   for (const { parts } of meshes) {
-    for (const { bodies } of parts) {
+    for (const { model, material, bodies } of parts) {
+      const { indexStarts, vertexStarts } = model;
       let [vertices, indices] = [0, 0];
       for (const k of bodies) {
         vertices += vertexStarts[k + 1]! - vertexStarts[k]!;
@@ -62,6 +63,7 @@ export function layoutOf({ indexStarts, vertexStarts }: Model, meshes: readonly 
       }
       places.push({ vertex, vertices, index, indices });
       vertex += vertices;
+      if (material !== undefined) dressed = vertex;
       index += indices;
       most = Math.max(most, vertices);
     }
@@ -69,7 +71,7 @@ export function layoutOf({ indexStarts, vertexStarts }: Model, meshes: readonly 
   const indexBytes = most < SHORT ? 2 : 4;
   const { views, length } = laidOut({
     positions: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
-    normals: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
+    normals: { length: 12 * dressed, stride: 12, target: ARRAY_BUFFER },
     ids: { length: withIds ? 4 * vertex : 0, stride: 4, target: ARRAY_BUFFER },
     indices: { length: indexBytes * index, target: ELEMENT_ARRAY_BUFFER },
     translations: { length: 12 * instances },
@@ -96,7 +98,6 @@ function laidOut(wanted: Record<ViewName, Omit<View, 'index' | 'offset'>>): Pick
  * Writes all meshes to where they lie.
  *
  * @param bytes the binary part, as long as the layout says, at a multiple of four bytes.
- * @param share from which share of all work to which this takes.
  */
 export async function fillMeshes(
   model: Model,
@@ -104,7 +105,6 @@ export async function fillMeshes(
   { places, views, indexBytes }: Layout,
   bytes: Uint8Array<ArrayBuffer>,
   pace: Pace,
-  share: readonly [number, number],
 ): Promise<void> {
   const floats = (name: ViewName): Float32Array => floatsOf(bytes, views[name]);
   const [positions, normals, ids] = [floats('positions'), floats('normals'), floats('ids')];
@@ -115,10 +115,11 @@ export async function fillMeshes(
   for (const { parts } of meshes) {
     for (const part of parts) {
       const { vertex, index } = places[p++]!;
-      fillVertices(model, part, positions, normals, 3 * vertex);
-      fillIndices(model, part, indices, index);
-      if (numbers) fillIds(model, part, numbers, ids, vertex);
-      if (pace.isDue()) await pace.rest(share[0] + ((share[1] - share[0]) * p) / places.length);
+      fillPositions(part, positions, 3 * vertex);
+      if (part.material !== undefined) fillNormals(part, normals, 3 * vertex);
+      fillIndices(part, indices, index);
+      if (numbers) fillIds(part, numbers, ids, vertex);
+      if (pace.isDue()) await pace.rest(p / places.length);
     }
   }
 }
@@ -142,13 +143,8 @@ function floatsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined): Float
 }
 
 /** Writes a part's vertices in metres, y up, about its origin. */
-function fillVertices(
-  { positions, normals, vertexStarts, unit }: Model,
-  part: Part,
-  toPositions: Float32Array,
-  toNormals: Float32Array,
-  begin: number,
-): void {
+function fillPositions(part: Part, to: Float32Array, begin: number): void {
+  const { positions, vertexStarts, unit } = part.model;
   const [x, y, z] = part.origin;
   const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
   let v = begin;
@@ -157,20 +153,31 @@ function fillVertices(
     for (let from = 3 * vertexStarts[k]!; from < end; from += 3, v += 3) {
       const px = positions[from]! - x;
       const py = positions[from + 1]! - y;
-      toPositions[v] = unit * (cos * px + sin * py);
-      toPositions[v + 1] = unit * (positions[from + 2]! - z);
-      toPositions[v + 2] = unit * (sin * px - cos * py);
+      to[v] = unit * (cos * px + sin * py);
+      to[v + 1] = unit * (positions[from + 2]! - z);
+      to[v + 2] = unit * (sin * px - cos * py);
+    }
+  }
+}
+
+function fillNormals(part: Part, to: Float32Array, begin: number): void {
+  const { normals, vertexStarts } = part.model;
+  const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
+  let v = begin;
+  for (const k of part.bodies) {
+    const end = 3 * vertexStarts[k + 1]!;
+    for (let from = 3 * vertexStarts[k]!; from < end; from += 3, v += 3) {
       const nx = normals[from]!;
       const ny = normals[from + 1]!;
-      toNormals[v] = cos * nx + sin * ny;
-      toNormals[v + 1] = normals[from + 2]!;
-      toNormals[v + 2] = sin * nx - cos * ny;
+      to[v] = cos * nx + sin * ny;
+      to[v + 1] = normals[from + 2]!;
+      to[v + 2] = sin * nx - cos * ny;
     }
   }
 }
 
 /** Writes a part's indices, which begin with 0. */
-function fillIndices({ indices, indexStarts, vertexStarts }: Model, { bodies }: Part, to: Uint16Array | Uint32Array, begin: number): void {
+function fillIndices({ model: { indices, indexStarts, vertexStarts }, bodies }: Part, to: Uint16Array | Uint32Array, begin: number): void {
   let [i, vertex] = [begin, 0];
   for (const k of bodies) {
     const base = vertex - vertexStarts[k]!;
@@ -188,7 +195,7 @@ function numbersOf(model: Model): Uint32Array {
 }
 
 /** Which thing each vertex is of. */
-function fillIds({ vertexStarts }: Model, { bodies }: Part, numbers: Uint32Array, ids: Float32Array, begin: number): void {
+function fillIds({ model: { vertexStarts }, bodies }: Part, numbers: Uint32Array, ids: Float32Array, begin: number): void {
   let v = begin;
   for (const k of bodies) {
     const end = v + vertexStarts[k + 1]! - vertexStarts[k]!;
@@ -207,7 +214,8 @@ export const BOUNDS = 6;
  *
  * @param to of `BOUNDS` numbers.
  */
-export function boundsOf({ positions, vertexStarts, unit }: Model, part: Part, to: Float32Array): Float32Array {
+export function boundsOf(part: Part, to: Float32Array): Float32Array {
+  const { positions, vertexStarts, unit } = part.model;
   const [x, y, z] = part.origin;
   const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
   to.fill(Infinity, 0, 3);

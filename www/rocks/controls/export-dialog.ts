@@ -19,8 +19,13 @@ import type { RockStore } from './store.ts';
 /** Null while it is being written. */
 type Written = { file: File; report: ExportReport } | { error: ErrorInfo } | null;
 
-/** What was chosen last counts the next time, as long as the page is open. */
-const chosen: { target: ExportTarget; options: ResolvedOptions } = { target: 'blender', options: resolveOptions({ target: 'blender' }) };
+/** The target, and what was chosen beside it. It counts the next time too, as long as the page is open. */
+const chosen: { target: ExportTarget; changes: Partial<ResolvedOptions> } = { target: 'blender', changes: {} };
+
+/** All options: what was chosen, and what the target wants beside it. */
+function chosenOptions(): ResolvedOptions {
+  return resolveOptions({ target: chosen.target, ...chosen.changes });
+}
 
 /** Opens the dialog about the field that is shown. */
 export function showExport(store: RockStore, place: Place): void {
@@ -41,7 +46,7 @@ export function showExport(store: RockStore, place: Place): void {
     try {
       const { exportInWorker } = await lazily(() => import('../export-client.ts'));
       const color = store.color === 'natural' ? 'natural' : 'layer';
-      written = await exportInWorker(newest, { ...chosen.options, color }, { signal });
+      written = await exportInWorker(newest, { ...chosenOptions(), color }, { signal });
     } catch (thrown) {
       written = { error: errorInfo(thrown) };
     }
@@ -49,7 +54,7 @@ export function showExport(store: RockStore, place: Place): void {
   };
 
   const choose = (change: Partial<ResolvedOptions>): void => {
-    chosen.options = fitting({ ...chosen.options, ...change }, change);
+    chosen.changes = fitting({ ...chosen.changes, ...change }, change);
     void write();
   };
 
@@ -58,10 +63,10 @@ export function showExport(store: RockStore, place: Place): void {
 }
 
 /** What has just been chosen counts; what it cannot go with gives way. */
-function fitting(options: ResolvedOptions, { format: isFormatNew }: Partial<ResolvedOptions>): ResolvedOptions {
-  const { format, mesh } = options;
-  if (meshesOf(format).includes(mesh)) return options;
-  return isFormatNew ? { ...options, mesh: 'one' } : { ...options, format: 'glb' };
+function fitting(changes: Partial<ResolvedOptions>, { format: isFormatNew }: Partial<ResolvedOptions>): Partial<ResolvedOptions> {
+  const { format, mesh } = { ...resolveOptions({ target: chosen.target }), ...changes };
+  if (meshesOf(format).includes(mesh)) return changes;
+  return isFormatNew ? { ...changes, mesh: 'one' } : { ...changes, format: 'glb' };
 }
 
 /** What a format can hold. */
@@ -71,10 +76,12 @@ function meshesOf(format: ResolvedOptions['format']): readonly ResolvedOptions['
 
 function content(store: RockStore, written: Written, choose: (change: Partial<ResolvedOptions>) => void): TemplateResult {
   const words = (key: LaterKey): string => later(store.language, key);
-  const { target, options } = chosen;
+  const { target } = chosen;
+  const options = chosenOptions();
   const chooseTarget = ({ currentTarget }: Event): void => {
     chosen.target = (currentTarget as HTMLSelectElement).value as ExportTarget;
-    choose(resolveOptions({ target: chosen.target }));
+    chosen.changes = {};
+    choose({});
   };
   return html`
     <div class="control field-row">
@@ -132,7 +139,7 @@ function report({ language }: RockStore, written: Written): TemplateResult {
     objects: found.objects.toLocaleString(language),
     triangles: found.triangles.toLocaleString(language),
   };
-  const unit = chosen.options.scale === 1000 ? '1 mm' : '1 m';
+  const unit = chosenOptions().scale === 1000 ? '1 mm' : '1 m';
   const notes = found.notes.map(
     ({ code, count }) => html`<li>${later(language, `note-${code}`, { unit, count: count?.toLocaleString(language) })}</li>`,
   );
