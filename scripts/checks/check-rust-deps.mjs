@@ -26,6 +26,7 @@ export const ROOMS = {
   'bindings/literal': ['params', 'rocks'],
   ...Object.fromEntries(GENERATORS.map(({ name, wasm }) => [`bindings/${inRust(wasm)}`, [...BASE, 'bindings/error', inRust(name)]])),
   'bindings/renderer': ['render', 'shading'],
+  'bindings/renderer_bake': ['bindings/renderer', 'render'],
   'bindings/renderer_wood': ['bindings/renderer', 'render', 'shading'],
 };
 

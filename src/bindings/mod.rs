@@ -10,6 +10,8 @@ mod literal;
 #[cfg(feature = "renderer")]
 mod renderer;
 #[cfg(feature = "renderer")]
+mod renderer_bake;
+#[cfg(feature = "renderer")]
 mod renderer_wood;
 #[cfg(feature = "wood-ear")]
 mod wood_ear;

@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{Camera, Gpu, Layer, Mesh, Plan, Prop, Props, RenderError, Rocks, Scene, View};
+use crate::render::{Bake, Camera, Gpu, Layer, Mesh, Plan, Prop, Props, RenderError, Rocks, Scene, View};
 use crate::shading::{ColorMode, Look, Mode, Quality};
 
 thread_local! {
@@ -74,12 +74,13 @@ impl Device {
 pub struct Renderer {
     pub(super) gpu: Rc<Gpu>,
     pub(super) view: View,
-    scene: Option<Scene>,
+    pub(super) scene: Option<Scene>,
     pub(super) props: Props,
     /// A log that is uploaded and will be shown with the next colony.
     pub(super) next_log: Option<Prop>,
     plan: Option<Plan>,
     layers: Vec<Layer>,
+    pub(super) bake: Option<Bake>,
 }
 
 #[wasm_bindgen]
@@ -91,7 +92,16 @@ impl Renderer {
         let gpu = device.gpu.clone();
         let own = canvas.map(|canvas| gpu.screen(canvas)).transpose().map_err(|error| to_js(&error))?;
         let view = View::new(&gpu, own).map_err(|error| to_js(&error))?;
-        Ok(Self { gpu, view, scene: None, props: Props::default(), next_log: None, plan: None, layers: Vec::new() })
+        Ok(Self {
+            gpu,
+            view,
+            scene: None,
+            props: Props::default(),
+            next_log: None,
+            plan: None,
+            layers: Vec::new(),
+            bake: None,
+        })
     }
 
     /// Uploads a field's mesh, which replaces the present one. `rock_layers` and `rock_sites` hold, per rock, the id of

@@ -92,6 +92,10 @@ impl MeshBuffers {
         });
     }
 
+    pub(crate) fn vertices(&self) -> u32 {
+        self.vertex_count
+    }
+
     /// Whether there is nothing to draw.
     pub(crate) fn is_empty(&self) -> bool {
         self.index_count == 0

@@ -6,6 +6,7 @@
 //! Scene  one field's buffers
 //! Props  a log and wood ears among the rocks of a view
 //! Plan   the diagrams or the selection seen from above, as strokes and fills; built when first shown
+//! Bake   where a scene's vertices are in an atlas, and the tile of it that is being drawn; made for exports
 //! View   camera, style, and with WebGPU its own surface and targets              one per canvas
 //! ```
 //!
@@ -21,6 +22,7 @@
 //!
 //! Both backends run the same shaders, which encode sRGB themselves, so both give the same picture.
 
+mod bake;
 mod buffers;
 mod camera;
 mod error;
@@ -35,6 +37,7 @@ mod surface;
 mod upload;
 mod view;
 
+pub(crate) use bake::Bake;
 pub(crate) use buffers::Mesh;
 pub(crate) use camera::Camera;
 pub(crate) use error::RenderError;

@@ -12,6 +12,9 @@ pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth
 /// everywhere.
 pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
 
+/// The eight bytes of a texel that `bake.wgsl` writes.
+pub(crate) const BAKE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
+
 /// Everything in which passes differ.
 pub(crate) struct Pass<'a> {
     pub(crate) shader: Shader,
@@ -47,6 +50,8 @@ pub(crate) enum Target {
     ViewDepth,
     Shadow,
     Height,
+    /// A tile of an atlas, without depth.
+    Bake,
 }
 
 /// Makes the pipeline of a pass. Group 2, the maps, is bound only if the pass is lit.
@@ -74,11 +79,14 @@ pub(crate) fn pipeline(
     let (targets, depth_format, count, constants) = match pass.target {
         Target::View { blend } => {
             let blend = blend.then_some(wgpu::BlendState::ALPHA_BLENDING);
-            (Some(color(format, blend, all)), DEPTH_FORMAT, samples, &srgb[..])
+            (Some(color(format, blend, all)), Some(DEPTH_FORMAT), samples, &srgb[..])
         }
-        Target::ViewDepth => (Some(color(format, None, wgpu::ColorWrites::empty())), DEPTH_FORMAT, samples, &[][..]),
-        Target::Shadow => (None, SHADOW_FORMAT, 1, &[][..]),
-        Target::Height => (Some(color(HEIGHT_FORMAT, None, all)), SHADOW_FORMAT, 1, &[][..]),
+        Target::ViewDepth => {
+            (Some(color(format, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), samples, &[][..])
+        }
+        Target::Shadow => (None, Some(SHADOW_FORMAT), 1, &[][..]),
+        Target::Height => (Some(color(HEIGHT_FORMAT, None, all)), Some(SHADOW_FORMAT), 1, &[][..]),
+        Target::Bake => (Some(color(BAKE_FORMAT, None, all)), None, 1, &[][..]),
     };
     let (depth_compare, depth_write, bias, slope_scale) = match pass.depth {
         Depth::Ignore => (wgpu::CompareFunction::Always, false, 0, 0.0),
@@ -105,8 +113,8 @@ pub(crate) fn pipeline(
             },
             ..Default::default()
         },
-        depth_stencil: Some(wgpu::DepthStencilState {
-            format: depth_format,
+        depth_stencil: depth_format.map(|format| wgpu::DepthStencilState {
+            format,
             depth_write_enabled: Some(depth_write),
             depth_compare: Some(depth_compare),
             stencil: Default::default(),

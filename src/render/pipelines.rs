@@ -34,6 +34,15 @@ const NORMAL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![2 => Snorm16x2],
 };
 
+/// Bytes per vertex of an atlas: its place, texels, and its tangent.
+pub(crate) const ATLAS_STRIDE: u64 = 20;
+
+const ATLAS: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: ATLAS_STRIDE,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![3 => Float32x2, 4 => Float32x3],
+};
+
 /// Bytes per vertex of a plan's fills: x, y, colour.
 pub(crate) const FILL_STRIDE: u64 = 12;
 
@@ -66,6 +75,7 @@ pub(crate) struct Pipelines {
     /// For outsides, then for insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
     natural: OnceCell<[wgpu::RenderPipeline; 4]>,
+    bake: OnceCell<wgpu::RenderPipeline>,
     log: OnceCell<wgpu::RenderPipeline>,
     /// For single sheets, then for closed bodies.
     ears: [OnceCell<wgpu::RenderPipeline>; 2],
@@ -121,6 +131,7 @@ impl Pipelines {
             floor: OnceCell::new(),
             rock,
             natural: OnceCell::new(),
+            bake: OnceCell::new(),
             log: OnceCell::new(),
             ears: [OnceCell::new(), OnceCell::new()],
             plain_wood: OnceCell::new(),
@@ -178,6 +189,21 @@ impl Pipelines {
                 ground,
             ];
             passes.map(|pass| self.make(device, pass))
+        })
+    }
+
+    /// Pipeline for the rocks' surface, spread out as an atlas has it.
+    pub(crate) fn bake(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
+        self.bake.get_or_init(|| {
+            let bake = Pass {
+                shader: shaders::BAKE,
+                buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL), Some(ATLAS)],
+                topology: wgpu::PrimitiveTopology::TriangleList,
+                sides: Sides::Both,
+                depth: Depth::Ignore,
+                target: Target::Bake,
+            };
+            self.make(device, bake)
         })
     }
 

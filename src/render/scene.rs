@@ -227,6 +227,10 @@ impl Scene {
         }
     }
 
+    pub(crate) fn vertices(&self) -> u32 {
+        self.buffers.vertices()
+    }
+
     /// Draws all rocks at once.
     pub(crate) fn draw_rocks(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         self.buffers.draw(pass, pipeline);

@@ -1,5 +1,6 @@
 //! One canvas: its camera, its style, and how a frame is drawn.
 
+use super::bake::{Bake, SIDE as BAKE_SIDE};
 use super::camera::FOV_Y;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
@@ -156,6 +157,31 @@ impl View {
         drop(pass);
         gpu.queue.submit([encoder.finish()]);
         gpu.queue.present(texture);
+    }
+
+    /// Draws a tile of the scene's atlas: the one whose upper left corner is `corner`, texels. Rocks stand where the
+    /// field has them, and the quality is the highest.
+    pub(crate) fn bake(&self, gpu: &Gpu, scene: &mut Scene, bake: &Bake, corner: [f32; 2]) {
+        let natural = ColorMode::Natural;
+        scene.light(gpu, self.look.sun, &Props::default());
+        scene.paint(gpu, natural, &self.look);
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let (maps, stale) =
+            gpu.maps.borrow_mut().lend(&gpu.device, &gpu.pipelines.maps_layout, self.number, scene.number);
+        if stale {
+            scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps, &Props::default());
+        }
+        let mut globals = self.globals(None);
+        let half = 0.5 * BAKE_SIDE as f32;
+        globals.plan = [corner[0] + half, corner[1] + half, 1.0 / half, -1.0 / half];
+        globals.eye = [0.0; 4];
+        globals.scene[1] = Quality::High as u8 as f32;
+        // No rock sinks.
+        globals.scene[2] = 0.0;
+        gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
+        bake.draw(gpu, encoder, [&self.frame_group, &scene.field_group, &maps.group], |pass, pipeline| {
+            scene.draw_rocks(pass, pipeline);
+        });
     }
 
     /// Draws what the mode shows of the scene, with all groups bound.

@@ -163,14 +163,17 @@ export const ERRORS = /* @__PURE__ */ listed({
   ExportImpossible: {
     group: 'export',
     message: '{key} is {value}, which cannot be exported: {reason}',
-    cause: 'Two options that contradict each other, such as a kit, whose rocks share meshes, in a format that has no objects.',
+    cause:
+      'Two options that contradict each other, such as a kit, whose rocks share meshes, in a format that has no objects, or textures in one that has none.',
     remedy: 'The message names what fits. `exportSchema` of `rock-field/export` lists all options.',
   },
   ExportTooLarge: {
     group: 'export',
     message: 'the file would be about {value} MB; it may be at most {max} MB: choose mesh "kit", a smaller image, or less detail',
-    cause: 'More rocks or triangles than fit into a file of 2 GB, or a map that takes more than 1.5 GiB of memory.',
-    remedy: 'Export a kit, in which rocks share meshes, or generate the field in parts. Of a map, the message names the `side` that fits.',
+    cause:
+      'More rocks or triangles than fit into a file of 2 GB, a map that takes more than 1.5 GiB of memory, or more rocks than have room in textures of this size.',
+    remedy:
+      'Export a kit, in which rocks share meshes and only its kinds are in the textures, or generate the field in parts. Of a map, the message names the `side` that fits; of textures, larger ones have more room.',
   },
 
   ImportForeign: {

@@ -42,6 +42,9 @@ export const LATER = {
   exportBottom: { en: 'Undersides', ja: '底面' },
   'bottom-open': { en: 'Open', ja: 'なし' },
   'bottom-closed': { en: 'Closed', ja: '閉じる' },
+  exportTextures: { en: 'Textures', ja: 'テクスチャ' },
+  'textures-none': { en: 'None', ja: 'なし' },
+  exportTexels: { en: 'The textures have {texels} texels per metre.', ja: 'テクスチャの解像度は 1 m あたり {texels} テクセルです。' },
   exportWriting: { en: 'Writing the file …', ja: 'ファイルを作成しています…' },
   exportFigures: {
     en: '{name}: {size}, {objects} objects, {triangles} triangles',
@@ -81,6 +84,10 @@ export const LATER = {
     ja: 'この形式には単位がありません。1 単位は {unit} です。',
   },
   'note-few-readers': { en: 'Few programs read the copies.', ja: '複製を読み込めるソフトは多くありません。' },
+  'note-no-device': {
+    en: 'Textures are drawn by a graphics device, and there is none here: each rock has one colour.',
+    ja: 'テクスチャの描画に必要な GPU が使えないため、岩は単色になります。',
+  },
   'note-kit-differs': {
     en: 'Copies are like the rocks of the picture, not the same.',
     ja: '複製は画像の岩に似た形で、同一ではありません。',

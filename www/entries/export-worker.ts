@@ -1,11 +1,25 @@
-/** The module worker that writes one file of rocks. It is started when somebody exports, and ended when the file is written. */
+/** The module worker that writes one file of rocks, or lays them out for its textures. It is started when somebody exports, and ended when that is done. */
 
-import type { ExportedFile } from '../export/file.ts';
+import { imagesOf } from '../export/textures/images.ts';
 import { onTask } from '../generator/task-scope.ts';
-import { exportField } from '../rocks/export.ts';
-import type { ExportTask } from '../rocks/export-client.ts';
+import { exportField, layOutField } from '../rocks/export.ts';
+import type { ExportAnswer, ExportTask } from '../rocks/export-client.ts';
 
-onTask<ExportTask, ExportedFile>(async ({ field, source, options }, onProgress) => {
-  const result = await exportField(field, source, options, { onProgress });
+/** The share of the work that is done when the images are made. */
+const IMAGES_SHARE = 0.9;
+
+onTask<ExportTask, ExportAnswer>(async ({ field, source, options, step }, onProgress) => {
+  if (step === 'lay-out') {
+    const result = layOutField(field, source.params, options, onProgress);
+    const { mesh, atlas } = result;
+    return {
+      result,
+      transfer: [...Object.values(mesh), ...Object.values(atlas)].flatMap((part) => (ArrayBuffer.isView(part) ? [part.buffer] : [])),
+    };
+  }
+  const { atlas, tiles } = step ?? {};
+  const baked = atlas && tiles && { atlas, images: await imagesOf(tiles, atlas.side, (fraction) => onProgress(IMAGES_SHARE * fraction)) };
+  const begin = baked ? IMAGES_SHARE : 0;
+  const result = await exportField(field, source, options, { onProgress: (fraction) => onProgress(begin + (1 - begin) * fraction) }, baked);
   return { result, transfer: [result.bytes.buffer] };
 });

@@ -6,18 +6,14 @@ import type { ByteWriter } from './byte-writer.ts';
 import { writeGlb } from './glb.ts';
 import type { Written } from './glb.ts';
 import type { Counts, Told } from './gltf-json.ts';
-import type { Shapes } from './gltf-parts.ts';
-import { HULL_NAMES, hullsOf } from './hulls.ts';
 import { kitOf } from './kit.ts';
 import type { Kit } from './kit.ts';
-import { levelsOf } from './lods.ts';
 import { checkMaps, writeMaps } from './maps/maps.ts';
 import type { MapFacts, WrittenMaps } from './maps/maps.ts';
 import { measuresOf } from './measures.ts';
 import type { Measures } from './measures.ts';
-import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
-import { isMap } from './options.ts';
+import { isMap, textureSide } from './options.ts';
 import type { ResolvedOptions } from './options.ts';
 import { originOf } from './origin.ts';
 import { Pace } from './pace.ts';
@@ -25,6 +21,8 @@ import type { Waiting } from './pace.ts';
 import { writeObj, writePly, writeStl } from './plain-formats.ts';
 import { writeCsv, writePlyPoints } from './points.ts';
 import { closed } from './solid.ts';
+import { textured } from './textures/textured.ts';
+import type { Baked } from './textures/textured.ts';
 
 /** What there is in a file, and what of the scene is not. */
 export interface ExportReport extends Counts {
@@ -32,6 +30,8 @@ export interface ExportReport extends Counts {
   bytes: number;
   /** Of maps. */
   map?: MapFacts | undefined;
+  /** How fine the textures are, if there are any. */
+  texelsPerMetre?: number;
   notes: ExportNote[];
 }
 
@@ -80,6 +80,7 @@ const NOTES = {
   'no-objects': 'This format has no objects: everything is one mesh.',
   'no-units': 'This format has no units: tell the program that opens it what a unit is.',
   'few-readers': 'Few programs read EXT_mesh_gpu_instancing; without `instancing` all do.',
+  'no-device': 'Textures are drawn by a graphics device, and there is none here: each rock has one colour.',
   'kit-differs': 'Rocks of a kit are like the rocks of the scene, not the same.',
   thickened: 'Wood ears without a thickness are sheets: to be solid they have been made 1.5 mm thick.',
   'crosses-itself':
@@ -107,14 +108,11 @@ const FORMATS = {
 /** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
 export const MOST_BYTES = 2 ** 31 - 1;
 
-/** JSON of a rock's node, mesh and accessors; a hull with its JSON; a line of OBJ; a line of CSV. As measured, rounded up. */
-const [BYTES_A_ROCK, BYTES_A_HULL, BYTES_A_LINE, BYTES_A_POINT] = [900, 1100, 40, 200];
+/** JSON of a rock's node, mesh and accessors; a line of OBJ; a line of CSV. As measured, rounded up. */
+const [BYTES_A_ROCK, BYTES_A_LINE, BYTES_A_POINT] = [900, 40, 200];
 
 /** Digits of what is measured of a body: nobody measures a stone more closely. */
 const MEASURED = 4;
-
-/** The share of the work that is done when levels and hulls are there. */
-const SHAPES_SHARE = 0.4;
 
 /**
  * The file.
@@ -128,23 +126,29 @@ export async function exportModel(
   { title, link, hash, hasPatterns, extrasOf, notes: own = [] }: Source,
   options: ResolvedOptions,
   waiting?: Waiting,
+  baked?: Baked,
 ): Promise<ExportedFile> {
-  const { format, solid } = options;
+  const { format, mesh, solid } = options;
   checkSize(model, options);
+  const fineness = baked && { texelsPerMetre: Math.round(baked.atlas.density / model.unit) };
   const told: Told = {
     title,
-    scene: { ...originOf({ link, hash: await hash(), metresPerPixel: model.unit }) },
+    scene: { ...originOf({ link, hash: await hash(), metresPerPixel: model.unit }), ...fineness },
     body: (out, k) => {
       const { noun, extras, isOpenBelow } = model.groups[model.groupOf[k]!]!;
       if (isOpenBelow) writeMeasured(out, extrasOf(k), measuresOf(model, k));
       else out.text(JSON.stringify({ ...(noun === undefined && extras), ...extrasOf(k) }));
     },
   };
-  const kit = options.mesh === 'kit' ? kitOf(solid ? closed(model) : model, options.kinds) : undefined;
-  const pace = new Pace(waiting);
-  const shapes = await shapesOf(model, options, pace.within(0, SHAPES_SHARE), kit);
-  const { bytes, counts, ending = `.${format}`, map } = await write(shapes, options, told, pace.within(SHAPES_SHARE, 1), kit);
-  const notes = [...codesOf(options, hasPatterns).map((code): Note => ({ code })), ...own];
+  const whole = solid && !isMap(options) ? closed(model) : model;
+  const kit = mesh === 'kit' ? kitOf(whole, options.kinds) : undefined;
+  const {
+    bytes,
+    counts,
+    ending = `.${format}`,
+    map,
+  } = await write(baked ? textured(whole, baked) : whole, options, told, new Pace(waiting), kit);
+  const notes = [...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })), ...own];
   return {
     bytes,
     name: `${title}${ending}`,
@@ -153,13 +157,14 @@ export async function exportModel(
       ...counts,
       bytes: bytes.length,
       ...(map && { map }),
+      ...fineness,
       notes: notes.map((note) => ({ ...note, message: filled(NOTES[note.code], { count: note.count }) })),
     },
   };
 }
 
-function codesOf(options: ResolvedOptions, hasPatterns: boolean): NoteCode[] {
-  const { format, mesh, instancing, map } = options;
+function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boolean): NoteCode[] {
+  const { format, mesh, instancing, map, textures } = options;
   if (isMap(options)) {
     return [
       ...(format === 'r16' ? (['no-header'] as const) : []),
@@ -169,7 +174,8 @@ function codesOf(options: ResolvedOptions, hasPatterns: boolean): NoteCode[] {
   }
   if (mesh === 'points') return ['kinds-of-kit'];
   return [
-    ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || hasPatterns),
+    ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || (hasPatterns && textures === 'none')),
+    ...(textures !== 'none' && !isTextured ? (['no-device'] as const) : []),
     ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
     ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
   ];
@@ -192,29 +198,19 @@ function writeMeasured(out: ByteWriter, extras: Record<string, unknown>, { area,
   out.text(']}');
 }
 
-async function shapesOf(open: Model, options: ResolvedOptions, pace: Pace, kit?: Kit): Promise<Shapes> {
-  const { solid, lods, hulls } = options;
-  const model = solid && !isMap(options) ? closed(open) : open;
-  const kinds = kit && new Set(kit.kinds);
-  const isOne = (k: number): boolean => isOneThing(open, open.groupOf[k]!);
-  const isWritten = (k: number): boolean => !kinds || kinds.has(k) || isOne(k);
-  const levels = await levelsOf(model, open, lods, isWritten, pace.within(0, 0.7));
-  if (hulls === 'none') return { levels, hullName: (object) => object };
-  return {
-    levels,
-    hulls: await hullsOf(open, (k) => isWritten(k) && !isOne(k), pace.within(0.7, 1)),
-    hullName: HULL_NAMES[hulls],
-  };
-}
-
-async function write(shapes: Shapes, options: ResolvedOptions, told: Told, pace: Pace, kit?: Kit): Promise<Written & Partial<WrittenMaps>> {
-  const model = shapes.levels[0]!;
+async function write(
+  model: Model,
+  options: ResolvedOptions,
+  told: Told,
+  pace: Pace,
+  kit: Kit | undefined,
+): Promise<Written & Partial<WrittenMaps>> {
   if (isMap(options)) return writeMaps(model, options, told, pace);
   if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options) : writePlyPoints(model, options, told);
-  if (options.format === 'obj') return writeObj(shapes.levels, options, told, pace);
+  if (options.format === 'obj') return writeObj(model, options, told, pace);
   if (options.format === 'stl') return writeStl(model, options, told);
   if (options.format === 'ply') return writePly(model, options, told);
-  return writeGlb(shapes, options, told, pace, kit);
+  return writeGlb(model, options, told, pace, kit);
 }
 
 function checkSize(model: Model, options: ResolvedOptions): void {
@@ -222,8 +218,9 @@ function checkSize(model: Model, options: ResolvedOptions): void {
     checkMaps(model, options);
     return;
   }
-  const { format, mesh, solid, lods, hulls } = options;
+  const { format, mesh, solid } = options;
   const { positions, indices, groupOf } = model;
+  const side = textureSide(options);
   const bodies = groupOf.length;
   let [vertices, triangles] = [positions.length / 3, indices.length / 3];
   if (solid) {
@@ -231,14 +228,8 @@ function checkSize(model: Model, options: ResolvedOptions): void {
     vertices += rims + bodies;
     triangles += rims;
   }
-  // Of closed bodies that are small, a level has half of the one before.
-  vertices *= (lods + 1) / 2;
-  triangles *= (lods + 1) / 2;
   const ofMeshes: Partial<Record<typeof format, number>> = {
-    glb:
-      24 * vertices +
-      12 * triangles +
-      (mesh === 'one' ? 4 * vertices : (lods * BYTES_A_ROCK + (hulls === 'none' ? 0 : BYTES_A_HULL)) * bodies),
+    glb: (24 + (side > 0 ? 24 : 0)) * vertices + 12 * triangles + 9 * side * side + (mesh === 'one' ? 4 * vertices : BYTES_A_ROCK * bodies),
     obj: BYTES_A_LINE * (2 * vertices + triangles),
     stl: 50 * triangles,
     ply: 27 * vertices + 13 * triangles,

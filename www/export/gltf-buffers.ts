@@ -41,21 +41,38 @@ export interface View {
   target?: number;
 }
 
-const VIEWS = ['positions', 'normals', 'ids', 'indices', 'translations', 'rotations', 'scales'] as const;
+/** In the order of their textures. */
+export const IMAGES = ['color', 'normal', 'surface'] as const;
+const VIEWS = [
+  'positions',
+  'normals',
+  'tangents',
+  'coordinates',
+  'ids',
+  'indices',
+  'translations',
+  'rotations',
+  'scales',
+  ...IMAGES,
+] as const;
 export type ViewName = (typeof VIEWS)[number];
 
 /**
- * Where everything is going to lie. Hulls, which have positions alone, come last.
+ * Where everything is going to lie.
  *
  * @param withIds whether vertices tell which thing they are of.
  * @param instances how many bodies are placed by attributes.
  */
-export function layoutOf(meshes: readonly Mesh[], withIds: boolean, instances: number): Layout {
+export function layoutOf(
+  { indexStarts, vertexStarts, textures }: Model,
+  meshes: readonly Mesh[],
+  withIds: boolean,
+  instances: number,
+): Layout {
   const places: Place[] = [];
-  let [vertex, index, most, dressed] = [0, 0, 0, 0];
+  let [vertex, index, most] = [0, 0, 0];
   for (const { parts } of meshes) {
-    for (const { model, material, bodies } of parts) {
-      const { indexStarts, vertexStarts } = model;
+    for (const { bodies } of parts) {
       let [vertices, indices] = [0, 0];
       for (const k of bodies) {
         vertices += vertexStarts[k + 1]! - vertexStarts[k]!;
@@ -63,7 +80,6 @@ export function layoutOf(meshes: readonly Mesh[], withIds: boolean, instances: n
       }
       places.push({ vertex, vertices, index, indices });
       vertex += vertices;
-      if (material !== undefined) dressed = vertex;
       index += indices;
       most = Math.max(most, vertices);
     }
@@ -71,12 +87,17 @@ export function layoutOf(meshes: readonly Mesh[], withIds: boolean, instances: n
   const indexBytes = most < SHORT ? 2 : 4;
   const { views, length } = laidOut({
     positions: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
-    normals: { length: 12 * dressed, stride: 12, target: ARRAY_BUFFER },
+    normals: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
+    tangents: { length: textures ? 16 * vertex : 0, stride: 16, target: ARRAY_BUFFER },
+    coordinates: { length: textures ? 8 * vertex : 0, stride: 8, target: ARRAY_BUFFER },
     ids: { length: withIds ? 4 * vertex : 0, stride: 4, target: ARRAY_BUFFER },
     indices: { length: indexBytes * index, target: ELEMENT_ARRAY_BUFFER },
     translations: { length: 12 * instances },
     rotations: { length: 16 * instances },
     scales: { length: 12 * instances },
+    color: { length: textures?.images.color.length ?? 0 },
+    normal: { length: textures?.images.normal.length ?? 0 },
+    surface: { length: textures?.images.surface.length ?? 0 },
   });
   return { length, places, views, indexType: indexBytes === 2 ? UNSIGNED_SHORT : UNSIGNED_INT, indexBytes };
 }
@@ -98,6 +119,7 @@ function laidOut(wanted: Record<ViewName, Omit<View, 'index' | 'offset'>>): Pick
  * Writes all meshes to where they lie.
  *
  * @param bytes the binary part, as long as the layout says, at a multiple of four bytes.
+ * @param share from which share of all work to which this takes.
  */
 export async function fillMeshes(
   model: Model,
@@ -105,6 +127,7 @@ export async function fillMeshes(
   { places, views, indexBytes }: Layout,
   bytes: Uint8Array<ArrayBuffer>,
   pace: Pace,
+  share: readonly [number, number],
 ): Promise<void> {
   const floats = (name: ViewName): Float32Array => floatsOf(bytes, views[name]);
   const [positions, normals, ids] = [floats('positions'), floats('normals'), floats('ids')];
@@ -115,11 +138,10 @@ export async function fillMeshes(
   for (const { parts } of meshes) {
     for (const part of parts) {
       const { vertex, index } = places[p++]!;
-      fillPositions(part, positions, 3 * vertex);
-      if (part.material !== undefined) fillNormals(part, normals, 3 * vertex);
-      fillIndices(part, indices, index);
-      if (numbers) fillIds(part, numbers, ids, vertex);
-      if (pace.isDue()) await pace.rest(p / places.length);
+      fillVertices(model, part, positions, normals, 3 * vertex);
+      fillIndices(model, part, indices, index);
+      if (numbers) fillIds(model, part, numbers, ids, vertex);
+      if (pace.isDue()) await pace.rest(share[0] + ((share[1] - share[0]) * p) / places.length);
     }
   }
 }
@@ -138,13 +160,18 @@ export function fillInstances(model: Model, kit: Kit, { views }: Layout, bytes: 
     });
 }
 
-function floatsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined): Float32Array {
+export function floatsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined): Float32Array {
   return new Float32Array(bytes.buffer, bytes.byteOffset + (view?.offset ?? 0), (view?.length ?? 0) / 4);
 }
 
 /** Writes a part's vertices in metres, y up, about its origin. */
-function fillPositions(part: Part, to: Float32Array, begin: number): void {
-  const { positions, vertexStarts, unit } = part.model;
+function fillVertices(
+  { positions, normals, vertexStarts, unit }: Model,
+  part: Part,
+  toPositions: Float32Array,
+  toNormals: Float32Array,
+  begin: number,
+): void {
   const [x, y, z] = part.origin;
   const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
   let v = begin;
@@ -153,31 +180,20 @@ function fillPositions(part: Part, to: Float32Array, begin: number): void {
     for (let from = 3 * vertexStarts[k]!; from < end; from += 3, v += 3) {
       const px = positions[from]! - x;
       const py = positions[from + 1]! - y;
-      to[v] = unit * (cos * px + sin * py);
-      to[v + 1] = unit * (positions[from + 2]! - z);
-      to[v + 2] = unit * (sin * px - cos * py);
-    }
-  }
-}
-
-function fillNormals(part: Part, to: Float32Array, begin: number): void {
-  const { normals, vertexStarts } = part.model;
-  const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
-  let v = begin;
-  for (const k of part.bodies) {
-    const end = 3 * vertexStarts[k + 1]!;
-    for (let from = 3 * vertexStarts[k]!; from < end; from += 3, v += 3) {
+      toPositions[v] = unit * (cos * px + sin * py);
+      toPositions[v + 1] = unit * (positions[from + 2]! - z);
+      toPositions[v + 2] = unit * (sin * px - cos * py);
       const nx = normals[from]!;
       const ny = normals[from + 1]!;
-      to[v] = cos * nx + sin * ny;
-      to[v + 1] = normals[from + 2]!;
-      to[v + 2] = sin * nx - cos * ny;
+      toNormals[v] = cos * nx + sin * ny;
+      toNormals[v + 1] = normals[from + 2]!;
+      toNormals[v + 2] = sin * nx - cos * ny;
     }
   }
 }
 
 /** Writes a part's indices, which begin with 0. */
-function fillIndices({ model: { indices, indexStarts, vertexStarts }, bodies }: Part, to: Uint16Array | Uint32Array, begin: number): void {
+function fillIndices({ indices, indexStarts, vertexStarts }: Model, { bodies }: Part, to: Uint16Array | Uint32Array, begin: number): void {
   let [i, vertex] = [begin, 0];
   for (const k of bodies) {
     const base = vertex - vertexStarts[k]!;
@@ -195,7 +211,7 @@ function numbersOf(model: Model): Uint32Array {
 }
 
 /** Which thing each vertex is of. */
-function fillIds({ model: { vertexStarts }, bodies }: Part, numbers: Uint32Array, ids: Float32Array, begin: number): void {
+function fillIds({ vertexStarts }: Model, { bodies }: Part, numbers: Uint32Array, ids: Float32Array, begin: number): void {
   let v = begin;
   for (const k of bodies) {
     const end = v + vertexStarts[k + 1]! - vertexStarts[k]!;
@@ -214,8 +230,7 @@ export const BOUNDS = 6;
  *
  * @param to of `BOUNDS` numbers.
  */
-export function boundsOf(part: Part, to: Float32Array): Float32Array {
-  const { positions, vertexStarts, unit } = part.model;
+export function boundsOf({ positions, vertexStarts, unit }: Model, part: Part, to: Float32Array): Float32Array {
   const [x, y, z] = part.origin;
   const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
   to.fill(Infinity, 0, 3);

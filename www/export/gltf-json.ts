@@ -3,24 +3,20 @@
 import { ByteWriter } from './byte-writer.ts';
 import { BOUNDS, boundsOf } from './gltf-buffers.ts';
 import type { Layout, View, ViewName } from './gltf-buffers.ts';
-import { levelName } from './gltf-parts.ts';
-import type { Meshes, Part, Shapes } from './gltf-parts.ts';
+import type { Mesh, Part } from './gltf-parts.ts';
+import { TEXTURED, texturesOf } from './gltf-textures.ts';
 import type { Kit } from './kit.ts';
 import { isOneThing, thingsOf } from './model.ts';
 import type { Model } from './model.ts';
 import { instancesByKind, placementOf, translationOf } from './placement.ts';
 import type { Placement } from './placement.ts';
 
-/** What a file has in it, for its report. Vertices, triangles and objects are those of the finest level, without hulls. */
+/** What a file has in it, for its report. */
 export interface Counts {
   vertices: number;
   triangles: number;
   /** Placed meshes. */
   objects: number;
-  /** Triangles of each level of detail, the finest first, where a file may have them. */
-  levels?: number[];
-  /** Where there are any. */
-  hulls?: { objects: number; vertices: number; triangles: number };
   /** Of the scene graph: objects, and the groups that they are in. */
   nodes: number;
   meshes: number;
@@ -43,6 +39,8 @@ const [DIGITS, BOUND_DIGITS] = [7, 9];
 const ATTRIBUTES = [
   { view: 'positions', semantic: 'POSITION', bytes: 12, type: 'VEC3' },
   { view: 'normals', semantic: 'NORMAL', bytes: 12, type: 'VEC3' },
+  { view: 'tangents', semantic: 'TANGENT', bytes: 16, type: 'VEC4' },
+  { view: 'coordinates', semantic: 'TEXCOORD_0', bytes: 8, type: 'VEC2' },
   { view: 'ids', semantic: '_FEATURE_ID_0', bytes: 4, type: 'SCALAR' },
 ] as const satisfies readonly { view: ViewName; semantic: string; bytes: number; type: string }[];
 
@@ -55,14 +53,10 @@ export class GltfJson {
   readonly counts: Counts = { vertices: 0, triangles: 0, objects: 0, nodes: 0, meshes: 0 };
   #model: Model;
   #layout: Layout;
-  #meshes: Meshes;
-  #hullName: Shapes['hullName'];
   #told: Told;
-  /** For each level. */
-  #levels: number[];
   #accessors = new ByteWriter();
   #accessorCount = 0;
-  #meshList = new ByteWriter();
+  #meshes = new ByteWriter();
   /** For each mesh. */
   #triangles: number[] = [];
   /** How many parts have been written. */
@@ -74,19 +68,16 @@ export class GltfJson {
   #extensions = new Set<string>();
   #bounds = new Float32Array(BOUNDS);
 
-  constructor(model: Model, layout: Layout, meshes: Meshes, hullName: Shapes['hullName'], told: Told) {
+  constructor(model: Model, layout: Layout, told: Told) {
     this.#model = model;
     this.#layout = layout;
-    this.#meshes = meshes;
-    this.#hullName = hullName;
-    this.#levels = Array.from({ length: meshes.levels }, () => 0);
     this.#told = told;
   }
 
   /** Meshes are added in the order of the layout. */
-  *addMeshes(): Generator<void> {
-    const out = this.#meshList;
-    for (const { name, parts } of this.#meshes.all) {
+  *addMeshes(meshes: readonly Mesh[]): Generator<void> {
+    const out = this.#meshes;
+    for (const { name, parts } of meshes) {
       out.text(this.counts.meshes > 0 ? ',{"name":' : '{"name":');
       out.quoted(name);
       out.text(',"primitives":[');
@@ -104,14 +95,14 @@ export class GltfJson {
 
   /** Returns how many triangles it has. */
   #addPart(part: Part): number {
-    const out = this.#meshList;
+    const out = this.#meshes;
     const { places, views, indexType, indexBytes } = this.#layout;
     const { vertex, vertices, index, indices } = places[this.#parts++]!;
     out.text('{"attributes":');
     let before = '{"';
     for (const { view, semantic, bytes, type } of ATTRIBUTES) {
-      if (!views[view] || (part.material === undefined && view !== 'positions')) continue;
-      const bounds = view === 'positions' ? boundsOf(part, this.#bounds) : undefined;
+      if (!views[view]) continue;
+      const bounds = view === 'positions' ? boundsOf(this.#model, part, this.#bounds) : undefined;
       out.text(before);
       out.text(semantic);
       out.text('":');
@@ -120,34 +111,30 @@ export class GltfJson {
     }
     out.text('},"indices":');
     out.whole(this.#accessor('indices', indexBytes * index, indexType, indices, 'SCALAR'));
-    if (part.material !== undefined) {
-      out.text(',"material":');
-      out.whole(this.#material(part.material));
-    }
+    out.text(',"material":');
+    out.whole(this.#material(part.material));
     if (views.ids) {
       const features = { featureIds: [{ featureCount: part.bodies.length, attribute: 0 }] };
       out.text(`,"extensions":${JSON.stringify(this.#used('EXT_mesh_features', features))}`);
     }
     out.text('}');
-    if (this.counts.meshes < this.#meshes.own.length) this.counts.vertices += vertices;
+    this.counts.vertices += vertices;
     return indices / 3;
   }
 
-  *addWholes(): Generator<void> {
-    for (const [mesh, { name, group }] of this.#meshes.own.entries()) {
-      for (let level = 0; level < this.#meshes.levels; level++) {
-        this.#roots.push(this.#beginNode(levelName(name, level, this.#meshes.levels)));
-        this.#mesh(mesh, level);
-        this.#endNode(this.#model.groups[group]!.extras);
-      }
+  *addWholes(meshes: readonly Mesh[]): Generator<void> {
+    for (const [mesh, { name, group }] of meshes.entries()) {
+      this.#roots.push(this.#beginNode(name));
+      this.#mesh(mesh);
+      this.#endNode(this.#model.groups[group]!.extras);
       yield;
     }
   }
 
-  *addSingles(): Generator<void> {
+  *addSingles(meshes: readonly Mesh[]): Generator<void> {
     for (const group of this.#model.groups.keys()) {
       const first = this.counts.nodes;
-      for (const [mesh, { name, group: of, parts }] of this.#meshes.own.entries()) {
+      for (const [mesh, { name, group: of, parts }] of meshes.entries()) {
         if (of !== group) continue;
         const body = parts[0]!.bodies[0]!;
         this.#object(name, mesh, translationOf(this.#model, body), undefined, body);
@@ -157,9 +144,9 @@ export class GltfJson {
     }
   }
 
-  *addKit(kit: Kit, instancing: boolean): Generator<void> {
+  *addKit(kit: Kit, meshes: readonly Mesh[], instancing: boolean): Generator<void> {
     if (instancing) {
-      this.#addInstances(kit);
+      this.#addInstances(kit, meshes);
       return;
     }
     const things = thingsOf(this.#model);
@@ -176,12 +163,12 @@ export class GltfJson {
     }
   }
 
-  #addInstances(kit: Kit): void {
+  #addInstances(kit: Kit, meshes: readonly Mesh[]): void {
     const instances = instancesByKind(this.#model, kit);
     let at = 0;
     for (const group of this.#model.groups.keys()) {
       const first = this.counts.nodes;
-      for (const [mesh, { name, group: of, parts }] of this.#meshes.own.entries()) {
+      for (const [mesh, { name, group: of, parts }] of meshes.entries()) {
         if (of !== group) continue;
         if (isOneThing(this.#model, group)) {
           const body = parts[0]!.bodies[0]!;
@@ -196,11 +183,9 @@ export class GltfJson {
           SCALE: this.#accessor('scales', 12 * at, FLOAT, count, 'VEC3'),
         };
         at += count;
-        for (let level = 0; level < this.#meshes.levels; level++) {
-          this.#beginNode(levelName(name, level, this.#meshes.levels));
-          this.#mesh(mesh, level, count);
-          this.#nodes.text(`,"extensions":${JSON.stringify(this.#used('EXT_mesh_gpu_instancing', { attributes }))}}`);
-        }
+        this.#beginNode(name);
+        this.#mesh(mesh, count);
+        this.#nodes.text(`,"extensions":${JSON.stringify(this.#used('EXT_mesh_gpu_instancing', { attributes }))}}`);
       }
       this.#group(group, first);
     }
@@ -219,60 +204,29 @@ export class GltfJson {
     this.#nodes.text(`,"extras":${JSON.stringify(extras)}}`);
   }
 
-  /** Tells that the node is a mesh of the finest level, at another one, so many times. */
-  #mesh(mesh: number, level: number, times = 1): void {
-    const number = mesh + level * this.#meshes.own.length;
+  #mesh(mesh: number, times = 1): void {
     this.#nodes.text(',"mesh":');
-    this.#nodes.whole(number);
-    this.#levels[level]! += times * this.#triangles[number]!;
-    if (level > 0) return;
+    this.#nodes.whole(mesh);
     this.counts.objects += times;
-    this.counts.triangles += times * this.#triangles[number]!;
+    this.counts.triangles += times * this.#triangles[mesh]!;
   }
 
-  /** An object at all of its levels, and its hull. `mesh` is that of the finest. */
   #object(
     name: string,
     mesh: number,
     translation: Placement['translation'],
-    placement: Partial<Placement> | undefined,
+    { rotation, scale }: Partial<Placement> = {},
     body: number,
   ): void {
-    const { levels, hulls } = this.#meshes;
-    for (let level = 0; level < levels; level++) {
-      this.#beginNode(levelName(name, level, levels));
-      this.#mesh(mesh, level);
-      this.#place(translation, placement);
-      if (level === 0) {
-        this.#nodes.text(',"extras":');
-        this.#told.body(this.#nodes, body);
-      }
-      this.#nodes.text('}');
-    }
-    const hull = hulls[mesh];
-    if (hull !== undefined) {
-      this.#beginNode(this.#hullName(levelName(name, 0, levels)));
-      this.#nodes.text(',"mesh":');
-      this.#nodes.whole(hull);
-      this.#place(translation, placement);
-      this.#nodes.text('}');
-      this.#countHull(hull);
-    }
-  }
-
-  #countHull(hull: number): void {
-    this.counts.hulls ??= { objects: 0, vertices: 0, triangles: 0 };
-    const count = this.counts.hulls;
-    count.objects += 1;
-    count.vertices += this.#layout.places.at(hull - this.#meshes.all.length)!.vertices;
-    count.triangles += this.#triangles[hull]!;
-  }
-
-  #place(translation: Placement['translation'], { rotation, scale }: Partial<Placement> = {}): void {
     const out = this.#nodes;
+    this.#beginNode(name);
+    this.#mesh(mesh);
     this.#list(out, ',"translation":[', translation, 0, 3, DIGITS);
     if (rotation) this.#list(out, ',"rotation":[', rotation, 0, 4, DIGITS);
     if (scale) this.#list(out, ',"scale":[', scale, 0, 3, DIGITS);
+    out.text(',"extras":');
+    this.#told.body(out, body);
+    out.text('}');
   }
 
   /** The numbers from `begin` to `end`. */
@@ -338,7 +292,6 @@ export class GltfJson {
 
   /** All of it, in pieces that follow one another. */
   pieces(): ByteWriter[] {
-    this.counts.levels = this.#levels;
     const { title, scene } = this.#told;
     const { length, views } = this.#layout;
     const pieces: ByteWriter[] = [];
@@ -359,8 +312,11 @@ export class GltfJson {
     const roots = this.#roots.length > 0 && { nodes: this.#roots };
     text(`,"scene":0,"scenes":[${JSON.stringify({ name: title, ...roots, extras: scene })}]`);
     list('nodes', this.#nodes);
-    list('meshes', this.#meshList);
+    list('meshes', this.#meshes);
     if (this.counts.meshes > 0) text(`,"materials":${JSON.stringify(this.#usedMaterials())}`);
+    if (this.#model.textures) {
+      for (const [name, items] of Object.entries(texturesOf(this.#layout))) text(`,"${name}":${JSON.stringify(items)}`);
+    }
     list('accessors', this.#accessors);
     if (length > 0) text(`,"bufferViews":${JSON.stringify(Object.values(views).map(bufferView))},"buffers":[{"byteLength":${length}}]`);
     text('}');
@@ -369,7 +325,8 @@ export class GltfJson {
 
   #usedMaterials(): object[] {
     return [...this.#materials.keys()].map((used) => {
-      const { name, color, roughness = 0.9, isTwoSided } = this.#model.materials[used]!;
+      const { name, color, roughness = 0.9, isTwoSided, isTextured } = this.#model.materials[used]!;
+      if (isTextured) return { name, ...TEXTURED };
       return {
         name,
         pbrMetallicRoughness: { baseColorFactor: [...color, 1], metallicFactor: 0, roughnessFactor: roughness },

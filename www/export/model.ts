@@ -25,6 +25,27 @@ export interface Material {
   roughness?: number | undefined;
   /** Whether it is seen from behind too, as what has no other side has to be. */
   isTwoSided?: boolean | undefined;
+  /** Its colour and all else are in the model's textures. */
+  isTextured?: true;
+}
+
+/** What bodies look like, as images. */
+export interface Textures {
+  /** Of each image, texels. */
+  side: number;
+  /** For each vertex x and y in texels, from the upper left corner, and its tangent, which points to the right in the images: five numbers. */
+  vertices: Float32Array;
+  images: Images;
+}
+
+/** As PNG. */
+export interface Images {
+  /** Albedo, sRGB. */
+  color: Uint8Array<ArrayBuffer>;
+  /** The normal in the tangent frame, y up. */
+  normal: Uint8Array<ArrayBuffer>;
+  /** Occlusion, roughness and metalness in red, green and blue. */
+  surface: Uint8Array<ArrayBuffer>;
 }
 
 /** z is up; `unit` says what a unit is. Body k owns the vertices and indices between `starts[k]` and `starts[k + 1]`. */
@@ -44,6 +65,8 @@ export interface Model {
   /** For each body. */
   materialOf: Uint8Array;
   materials: Material[];
+  /** Where a material is textured. */
+  textures?: Textures | undefined;
   /** Float64Array(3 · bodies): where a body stands on the ground. */
   origins: Float64Array;
   /** The middle of the whole, at which the file has its origin. */

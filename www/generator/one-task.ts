@@ -16,7 +16,7 @@ export interface TaskWorkerLike<Task, Result> {
   onmessage: ((event: MessageEvent<FromTask<Result>>) => void) | null;
   onerror: ((event: ErrorEvent) => void) | null;
   onmessageerror: ((event: MessageEvent) => void) | null;
-  postMessage(task: Task): void;
+  postMessage(task: Task, transfer?: Transferable[]): void;
   terminate(): void;
 }
 
@@ -48,6 +48,7 @@ export function taskWorker<Task, Result>(make: () => Worker): TaskWorkerLike<Tas
 /**
  * What a new worker makes of `task`, which is copied.
  *
+ * @param transfer buffers in the task that are handed over instead.
  * @throws {RockFieldError} What the worker says; `WorkerUnavailable`.
  * @throws {DOMException} `AbortError` when `signal` says so.
  */
@@ -55,6 +56,7 @@ export function inWorker<Task, Result>(
   { what, file, spawn }: TaskKind<Task, Result>,
   task: Task,
   { signal, onProgress }: TaskOptions,
+  transfer: Transferable[] = [],
 ): Promise<Result> {
   if (signal?.aborted) return Promise.reject(signal.reason as unknown);
   const unavailable = (reason: string | undefined): RockFieldError => {
@@ -93,6 +95,6 @@ export function inWorker<Task, Result>(
       else if (data.type === 'done') end(() => resolve(data.result));
       else if (data.type === 'failed') end(() => reject(new RockFieldError(data.error)));
     };
-    worker.postMessage(task);
+    worker.postMessage(task, transfer);
   });
 }

@@ -1,4 +1,4 @@
-/** The two renderer artefacts: what they export (`src/bindings/renderer.rs`, `renderer_wood.rs`), and how one is fetched and started. */
+/** The two renderer artefacts: what they export (`src/bindings/renderer.rs`, `renderer_wood.rs`, `renderer_bake.rs`), and how one is fetched and started. */
 
 import { lazily, tellMissingFile } from '../base/lazy.ts';
 import type { GpuBackend } from '../base/view.ts';
@@ -35,6 +35,9 @@ export interface RawRenderer {
   setWoodEdges(log: Uint32Array, colony: Uint32Array): void;
   needsEdges(): boolean;
   setEdges(indices: Uint32Array): void;
+  setAtlas(atlas: Float32Array): void;
+  bakeTile(x: number, y: number): void;
+  takeTile(): Uint8Array<ArrayBuffer> | undefined;
   needsPlan(): boolean;
   addLayer(
     id: number,

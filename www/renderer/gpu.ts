@@ -10,7 +10,7 @@ import type { Look } from '../data/look.ts';
 import type { SceneRenderer, SceneStyle, Wood } from './renderer.ts';
 
 /** Layer id and site index of every rock: what a rock's colour is drawn from, whatever happens to the others. */
-function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
+export function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
   const rocks = field.rockLayer.length;
   const layers = new Uint32Array(rocks);
   const sites = new Uint32Array(rocks);
@@ -24,6 +24,14 @@ function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
     seen[index] = rank + 1;
   }
   return { layers, sites };
+}
+
+export function giveLook(raw: RawRenderer, look: Look): void {
+  const { layers, flesh } = look;
+  const values = [...LOOK.map((key) => look[key]), ...FLESH.map((key) => flesh?.[key] ?? 0)];
+  const ids = layers.map(({ id }) => id);
+  const materials = layers.map(({ material }) => material);
+  raw.setLook(Float32Array.from(values), Uint32Array.from(ids), Uint8Array.from(materials));
 }
 
 export class GpuRenderer implements SceneRenderer {
@@ -122,11 +130,7 @@ export class GpuRenderer implements SceneRenderer {
   }
 
   setLook(look: Look): void {
-    const { layers, flesh } = look;
-    const values = [...LOOK.map((key) => look[key]), ...FLESH.map((key) => flesh?.[key] ?? 0)];
-    const ids = layers.map(({ id }) => id);
-    const materials = layers.map(({ material }) => material);
-    this.#guard(() => this.#raw.setLook(Float32Array.from(values), Uint32Array.from(ids), Uint8Array.from(materials)));
+    this.#guard(() => giveLook(this.#raw, look));
   }
 
   setQuality(level: Quality): void {

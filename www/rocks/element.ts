@@ -103,11 +103,8 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
   async exportFile(options: ExportOptions = {}, run: TaskOptions = {}): Promise<File> {
     const { exportInWorker } = await lazily(() => import('./export-client.ts'));
     const newest = async () => ({ field: await this.getField(), source: { params: this.params, preset: this.preset || undefined } });
-    const { file } = await exportInWorker(
-      newest,
-      { metresPerPixel: this.metresPerPixel, color: this.color === 'natural' ? 'natural' : 'layer', ...options },
-      run,
-    );
+    const shown = { color: this.color, backend: this.getAttribute('backend') };
+    const { file } = await exportInWorker(newest, { metresPerPixel: this.metresPerPixel, ...options }, run, shown);
     return file;
   }
 

@@ -9,6 +9,8 @@ import { resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import type { Waiting } from '../export/pace.ts';
 import type { Progress, StageName } from '../generator/protocol.ts';
+import { laidOut } from '../export/textures/textured.ts';
+import type { Baked, Laid } from '../export/textures/textured.ts';
 import type { GenerateOptions } from './headless.ts';
 import { fieldHash } from './hash.ts';
 import { encodeLink } from './link.ts';
@@ -31,6 +33,7 @@ export interface FieldSource {
 /**
  * A field as a file. The same field and options give the same bytes everywhere.
  *
+ * @param baked what a renderer has drawn, if `options` asks for textures.
  * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
  */
 export function exportField(
@@ -38,6 +41,7 @@ export function exportField(
   { params, preset }: FieldSource,
   options: ResolvedOptions,
   waiting?: Waiting,
+  baked?: Baked,
 ): Promise<ExportedFile> {
   const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(ROCKS, preset ?? '') === 'natural');
   const source = {
@@ -47,7 +51,16 @@ export function exportField(
     hasPatterns: isNatural,
     extrasOf: (rock: number) => rockExtras(field, params, rock),
   };
-  return exportModel(rocksModel(field, params, options.metresPerPixel, isNatural), source, options, waiting);
+  return exportModel(rocksModel(field, params, options.metresPerPixel, isNatural), source, options, waiting, baked);
+}
+
+/**
+ * Lays the rocks of a field out for textures, which a renderer draws then.
+ *
+ * @throws {RockFieldError} `ExportTooLarge` where there are too many.
+ */
+export function layOutField(field: Field, params: Params, options: ResolvedOptions, onProgress?: (fraction: number) => void): Laid {
+  return laidOut(rocksModel(field, params, options.metresPerPixel, true), options, onProgress);
 }
 
 /** What is said of a rock beside its measures. */

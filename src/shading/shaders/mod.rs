@@ -5,13 +5,16 @@ const COMMON: &str = include_str!("common.wgsl");
 /// Prepended to the passes of the papers' style.
 const LIGHTING: &[&str] = &[include_str!("lighting.wgsl")];
 
+const NOISE: &str = include_str!("noise.wgsl");
+const STONE: &str = include_str!("stone.wgsl");
+const COVER: &str = include_str!("cover.wgsl");
+const DAYLIGHT: &str = include_str!("daylight.wgsl");
+
 /// Prepended to the passes in natural colours.
-const NATURAL: &[&str] = &[
-    include_str!("noise.wgsl"),
-    include_str!("stone.wgsl"),
-    include_str!("cover.wgsl"),
-    include_str!("daylight.wgsl"),
-];
+const NATURAL: &[&str] = &[NOISE, STONE, COVER, DAYLIGHT];
+
+/// Prepended to the passes that draw rocks in natural colours.
+const STONY: &[&str] = &[NOISE, STONE, COVER, DAYLIGHT, include_str!("surface.wgsl")];
 
 /// The shader of a pass.
 #[derive(Clone, Copy)]
@@ -57,7 +60,8 @@ shaders! {
     GROUND "ground" after LIGHTING;
     FLOOR "floor" after &[];
     ROCK "rock" after LIGHTING;
-    NATURAL_ROCK "natural_rock" after NATURAL;
+    NATURAL_ROCK "natural_rock" after STONY;
+    BAKE "bake" after STONY;
     NATURAL_GROUND "natural_ground" after NATURAL;
     LOG "log" after NATURAL;
     EAR "ear" after NATURAL;

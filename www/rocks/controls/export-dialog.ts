@@ -12,20 +12,15 @@ import type { Place } from '../../controls/parts.ts';
 import { errorText, later } from '../../controls/strings-later.ts';
 import type { LaterKey } from '../../controls/strings-later.ts';
 import type { ExportReport } from '../../export/file.ts';
-import { FORMS, resolveOptions, TARGETS } from '../../export/options.ts';
+import { FORMS, OPTIONS, resolveOptions, TARGETS } from '../../export/options.ts';
 import type { ExportTarget, ResolvedOptions } from '../../export/options.ts';
 import type { RockStore } from './store.ts';
 
-/** Null while it is being written. */
-type Written = { file: File; report: ExportReport } | { error: ErrorInfo } | null;
+/** While it is being written, how far that is: 0 … 1. */
+type Written = { file: File; report: ExportReport } | { error: ErrorInfo } | number;
 
-/** The target, and what was chosen beside it. It counts the next time too, as long as the page is open. */
-const chosen: { target: ExportTarget; changes: Partial<ResolvedOptions> } = { target: 'blender', changes: {} };
-
-/** All options: what was chosen, and what the target wants beside it. */
-function chosenOptions(): ResolvedOptions {
-  return resolveOptions({ target: chosen.target, ...chosen.changes });
-}
+/** What was chosen last counts the next time, as long as the page is open. */
+const chosen: { target: ExportTarget; options: ResolvedOptions } = { target: 'blender', options: resolveOptions({ target: 'blender' }) };
 
 /** Opens the dialog about the field that is shown. */
 export function showExport(store: RockStore, place: Place): void {
@@ -41,12 +36,12 @@ export function showExport(store: RockStore, place: Place): void {
     writing.abort();
     writing = new AbortController();
     const { signal } = writing;
-    show(null);
+    show(0);
     let written: Written;
     try {
       const { exportInWorker } = await lazily(() => import('../export-client.ts'));
-      const color = store.color === 'natural' ? 'natural' : 'layer';
-      written = await exportInWorker(newest, { ...chosenOptions(), color }, { signal });
+      const { color: _, ...options } = chosen.options;
+      written = await exportInWorker(newest, options, { signal, onProgress: show }, { color: store.color, backend: null });
     } catch (thrown) {
       written = { error: errorInfo(thrown) };
     }
@@ -54,19 +49,22 @@ export function showExport(store: RockStore, place: Place): void {
   };
 
   const choose = (change: Partial<ResolvedOptions>): void => {
-    chosen.changes = fitting({ ...chosen.changes, ...change }, change);
+    chosen.options = fitting({ ...chosen.options, ...change }, change);
     void write();
   };
 
-  show(null).addEventListener('close', () => writing.abort(), { once: true });
+  show(0).addEventListener('close', () => writing.abort(), { once: true });
   void write();
 }
 
 /** What has just been chosen counts; what it cannot go with gives way. */
-function fitting(changes: Partial<ResolvedOptions>, { format: isFormatNew }: Partial<ResolvedOptions>): Partial<ResolvedOptions> {
-  const { format, mesh } = { ...resolveOptions({ target: chosen.target }), ...changes };
-  if (meshesOf(format).includes(mesh)) return changes;
-  return isFormatNew ? { ...changes, mesh: 'one' } : { ...changes, format: 'glb' };
+function fitting(options: ResolvedOptions, { format: isFormatNew }: Partial<ResolvedOptions>): ResolvedOptions {
+  const { format, mesh, textures } = options;
+  const fits = meshesOf(format).includes(mesh) && (textures === 'none' || format === 'glb');
+  if (fits) return options;
+  return isFormatNew
+    ? { ...options, mesh: meshesOf(format).includes(mesh) ? mesh : 'one', textures: 'none' }
+    : { ...options, format: 'glb' };
 }
 
 /** What a format can hold. */
@@ -76,12 +74,10 @@ function meshesOf(format: ResolvedOptions['format']): readonly ResolvedOptions['
 
 function content(store: RockStore, written: Written, choose: (change: Partial<ResolvedOptions>) => void): TemplateResult {
   const words = (key: LaterKey): string => later(store.language, key);
-  const { target } = chosen;
-  const options = chosenOptions();
+  const { target, options } = chosen;
   const chooseTarget = ({ currentTarget }: Event): void => {
     chosen.target = (currentTarget as HTMLSelectElement).value as ExportTarget;
-    chosen.changes = {};
-    choose({});
+    choose(resolveOptions({ target: chosen.target }));
   };
   return html`
     <div class="control field-row">
@@ -109,6 +105,13 @@ function content(store: RockStore, written: Written, choose: (change: Partial<Re
       action: (format) => choose({ format }),
     })}
     ${segments({
+      name: 'export-textures',
+      label: words('exportTextures'),
+      options: OPTIONS.textures.choices.map((value) => ({ value, label: value === 'none' ? words('textures-none') : value })),
+      value: options.textures,
+      action: (textures) => choose({ textures }),
+    })}
+    ${segments({
       name: 'export-bottom',
       label: words('exportBottom'),
       options: (['open', 'closed'] as const).map((value) => ({ value, label: words(`bottom-${value}`) })),
@@ -125,11 +128,13 @@ function content(store: RockStore, written: Written, choose: (change: Partial<Re
 }
 
 function isFile(written: Written): written is { file: File; report: ExportReport } {
-  return written !== null && 'file' in written;
+  return typeof written !== 'number' && 'file' in written;
 }
 
 function report({ language }: RockStore, written: Written): TemplateResult {
-  if (!written) return html`<p class="quiet">${later(language, 'exportWriting')}</p>`;
+  if (typeof written === 'number') {
+    return html`<p class="quiet">${later(language, 'exportWriting')}</p>${written > 0 ? html`<progress class="export-progress" .value=${written}></progress>` : nothing}`;
+  }
   if (!isFile(written)) return html`<p class="control-problem">${errorText(language, written.error)}</p>`;
   const { file, report: found } = written;
   const megabytes = (file.size / 1e6).toLocaleString(language, { maximumFractionDigits: file.size < 1e7 ? 1 : 0 });
@@ -139,10 +144,11 @@ function report({ language }: RockStore, written: Written): TemplateResult {
     objects: found.objects.toLocaleString(language),
     triangles: found.triangles.toLocaleString(language),
   };
-  const unit = chosenOptions().scale === 1000 ? '1 mm' : '1 m';
-  const notes = found.notes.map(
-    ({ code, count }) => html`<li>${later(language, `note-${code}`, { unit, count: count?.toLocaleString(language) })}</li>`,
-  );
+  const unit = chosen.options.scale === 1000 ? '1 mm' : '1 m';
+  const notes = [
+    ...(found.texelsPerMetre ? [later(language, 'exportTexels', { texels: found.texelsPerMetre.toLocaleString(language) })] : []),
+    ...found.notes.map(({ code, count }) => later(language, `note-${code}`, { unit, count: count?.toLocaleString(language) })),
+  ].map((note) => html`<li>${note}</li>`);
   return html`<p>${later(language, 'exportFigures', figures)}</p>${notes.length > 0 ? html`<ul class="quiet">${notes}</ul>` : nothing}`;
 }
 

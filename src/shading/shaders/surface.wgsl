@@ -1,0 +1,67 @@
+// Prepended to the passes that draw rocks in natural colours: what their surface is like, whatever light falls on it.
+
+// What `rock_surface` found.
+var<private> surface_albedo: vec3f;
+var<private> surface_rough: f32;
+// With its relief
+var<private> surface_normal: vec3f;
+
+// A normal that is folded to an octahedron, as buffers.rs does it.
+fn unfolded(normal: vec2f) -> vec3f {
+  let z = 1.0 - abs(normal.x) - abs(normal.y);
+  let fold = max(-z, 0.0);
+  return normalize(vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z));
+}
+
+// Where the mesh means to be smooth its normal and the face's nearly agree: 1. A broken edge stays sharp: 0.
+fn agreement(smooth_normal: vec3f, face: vec3f) -> f32 {
+  return smoothstep(0.72, 0.84, dot(smooth_normal, face));
+}
+
+// How fast the surface turns from a pixel to the next ones, and towards which side: edges wear, hollows collect dirt.
+fn worn(across: vec3f, down: vec3f, turn_x: vec3f, turn_y: vec3f) -> f32 {
+  let step_x = dot(across, across);
+  let step_y = dot(down, down);
+  let convex = dot(turn_x, across) / max(step_x, 1e-6) + dot(turn_y, down) / max(step_y, 1e-6);
+  return clamp(convex * 2.5, -0.5, 1.0);
+}
+
+// `own` three random numbers of the rock and its kind / 255, `base` the normal without relief, `wear` from `worn`, `seen` from
+// `sky_seen`, `footprint` from `footprint_of`.
+fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, footprint: f32) {
+  let random = floor(own * 255.0 + 0.5);
+  let numbers = random.xyz / 255.0;
+  stone(random.w, numbers, world + random.zxy * vec3f(3.7, 2.9, 4.3), footprint);
+  let relief = bumped(base, stone_slope);
+
+  var albedo = stone_albedo * (1.0 + 0.16 * wear) * mix(0.8, 1.0, smoothstep(0.3, 0.9, seen));
+  var rough = stone_rough;
+  var bent = relief;
+
+  // Dust and splashed soil: near the ground, and where it can lie.
+  let dust = globals.weather.w;
+  var loose = 0.0;
+  if globals.scene.y > 0.0 {
+    loose = noise2(world.xy / 6.3) * 0.5 + noise2(world.yz / 2.7 + 5.0) * 0.35 * shown(2.7, footprint);
+  }
+  let low = exp(-max(world.z, 0.0) / (2.0 + 0.1 * field.size.z)) * 1.1;
+  let lies = smoothstep(0.45, 1.0, relief.z) * 0.55 + low;
+  let dusty = dust * smoothstep(0.25, 1.0, lies + 0.5 * loose + 0.4 * dust - 0.2 * wear);
+  albedo = mix(albedo, soil_albedo(globals.scene.x) * 1.15, 0.7 * dusty);
+  rough = mix(rough, 0.95, dusty);
+
+  let moss = moss_cover(world, base.z, world.z, 1.0 - seen, footprint);
+  if moss > 0.0 {
+    albedo = mix(albedo, moss_albedo(world, footprint), moss);
+    rough = mix(rough, 0.95, moss);
+    bent = normalize(mix(relief, base, 0.5 * moss));
+  }
+
+  // Water fills the pores: darker, more saturated, and it shines.
+  let wet = wet_cover(world.xy) * (1.0 - 0.5 * moss);
+  albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
+  rough = mix(rough, 0.22, wet);
+  surface_albedo = albedo;
+  surface_rough = rough;
+  surface_normal = normalize(mix(bent, base, 0.6 * wet));
+}

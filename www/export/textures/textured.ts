@@ -1,0 +1,44 @@
+/** A model with textures: what is laid out before a renderer draws it, and what becomes of it afterwards. */
+
+import { kitOf } from '../kit.ts';
+import type { Images, Model } from '../model.ts';
+import { textureSide } from '../options.ts';
+import type { ResolvedOptions } from '../options.ts';
+import { closed } from '../solid.ts';
+import { atlasOf } from './atlas.ts';
+import type { Atlas } from './atlas.ts';
+
+/** What a renderer has drawn, and where. */
+export interface Baked {
+  atlas: Atlas;
+  images: Images;
+}
+
+/** What is drawn: the mesh as it will be in the file, and where its vertices are in the textures. */
+export interface Laid {
+  mesh: Pick<Model, 'positions' | 'normals' | 'indices' | 'vertexStarts'>;
+  atlas: Atlas;
+}
+
+/**
+ * Lays the rocks out whose meshes a file is going to have.
+ *
+ * @param model open below.
+ * @throws {RockFieldError} `ExportTooLarge` where there are too many.
+ */
+export function laidOut(model: Model, options: ResolvedOptions, onProgress?: (fraction: number) => void): Laid {
+  const whole = options.solid ? closed(model) : model;
+  const bodies = options.mesh === 'kit' ? [...kitOf(whole, options.kinds).kinds] : [...model.groupOf.keys()];
+  const { positions, normals, indices, vertexStarts } = whole;
+  return { mesh: { positions, normals, indices, vertexStarts }, atlas: atlasOf(model, whole, bodies, textureSide(options), onProgress) };
+}
+
+/** The model whose bodies in the atlas are all made of one material, which has the images. */
+export function textured(model: Model, { atlas: { side, vertices, holds }, images }: Baked): Model {
+  return {
+    ...model,
+    textures: { side, vertices, images },
+    materialOf: model.materialOf.map((material, k) => (holds[k]! > 0 ? model.materials.length : material)),
+    materials: [...model.materials, { name: 'stone', color: [1, 1, 1], isTextured: true }],
+  };
+}
