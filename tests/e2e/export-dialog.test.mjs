@@ -51,7 +51,7 @@ test('what is chosen is said with its figures, and saved: the same bytes as with
   assert.deepEqual([first.name, sha256(first.bytes)], ['journal-fig1-4.glb', sha256(bytes)]);
   assert.deepEqual(await violations(page), []);
 
-  await dialog.locator('select').selectOption('print');
+  await dialog.locator('#export-target').selectOption('print');
   await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.stl'));
   const second = await saved(page);
   assert.deepEqual(
@@ -65,6 +65,49 @@ test('what is chosen is said with its figures, and saved: the same bytes as with
   await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.glb'));
   await page.keyboard.press('Escape');
   await dialog.waitFor({ state: 'hidden' });
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test('a map is shown as it is saved, and points take the axes of the program: the same bytes as without a page', async () => {
+  const { page, errors, close } = await openRocks(session, LINK, { viewport: { width: 960, height: 640 } });
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const dialog = await written(page);
+  /** @param {string} name of the file that is to be written */
+  const saves = async (name, options) => {
+    await page.waitForFunction((name) => document.querySelector('.dialog .export-report').textContent.includes(`${name}:`), name);
+    const { bytes } = await exportScene(REQUEST, options);
+    const file = await saved(page);
+    assert.deepEqual([file.name, sha256(file.bytes)], [name, sha256(bytes)]);
+  };
+  await dialog.locator('#export-target').selectOption('unreal');
+  await dialog.locator('input[value="maps"]').check();
+  await saves('journal-fig1-4-height.png', { format: 'png' });
+  const shown = dialog.locator('.export-picture');
+  assert.deepEqual(
+    await shown.evaluate((/** @type {HTMLImageElement} */ image) => image.decode().then(() => [image.naturalWidth, image.naturalHeight])),
+    [200, 150],
+  );
+  assert.deepEqual(await violations(page), []);
+  await dialog.locator('#export-map').selectOption('normal');
+  await saves('journal-fig1-4-normal.png', { format: 'png', map: 'normal', green: 'down' });
+  await dialog.locator('#export-map').selectOption('all');
+  await saves('journal-fig1-4-maps.zip', { target: 'unreal', format: 'zip' });
+  assert.equal(await shown.count(), 0);
+  await dialog.locator('#export-map').selectOption('height');
+  await dialog.locator('input[value="r16"]').check();
+  await dialog.locator('input[value="corners"]').check();
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('505 × 505'));
+  await saves('journal-fig1-4-height.r16', { format: 'r16', side: 505, square: true, samples: 'corners' });
+
+  await dialog.locator('input[value="points"]').check();
+  await saves('journal-fig1-4.csv', { target: 'unreal', format: 'csv' });
+  await dialog.locator('#export-target').selectOption('unity');
+  await page.waitForFunction(() => !document.querySelector('.dialog .button-primary').hasAttribute('disabled'));
+  await saves('journal-fig1-4.csv', { target: 'unity', format: 'csv' });
+  // Printing has meshes alone.
+  await dialog.locator('#export-target').selectOption('print');
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.stl:'));
   assert.deepEqual(errors, []);
   await close();
 });

@@ -87,9 +87,12 @@ const NOTES = {
     '{count} of the objects pass through themselves; their `extras` have `solid: false`. Slicers join what overlaps; Boolean operations may not.',
   'open-log': 'The log is not closed, so that it is not solid; its `extras` have `solid: false`.',
   'log-not-in-link': 'The log is a mesh of your own, which is in no link: that of the file shows a grown one.',
-  'kinds-of-kit': 'The kinds are the meshes of a kit that is exported with the same `kinds` and `solid`, as GLB.',
+  'kinds-of-kit': 'The kinds are the meshes of a kit that is exported with the same `kinds`, as GLB.',
   'no-header': 'This format has no header: tell the program that opens it the width and height in pixels, 16 bits, little-endian.',
   'height-range': 'In 16 bits 0 is the ground, and 65535 the `highest` of `report.map`, in metres.',
+  'in-metres': 'The numbers are metres.',
+  'green-up': 'Green of the normal map points up, as in OpenGL.',
+  'green-down': 'Green of the normal map points down, as in DirectX.',
   data: 'The numbers are no colours: import the pictures as linear data, without sRGB.',
 } as const;
 
@@ -128,7 +131,7 @@ export async function exportModel(
   waiting?: Waiting,
   baked?: Baked,
 ): Promise<ExportedFile> {
-  const { format, mesh, solid } = options;
+  const { format, mesh } = options;
   checkSize(model, options);
   const fineness = baked && { texelsPerMetre: Math.round(baked.atlas.density / model.unit) };
   const told: Told = {
@@ -140,14 +143,9 @@ export async function exportModel(
       else out.text(JSON.stringify({ ...(noun === undefined && extras), ...extrasOf(k) }));
     },
   };
-  const whole = solid && !isMap(options) ? closed(model) : model;
-  const kit = mesh === 'kit' ? kitOf(whole, options.kinds) : undefined;
-  const {
-    bytes,
-    counts,
-    ending = `.${format}`,
-    map,
-  } = await write(baked ? textured(whole, baked) : whole, options, told, new Pace(waiting), kit);
+  // Closed or open, a kit has the same kinds.
+  const kit = mesh === 'kit' && !isMap(options) ? kitOf(model, options.kinds) : undefined;
+  const { bytes, counts, ending = `.${format}`, map } = await write(model, options, told, new Pace(waiting), { kit, baked });
   const notes = [...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })), ...own];
   return {
     bytes,
@@ -164,14 +162,8 @@ export async function exportModel(
 }
 
 function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boolean): NoteCode[] {
-  const { format, mesh, instancing, map, textures } = options;
-  if (isMap(options)) {
-    return [
-      ...(format === 'r16' ? (['no-header'] as const) : []),
-      ...(format !== 'exr' && (map === 'height' || map === 'all') ? (['height-range'] as const) : []),
-      ...(format === 'png' || format === 'zip' ? (['data'] as const) : []),
-    ];
-  }
+  const { format, mesh, instancing, textures } = options;
+  if (isMap(options)) return mapCodesOf(options);
   if (mesh === 'points') return ['kinds-of-kit'];
   return [
     ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || (hasPatterns && textures === 'none')),
@@ -179,6 +171,19 @@ function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boo
     ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
     ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
   ];
+}
+
+function mapCodesOf({ format, map, green }: ResolvedOptions): NoteCode[] {
+  const has = (name: typeof map): boolean => map === name || map === 'all';
+  const codes: Partial<Record<NoteCode, boolean>> = {
+    'no-header': format === 'r16',
+    'height-range': has('height') && format !== 'exr',
+    'in-metres': map === 'height' && format === 'exr',
+    'green-up': has('normal') && green === 'up',
+    'green-down': has('normal') && green === 'down',
+    data: format === 'png' || format === 'zip',
+  };
+  return (Object.keys(codes) as NoteCode[]).filter((code) => codes[code]);
 }
 
 /** One JSON object. */
@@ -203,14 +208,15 @@ async function write(
   options: ResolvedOptions,
   told: Told,
   pace: Pace,
-  kit: Kit | undefined,
+  { kit, baked }: { kit: Kit | undefined; baked: Baked | undefined },
 ): Promise<Written & Partial<WrittenMaps>> {
   if (isMap(options)) return writeMaps(model, options, told, pace);
   if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options) : writePlyPoints(model, options, told);
-  if (options.format === 'obj') return writeObj(model, options, told, pace);
-  if (options.format === 'stl') return writeStl(model, options, told);
-  if (options.format === 'ply') return writePly(model, options, told);
-  return writeGlb(model, options, told, pace, kit);
+  const whole = options.solid ? closed(model) : model;
+  if (options.format === 'obj') return writeObj(whole, options, told, pace);
+  if (options.format === 'stl') return writeStl(whole, options, told);
+  if (options.format === 'ply') return writePly(whole, options, told);
+  return writeGlb(baked ? textured(whole, baked) : whole, options, told, pace, kit);
 }
 
 function checkSize(model: Model, options: ResolvedOptions): void {
