@@ -13,6 +13,7 @@ export { RockFieldError } from '../base/errors.ts';
 export { exportSchema } from '../export/schema.ts';
 export type { ErrorInfo, ErrorName } from '../base/errors.ts';
 export type { ExportedFile, ExportNote, ExportReport } from '../export/file.ts';
+export type { MapFacts } from '../export/maps/maps.ts';
 export type { ExportOptions, ExportTarget } from '../export/options.ts';
 export type { ExportRun } from '../rocks/export.ts';
 export type { FieldRequest } from '../rocks/request.ts';
