@@ -79,7 +79,7 @@ export const GENERATORS = [
     },
     budget: 40_500,
     worker: 'wood-ear-worker',
-    otherWorkers: ['wood-ear-file-worker'],
+    otherWorkers: ['wood-ear-file-worker', 'wood-ear-export-worker'],
     panel: 'wood-ear-panel',
     cdn: 'wood-ear-cdn',
     page: {

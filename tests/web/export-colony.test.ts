@@ -272,6 +272,8 @@ test('OBJ, STL and PLY have as many triangles as the GLB', async () => {
 test('what cannot be had is an error before anything is grown', async () => {
   const cases: [WoodEarExportRequest, ExportOptions, object][] = [
     [{ seed: -1 }, { mesh: 'kit' }, { name: 'ExportImpossible', key: 'mesh', value: 'kit' }],
+    [{ seed: -1 }, { mesh: 'points', format: 'csv' }, { name: 'ExportImpossible', key: 'mesh', value: 'points' }],
+    [{ seed: -1 }, { format: 'png' }, { name: 'ExportImpossible', key: 'format', value: 'png' }],
     [{ seed: -1 }, {}, { name: 'OutOfRange', key: 'seed' }],
     [{ ground: 5 as unknown as string }, {}, { name: 'WrongType', key: 'ground' }],
   ];

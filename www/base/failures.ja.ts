@@ -6,7 +6,7 @@
 import { filled } from './filled.ts';
 
 const FAILURES: Readonly<Record<string, string>> = {
-  // generator/pool-worker.ts, wood-ear/log-file/client.ts, rocks/export-client.ts
+  // generator/pool-worker.ts, wood-ear/log-file/client.ts, rocks/export-client.ts, wood-ear/export-client.ts
   "the generator's worker could not be started: {reason}": '生成用のワーカーを起動できませんでした：{reason}',
   "the generator's worker could not be started; its file is missing, or blocked by a Content-Security-Policy or by Cross-Origin-Embedder-Policy, which it must be served with too":
     '生成用のワーカーを起動できませんでした。ファイルがないか、Content-Security-Policy または Cross-Origin-Embedder-Policy によって遮断されています（後者はワーカーのファイルにも必要です）',
@@ -14,6 +14,8 @@ const FAILURES: Readonly<Record<string, string>> = {
   'the worker that reads log files could not be started (wood-ear-file-worker.js is missing or blocked)':
     '丸太ファイルを読み込むワーカーを起動できませんでした（wood-ear-file-worker.js がないか、遮断されています）',
   'the worker that writes files could not be started: {reason}': 'ファイルを書き出すワーカーを起動できませんでした：{reason}',
+  'the worker that writes files could not be started (wood-ear-export-worker.js is missing or blocked)':
+    'ファイルを書き出すワーカーを起動できませんでした（wood-ear-export-worker.js がないか、遮断されています）',
   'the worker that writes files could not be started (export-worker.js is missing or blocked)':
     'ファイルを書き出すワーカーを起動できませんでした（export-worker.js がないか、遮断されています）',
   'its script does not arrive; check the connection': 'スクリプトが届きません。接続を確認してください',

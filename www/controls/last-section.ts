@@ -20,8 +20,8 @@ export interface LastSection<K extends Kind> {
   actions: Actions<K>;
   isEmbedded: boolean;
   embedHelp: string;
-  /** Opens what saves files; absent of generators that have none. */
-  exportFiles?: (() => void) | undefined;
+  /** Opens what saves files. */
+  exportFiles: () => void;
 }
 
 export function lastSection<K extends Kind>({
@@ -37,13 +37,11 @@ export function lastSection<K extends Kind>({
     </button>
   `;
   const exportHelp = later(store.language, 'exportHelp');
-  const exportButton = exportFiles
-    ? html`
-        <button class="button" type="button" title=${exportHelp} data-help=${exportHelp} ?disabled=${!(store.result && store.isSettled)} @click=${exportFiles}>
-          ${icon('save')}${later(store.language, 'export')}
-        </button>
-      `
-    : nothing;
+  const exportButton = html`
+    <button class="button" type="button" title=${exportHelp} data-help=${exportHelp} ?disabled=${!(store.result && store.isSettled)} @click=${exportFiles}>
+      ${icon('save')}${later(store.language, 'export')}
+    </button>
+  `;
   const open = ({ currentTarget }: Event): void => {
     const input = currentTarget as HTMLInputElement;
     const files = [...(input.files ?? [])];

@@ -18,8 +18,8 @@ import type * as module from './later.ts';
 import type { Place } from './parts.ts';
 import type { Problem, Store } from './store.ts';
 
-/** What of a panel comes later. */
-export type Later = typeof module;
+/** What of a panel comes later, with the dialog that saves files, which each generator has of its own. */
+export type Later = typeof module & { showExport(store: Store<Kind>, place: Place): void };
 
 export abstract class Panel<K extends Kind> extends LitElement {
   static override properties = {
@@ -86,6 +86,8 @@ export abstract class Panel<K extends Kind> extends LitElement {
     return later;
   }
 
+  #export = (): void => this.later?.showExport(this.store as unknown as Store<Kind>, this.place());
+
   /** A message under a control that nobody sees is no message. */
   #reveal(): void {
     const line = this.querySelector('.control-problem');
@@ -100,8 +102,6 @@ export abstract class Panel<K extends Kind> extends LitElement {
   protected abstract presetName(): string;
   /** Opens the list of presets. `place`: where dialogs appear. */
   protected abstract choosePreset(later: Later, place: Place): void;
-  /** Opens what saves files, where the generator has that. */
-  protected exportFiles?: (() => void) | undefined;
   /** Between the preset and the statistics. */
   protected abstract sections(): TemplateResult;
   /** The figures of the result. */
@@ -113,7 +113,7 @@ export abstract class Panel<K extends Kind> extends LitElement {
       ${this.#toolbar()} ${isEmbedded ? messageLine(store) : nothing}
       <div class="panel-body">
         ${this.#start()} ${isEmbedded ? this.#view() : nothing} ${this.sections()} ${this.#statistics()}
-        ${this.later?.lastSection({ store, actions, isEmbedded, embedHelp: this.words('embedHelp'), exportFiles: this.exportFiles })}
+        ${this.later?.lastSection({ store, actions, isEmbedded, embedHelp: this.words('embedHelp'), exportFiles: this.#export })}
       </div>
       <p class="help-line is-idle" aria-hidden="true" .textContent=${this.#hint()}></p>
       ${actions.cancel ? progressLine(store, actions.cancel) : nothing}

@@ -7,6 +7,7 @@ import type { DecodedLink, Link } from '../table/link.ts';
 import type { Row } from '../table/row.ts';
 import type { Draw, Kind, Table } from '../table/table.ts';
 import type { ElementAttributes } from './attribute-reader.ts';
+import type { ExportInWorker } from './export-client.ts';
 import type { ControlledElement, PanelModule } from './panel-owner.ts';
 import type { RowProperties } from './parameter-properties.ts';
 
@@ -42,4 +43,6 @@ export interface Definition<K extends Kind, Owner extends ControlledElement> ext
   describe(result: K['result'], metresPerPixel: number, language: Language): Promise<string>;
   random(params: K['params'], draw: Draw): Promise<K['params']>;
   loadPanel(): Promise<PanelModule<K, Owner>>;
+  /** What writes files, fetched when somebody exports. */
+  loadExporter(): Promise<ExportInWorker<K>>;
 }

@@ -5,6 +5,8 @@ import { CAN_SHOW } from '../base/document-styles.ts';
 import { errorInfo, notConnected } from '../base/errors.ts';
 import type { ErrorDetail } from '../base/error-pace.ts';
 import { lazily } from '../base/lazy.ts';
+import type { ExportOptions } from '../export/options.ts';
+import type { TaskOptions } from '../generator/one-task.ts';
 import type { PictureSource } from '../scene/picture.ts';
 import { isMade } from '../table/row.ts';
 import { same } from '../table/table.ts';
@@ -98,6 +100,19 @@ export abstract class GeneratorElement<K extends Kind> extends AttributesElement
       metresPerPixel: this.metresPerPixel,
       hash: async () => (isWhole && result ? hash(result) : ''),
     };
+  }
+
+  /**
+   * What is shown as a file, as soon as it is finished; written in a worker. It needs no picture.
+   *
+   * @param options what to write; `metresPerPixel` and `color` are the element's, unless given.
+   */
+  async exportFile(options: ExportOptions = {}, run: TaskOptions = {}): Promise<File> {
+    const exportInWorker = await lazily(() => this.#definition.loadExporter());
+    const newest = async () => ({ result: await this.newest(), params: this.params, preset: this.presetInUse });
+    const shown = { color: this.color, backend: this.getAttribute('backend') };
+    const { file } = await exportInWorker(newest, { metresPerPixel: this.metresPerPixel, ...options }, run, shown);
+    return file;
   }
 
   /**

@@ -1,8 +1,6 @@
 /** `<rock-field>`: parameters in, a live field of rocks out. The class alone; `entries/rock-field.ts` registers it. */
 
 import { FIELD_ATTRIBUTES, LAYER_ATTRIBUTES, readAttributes } from './attributes.ts';
-import type { ExportOptions } from '../export/options.ts';
-import type { TaskOptions } from '../generator/one-task.ts';
 import type { Field, FieldStats } from '../data/field.ts';
 import { GeneratorClient } from './client.ts';
 import type { StageName } from '../generator/protocol.ts';
@@ -46,6 +44,7 @@ const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
     (await lazily(() => import('./description.ts'))).describeField(field, metresPerPixel, language),
   random: async (params, draw) => (await lazily(() => import('./controls/randomise.ts'))).randomParams(params, draw),
   loadPanel,
+  loadExporter: async () => (await import('./export-client.ts')).exportInWorker,
 };
 
 /** The accessors are made from lists: of the parameter table, and of attributes. */
@@ -93,19 +92,6 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
   /** The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */
   getField(): Promise<Field> {
     return this.newest();
-  }
-
-  /**
-   * The rocks as a file, as soon as they are finished; written in a worker. It needs no picture.
-   *
-   * @param options what to write; `metresPerPixel` and `color` are the element's, unless given.
-   */
-  async exportFile(options: ExportOptions = {}, run: TaskOptions = {}): Promise<File> {
-    const { exportInWorker } = await lazily(() => import('./export-client.ts'));
-    const newest = async () => ({ field: await this.getField(), source: { params: this.params, preset: this.preset || undefined } });
-    const shown = { color: this.color, backend: this.getAttribute('backend') };
-    const { file } = await exportInWorker(newest, { metresPerPixel: this.metresPerPixel, ...options }, run, shown);
-    return file;
   }
 
   protected override present(field: Field): boolean {

@@ -1,17 +1,19 @@
 /** The page's side of the export worker. */
 
 import { lazily } from '../base/lazy.ts';
-import type { ColorMode } from '../base/view.ts';
 import type { Field } from '../data/field.ts';
-import type { ExportedFile, ExportReport } from '../export/file.ts';
+import { asFile } from '../element/export-client.ts';
+import type { ExportInWorker } from '../element/export-client.ts';
+import type { ExportedFile } from '../export/file.ts';
 import { resolveOptions } from '../export/options.ts';
-import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
+import type { ResolvedOptions } from '../export/options.ts';
 import type { Laid } from '../export/textures/textured.ts';
 import { inWorker, taskWorker } from '../generator/one-task.ts';
 import type { TaskKind, TaskOptions } from '../generator/one-task.ts';
 import { backendsOf, wantedBackend } from '../renderer/load.ts';
 import type { Drawn } from './bake-textures.ts';
 import type { FieldSource } from './export.ts';
+import type { Rocks } from './table.ts';
 
 /** What the page asks for: a file, for which textures may have been drawn, or that the rocks are laid out for textures. */
 export interface ExportTask {
@@ -32,33 +34,14 @@ const EXPORTER: TaskKind<ExportTask, ExportAnswer> = {
   spawn: () => taskWorker(() => new Worker(new URL('./export-worker.js', import.meta.url), { type: 'module' })),
 };
 
-/** What is on the screen. */
-export interface Shown {
-  color: ColorMode;
-  /** Of the attribute: what is to draw textures. */
-  backend: string | null;
-}
-
 /** The share of the work that is done when textures are drawn. */
 const DRAWN = 0.6;
 
-/**
- * A field as a file, written in a worker of its own.
- *
- * @param newest resolves with the field, and where it comes from. It is called once the options are known to be good.
- * @param options has the colours that are shown, unless it says others or asks for textures, which are of natural stone.
- * @throws {RockFieldError} about an option; `ExportTooLarge`; `WorkerUnavailable`; what `newest` throws; `DeviceLost`.
- * @throws {DOMException} `AbortError` when `signal` says so.
- */
-export async function exportInWorker(
-  newest: () => Promise<{ field: Field; source: FieldSource }>,
-  options: ExportOptions,
-  { signal, onProgress }: TaskOptions,
-  { color, backend }: Shown,
-): Promise<{ file: File; report: ExportReport }> {
+/** Where textures are asked for they are of natural stone, and drawn first: that may end in `DeviceLost`. */
+export const exportInWorker: ExportInWorker<Rocks> = async (newest, options, { signal, onProgress }, { color, backend }) => {
   const isNatural = color === 'natural' || (options.textures ?? 'none') !== 'none';
   const resolved = resolveOptions({ color: isNatural ? 'natural' : 'layer', ...options });
-  const { field, source } = await newest();
+  const { result: field, ...source } = await newest();
   const task = { field, source, options: resolved };
   const from = (begin: number, end: number): TaskOptions => ({
     signal,
@@ -72,6 +55,5 @@ export async function exportInWorker(
   }
   const handedOver = drawn ? [drawn.atlas.vertices.buffer, ...drawn.tiles.map(({ buffer }) => buffer)] : [];
   const answer = await inWorker(EXPORTER, { ...task, step: drawn }, from(drawn ? DRAWN : 0, 1), handedOver);
-  const { bytes, name, type, report } = answer as ExportedFile;
-  return { file: new File([bytes], name, { type }), report };
-}
+  return asFile(answer as ExportedFile);
+};

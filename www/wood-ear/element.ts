@@ -58,6 +58,7 @@ const DEFINITION: Definition<WoodEars, GeneratorElement<WoodEars>> = {
   describe: async ({ colony }, metresPerPixel, language) => describeColony(colony, metresPerPixel, language),
   random: async (params, draw) => (await lazily(() => import('./controls/randomise.ts'))).randomWoodEars(params, draw),
   loadPanel: loadWoodEarPanel,
+  loadExporter: async () => (await import('./export-client.ts')).exportInWorker,
 };
 
 export interface LoadLogOptions {

@@ -3,8 +3,7 @@
 import { exportModel } from '../export/file.ts';
 import type { ExportedFile, Note } from '../export/file.ts';
 import { joined } from '../export/join.ts';
-import { impossible, resolveOptions } from '../export/options.ts';
-import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
+import type { ResolvedOptions } from '../export/options.ts';
 import { Pace } from '../export/pace.ts';
 import type { Waiting } from '../export/pace.ts';
 import { rockExtras, rocksModel } from '../rocks/export.ts';
@@ -26,17 +25,6 @@ export interface ColonySource {
 
 /** What there is to write: the colony, the rocks around it, and where the log's origin is on the ground. */
 export type ExportedScene = Pick<WoodEarScene, 'colony' | 'ground' | 'place'>;
-
-/**
- * All options, checked.
- *
- * @throws {RockFieldError} as `resolveOptions`; `ExportImpossible` for a kit.
- */
-export function colonyOptions(options?: ExportOptions): ResolvedOptions {
-  const resolved = resolveOptions(options);
-  if (resolved.mesh !== 'kit') return resolved;
-  throw impossible('mesh', 'kit', 'every wood ear has its own shape, pressed against its neighbours: use mesh "rocks" or "one"');
-}
 
 /**
  * A colony as a file. The same scene and options give the same bytes everywhere.

@@ -2,6 +2,7 @@
 
 import exportScript from 'inlined:export-worker';
 import fileScript from 'inlined:wood-ear-file-worker';
+import woodEarExportScript from 'inlined:wood-ear-export-worker';
 import woodEarScript from 'inlined:wood-ear-worker';
 import script from 'inlined:worker';
 
@@ -9,6 +10,7 @@ let address: string | undefined;
 let woodEarAddress: string | undefined;
 let fileAddress: string | undefined;
 let exportAddress: string | undefined;
+let woodEarExportAddress: string | undefined;
 
 /** One for all workers of the page. Needs `worker-src blob:`, where the page has a Content-Security-Policy. */
 export function workerAddress(): string {
@@ -32,6 +34,12 @@ export function woodEarFileWorkerAddress(): string {
 export function exportWorkerAddress(): string {
   exportAddress ??= addressOf(exportScript);
   return exportAddress;
+}
+
+/** As `workerAddress`. */
+export function woodEarExportWorkerAddress(): string {
+  woodEarExportAddress ??= addressOf(woodEarExportScript);
+  return woodEarExportAddress;
 }
 
 function addressOf(text: string): string {

@@ -14,6 +14,11 @@ declare module 'inlined:wood-ear-file-worker' {
   export default script;
 }
 
+declare module 'inlined:wood-ear-export-worker' {
+  const script: string;
+  export default script;
+}
+
 declare module 'inlined:wood-ear-worker' {
   const script: string;
   export default script;

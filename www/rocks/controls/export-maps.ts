@@ -3,8 +3,8 @@
 import { html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { dropDown } from '../../controls/drop-down.ts';
+import type { Choosing } from '../../controls/export-dialog.ts';
 import { segments } from '../../controls/parts.ts';
-import type { LaterKey } from '../../controls/strings-later.ts';
 import { isMap, MAPS, OPTIONS, resolveOptions } from '../../export/options.ts';
 import type { ExportTarget, ResolvedOptions } from '../../export/options.ts';
 
@@ -55,13 +55,6 @@ function landscapesFor(target: ExportTarget): readonly number[] {
 
 function nearest(sides: readonly number[], side: number): number {
   return sides.reduce((best, one) => (Math.abs(one - side) < Math.abs(best - side) ? one : best));
-}
-
-export interface Choosing {
-  words: (key: LaterKey) => string;
-  options: ResolvedOptions;
-  target: ExportTarget;
-  choose: (change: Partial<ResolvedOptions>) => void;
 }
 
 export function pointControls({ words, options, choose }: Choosing): TemplateResult {

@@ -48,8 +48,6 @@ export class RockPanel extends Panel<Rocks> {
     choosePreset(store, place, presetGroups(store.language), canDraw ? actions.newElement : null);
   }
 
-  protected override exportFiles = (): void => this.later?.showExport(this.store, this.place());
-
   protected override sections(): TemplateResult {
     const ground = this.store.table.rows.filter(({ stage, key }) => stage !== 'look' && key !== 'seed');
     return html`${this.look()} ${this.#layers()} ${this.section(this.store.text('ground'), ground)}`;

@@ -2,4 +2,4 @@
 
 import { deferred } from '../../base/deferred.ts';
 
-export const WOOD_EAR_LATER = deferred(() => import('../../controls/later.ts'));
+export const WOOD_EAR_LATER = deferred(() => import('./later.ts'));

@@ -1,0 +1,73 @@
+/** What the export dialog offers for meshes. */
+
+import { html, nothing } from 'lit';
+import type { TemplateResult } from 'lit';
+import { FORMS, OPTIONS } from '../export/options.ts';
+import type { ResolvedOptions } from '../export/options.ts';
+import type { Choosing } from './export-dialog.ts';
+import { segments } from './parts.ts';
+import type { LaterKey } from './strings-later.ts';
+
+type Form = ResolvedOptions['mesh'];
+
+/** The forms that a generator's meshes have, and what they are called. */
+export interface MeshWords {
+  label: LaterKey;
+  /** In the order in which they are shown. */
+  forms: { [F in Form]?: LaterKey };
+  solid: LaterKey;
+  open: LaterKey;
+  closed: LaterKey;
+  hasTextures: boolean;
+}
+
+export function meshControls(
+  { words, options, choose }: Choosing,
+  { label, forms, solid, open, closed, hasTextures }: MeshWords,
+): TemplateResult {
+  return html`
+    ${segments({
+      name: 'export-mesh',
+      label: words(label),
+      options: (Object.entries(forms) as [Form, LaterKey][]).map(([value, form]) => ({ value, label: words(form) })),
+      value: options.mesh,
+      action: (mesh) => choose({ mesh }),
+    })}
+    ${segments({
+      name: 'export-format',
+      label: words('exportFormat'),
+      options: (['glb', 'obj', 'stl', 'ply'] as const).map((value) => ({ value, label: value.toUpperCase() })),
+      value: options.format,
+      action: (format) => choose({ format }),
+    })}
+    ${
+      hasTextures
+        ? segments({
+            name: 'export-textures',
+            label: words('exportTextures'),
+            options: OPTIONS.textures.choices.map((value) => ({ value, label: value === 'none' ? words('textures-none') : value })),
+            value: options.textures,
+            action: (textures) => choose({ textures }),
+          })
+        : nothing
+    }
+    ${segments({
+      name: 'export-bottom',
+      label: words(solid),
+      options: [
+        { value: 'open', label: words(open) },
+        { value: 'closed', label: words(closed) },
+      ],
+      value: options.solid ? 'closed' : 'open',
+      action: (bottom) => choose({ solid: bottom === 'closed' }),
+    })}
+  `;
+}
+
+/** What has just been chosen counts; what it cannot go with gives way. */
+export function fittingMesh(options: ResolvedOptions, change: Partial<ResolvedOptions>, { forms }: MeshWords): ResolvedOptions {
+  const { format, mesh, textures } = options;
+  const isHeld = mesh in forms && FORMS[format]?.includes(mesh);
+  if (isHeld && (textures === 'none' || format === 'glb')) return options;
+  return change.format ? { ...options, mesh: isHeld ? mesh : 'one', textures: 'none' } : { ...options, format: 'glb' };
+}
