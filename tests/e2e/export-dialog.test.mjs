@@ -3,11 +3,12 @@ import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { readFile } from 'node:fs/promises';
 import { after, before, test } from 'node:test';
-import { exportScene } from 'rock-field/export';
+import { exportScene, exportWoodEar } from 'rock-field/export';
 import { violations } from './axe.mjs';
 import { launch, pageOf } from './browser.mjs';
 import { pageWith, SMALL } from './element-page.mjs';
 import { openRocks } from './rock-page.mjs';
+import { openWoodEars } from './wood-ear-page.mjs';
 
 const LINK = '#preset=journal-fig1&seed=4&w=200&h=150';
 /** @type {import('rock-field/export').FieldRequest} */
@@ -108,6 +109,26 @@ test('a map is shown as it is saved, and points take the axes of the program: th
   // Printing has meshes alone.
   await dialog.locator('#export-target').selectOption('print');
   await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.stl:'));
+test('the page of wood ears saves its colony, of which there are no copies to choose', async () => {
+  const { page, errors, close } = await openWoodEars(session, '#preset=thesis-default&d=10&r=20&e=4&ls=6', {
+    viewport: { width: 960, height: 640 },
+  });
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const dialog = await written(page);
+  assert.deepEqual(await dialog.locator('input[name="export-mesh"]').evaluateAll((inputs) => inputs.map((input) => input.value)), [
+    'rocks',
+    'one',
+  ]);
+  await dialog.locator('input[value="closed"]').check();
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('1.5 mm'));
+  const { name, bytes } = await saved(page);
+  /** @type {import('rock-field/export').WoodEarExportRequest} */
+  const request = { preset: 'thesis-default', density: 10, range: 20, rings: 4, log: { spacing: 6 } };
+  assert.deepEqual(
+    [name, sha256(bytes)],
+    ['thesis-default-0.glb', sha256((await exportWoodEar(request, { target: 'blender', solid: true })).bytes)],
+  );
+  assert.deepEqual(await violations(page), []);
   assert.deepEqual(errors, []);
   await close();
 });

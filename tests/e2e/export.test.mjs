@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { after, before, test } from 'node:test';
-import { exportScene } from 'rock-field/export';
+import { exportScene, exportWoodEar } from 'rock-field/export';
 import { SMALL, pageWith } from './element-page.mjs';
 import { launch, pageOf } from './browser.mjs';
 
@@ -61,6 +61,59 @@ test('a link gives the same file in Node, in a page and from an element that is 
   assert.deepEqual(
     found,
     expected.map((hash) => [hash, hash, 'riverbed-5']),
+  );
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+/** @type {import('rock-field/export').WoodEarExportRequest} */
+const COLONY = {
+  preset: 'wet-colony',
+  seed: 2,
+  density: 10,
+  range: 20,
+  rings: 4,
+  meridians: 10,
+  log: { length: 40, radius: 6, spacing: 3 },
+};
+const COLONY_ATTRIBUTES =
+  'preset="wet-colony" seed="2" density="10" range="20" rings="4" meridians="10" log-length="40" log-radius="6" log-spacing="3"';
+
+test('a colony gives the same file in Node, in a page and from its element, with the rocks around its log', async () => {
+  /** @type {import('rock-field/export').ExportOptions[]} */
+  const options = [{}, { mesh: 'one', solid: true }, { target: 'print' }];
+  const expected = [];
+  for (const one of options) expected.push(sha256((await exportWoodEar(COLONY, one)).bytes));
+  html = pageWith(`<wood-ear-log id="a" ${COLONY_ATTRIBUTES} style="display: none"></wood-ear-log><script>listenTo(a)</script>
+<script type="module" src="/wood-ear-log.js"></script>`);
+  const { page, errors, close } = await session.open('element.html');
+  const found = await page.evaluate(
+    async ([request, list]) => {
+      const hex = async (bytes) =>
+        [...new Uint8Array(await crypto.subtle.digest('SHA-256', bytes))].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+      const { exportWoodEar: here } = await import('/export.js');
+      await customElements.whenDefined('wood-ear-log');
+      const both = [];
+      for (const one of list) {
+        const file = await a.exportFile(one);
+        both.push([await hex((await here(request, one)).bytes), await hex(await file.arrayBuffer()), file.name.split('.')[0]]);
+      }
+      return both;
+    },
+    [COLONY, options],
+  );
+  assert.deepEqual(
+    found,
+    expected.map((hash) => [hash, hash, 'wet-colony-2']),
+  );
+  assert.equal(
+    await page.evaluate(() =>
+      a.exportFile({ mesh: 'kit' }).then(
+        () => 'done',
+        (error) => error.name,
+      ),
+    ),
+    'ExportImpossible',
   );
   assert.deepEqual(errors, []);
   await close();
