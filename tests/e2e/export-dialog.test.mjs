@@ -109,6 +109,10 @@ test('a map is shown as it is saved, and points take the axes of the program: th
   // Printing has meshes alone.
   await dialog.locator('#export-target').selectOption('print');
   await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.stl:'));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test('the page of wood ears saves its colony, of which there are no copies to choose', async () => {
   const { page, errors, close } = await openWoodEars(session, '#preset=thesis-default&d=10&r=20&e=4&ls=6', {
     viewport: { width: 960, height: 640 },
