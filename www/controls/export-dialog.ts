@@ -138,7 +138,8 @@ function isFile(written: Written): written is { file: File; report: ExportReport
 
 function report(language: Language, written: Written, { scale, mesh }: ResolvedOptions): TemplateResult {
   if (typeof written === 'number') {
-    return html`<p class="quiet">${later(language, 'exportWriting')}</p>${written > 0 ? html`<progress class="export-progress" .value=${written}></progress>` : nothing}`;
+    const writing = later(language, 'exportWriting');
+    return html`<p class="quiet">${writing}</p>${written > 0 ? html`<progress aria-label=${writing} .value=${written}></progress>` : nothing}`;
   }
   if (!isFile(written)) return html`<p class="control-problem">${errorText(language, written.error)}</p>`;
   const { file, report: found, picture } = written;

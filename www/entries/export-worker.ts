@@ -11,11 +11,8 @@ const IMAGES_SHARE = 0.9;
 onTask<ExportTask, ExportAnswer>(async ({ field, source, options, step }, onProgress) => {
   if (step === 'lay-out') {
     const result = layOutField(field, source.params, options, onProgress);
-    const { mesh, atlas } = result;
-    return {
-      result,
-      transfer: [...Object.values(mesh), ...Object.values(atlas)].flatMap((part) => (ArrayBuffer.isView(part) ? [part.buffer] : [])),
-    };
+    const arrays = [...Object.values(result.mesh), result.atlas.vertices, result.atlas.holds];
+    return { result, transfer: [...new Set(arrays.map(({ buffer }) => buffer))] };
   }
   const { atlas, tiles } = step ?? {};
   const baked = atlas && tiles && { atlas, images: await imagesOf(tiles, atlas.side, (fraction) => onProgress(IMAGES_SHARE * fraction)) };

@@ -1,6 +1,7 @@
 /** Draws the surface of rocks as textures, with a renderer of its own that has no canvas: whatever the page shows, and whether it shows anything. */
 
 import { RockFieldError } from '../base/errors.ts';
+import { nextTask } from '../base/next-task.ts';
 import type { GpuBackend } from '../base/view.ts';
 import type { Field } from '../data/field.ts';
 import type { Look } from '../data/look.ts';
@@ -51,8 +52,12 @@ export async function bakeTiles(backend: GpuBackend, scene: BakedScene, run: Bak
   };
   let raw: RawRenderer | undefined;
   try {
-    run.signal?.throwIfAborted();
-    calls(() => (raw = open(device, scene)));
+    for (const step of steps(device, scene)) {
+      run.signal?.throwIfAborted();
+      calls(() => (raw = step(raw)));
+      // The page has its turn after each upload.
+      await nextTask();
+    }
     return await draw(raw!, scene.side, calls, run);
   } finally {
     if (!device.dead) {
@@ -65,15 +70,23 @@ export async function bakeTiles(backend: GpuBackend, scene: BakedScene, run: Bak
   }
 }
 
-function open({ module, raw: device }: SharedDevice, { field, mesh, look, atlas }: BakedScene): RawRenderer {
-  const raw = new module.Renderer(device);
+/** What is done before the first tile, one after the other: each takes the renderer, which the first one makes. */
+function steps({ module, raw: device }: SharedDevice, { field, mesh, look, atlas }: BakedScene): ((raw?: RawRenderer) => RawRenderer)[] {
   const { layers, sites } = rockKeys(field);
   const { positions, normals, indices, vertexStarts } = mesh;
-  raw.setStyle(VIEWS.indexOf('3d'), COLORS.indexOf('natural'), false);
-  giveLook(raw, look);
-  raw.setField(field.imageWidth, field.imageHeight, positions, normals, indices, vertexStarts, layers, sites);
-  raw.setAtlas(atlas);
-  return raw;
+  return [
+    () => new module.Renderer(device),
+    (raw) => {
+      raw!.setStyle(VIEWS.indexOf('3d'), COLORS.indexOf('natural'), false);
+      giveLook(raw!, look);
+      raw!.setField(field.imageWidth, field.imageHeight, positions, normals, indices, vertexStarts, layers, sites);
+      return raw!;
+    },
+    (raw) => {
+      raw!.setAtlas(atlas);
+      return raw!;
+    },
+  ];
 }
 
 async function draw(
