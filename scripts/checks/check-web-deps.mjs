@@ -38,7 +38,7 @@ const PACKAGES = {
   '@noble/hashes': /^export\/hash\.ts$/,
   fflate: /^export\/maps\//,
   earcut: /^wood-ear\/log-file\//,
-  meshoptimizer: /^wood-ear\/log-file\//,
+  meshoptimizer: /^(wood-ear\/log-file|export)\//,
   react: /^typings\//,
   svelte: /^typings\//,
   vue: /^typings\//,

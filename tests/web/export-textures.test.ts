@@ -68,6 +68,7 @@ test('files with textures are valid, whatever their mesh form, closed or open', 
     { mesh: 'rocks', solid: true },
     { mesh: 'kit', kinds: 3 },
     { mesh: 'kit', instancing: true, solid: true },
+    { mesh: 'rocks', solid: true, lods: 3, hulls: 'unreal' },
   ] as const) {
     const { file } = await exported(options);
     const { issues } = await validator.validateBytes(file.bytes);
@@ -101,6 +102,25 @@ test('every rock is of one material with the images, and its vertices are in the
     Array.from({ length: places.length / 2 }, (_, v) => laid.atlas.vertices[ATLAS_STRIDE * v + axis]! / 1024),
   );
   assert.deepEqual([places.filter((_, n) => n % 2 === 0), places.filter((_, n) => n % 2 === 1)], expected);
+});
+
+test('a vertex of a coarser level is in the texture where it is at the finest', async () => {
+  const root = (await read((await exported({ lods: 3, hulls: 'godot' })).file)).getRoot();
+  const places = new Map<string, string>();
+  const nodes = root.listNodes().filter((node) => /_LOD\d$/.test(node.getName()));
+  for (const node of nodes.sort((a, b) => a.getName().localeCompare(b.getName()))) {
+    const [primitive] = node.getMesh()!.listPrimitives();
+    const [positions, coordinates] = ['POSITION', 'TEXCOORD_0'].map((name) => primitive!.getAttribute(name)!);
+    for (let v = 0; v < positions!.getCount(); v++) {
+      const [place, found] = [
+        `${node.getName().split('_')[0]} ${positions!.getElement(v, []).join()}`,
+        coordinates!.getElement(v, []).join(),
+      ];
+      if (node.getName().endsWith('_LOD0')) places.set(place, found);
+      else assert.equal(places.get(place), found, place);
+    }
+  }
+  assert.ok(places.size > 0);
 });
 
 test('tangents are turned like the normals: at right angles to them, also of the kinds of a kit', async () => {

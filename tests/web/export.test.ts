@@ -77,7 +77,8 @@ test('every preset is valid glTF for every target, whatever its mesh form', asyn
   for (const [p, preset] of PRESETS.entries()) {
     for (const [t, target] of targets.entries()) {
       const mesh = forms[(p + t) % forms.length]!;
-      const options: ExportOptions = { target, format: 'glb', mesh, solid: (p + t) % 2 === 0, instancing: (p + t) % 4 < 2 };
+      const lods = 1 + ((p + 2 * t) % 3);
+      const options: ExportOptions = { target, format: 'glb', mesh, lods, solid: (p + t) % 2 === 0, instancing: (p + t) % 4 < 2 };
       const { bytes } = await exportScene({ preset, seed: t, ...SMALL }, options);
       const { issues } = await validator.validateBytes(bytes);
       const found = issues.messages.filter(({ severity }) => severity < 2).map(({ message }) => message);

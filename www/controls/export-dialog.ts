@@ -8,7 +8,7 @@ import type { Language } from '../base/language.ts';
 import { lazily } from '../base/lazy.ts';
 import type { ExportInWorker } from '../element/export-client.ts';
 import type { ExportReport } from '../export/file.ts';
-import { resolveOptions, TARGETS } from '../export/options.ts';
+import { agreeing, resolveOptions, TARGETS } from '../export/options.ts';
 import type { ExportTarget, ResolvedOptions } from '../export/options.ts';
 import type { Kind } from '../table/table.ts';
 import { showDialog } from './dialogs.ts';
@@ -84,7 +84,9 @@ export function exportDialog<K extends Kind>(kind: ExportKind<K>): (store: Store
     };
 
     const choose = (change: Partial<ResolvedOptions>): void => {
-      chosen.options = kind.fitting({ ...chosen.options, ...change }, change);
+      // Hulls are the program's matter, wherever the file can have them.
+      const { hulls } = resolveOptions({ target: chosen.target });
+      chosen.options = agreeing({ ...kind.fitting({ ...chosen.options, ...change }, change), hulls });
       void write();
     };
 
@@ -156,7 +158,11 @@ function report(language: Language, written: Written, { scale, mesh }: ResolvedO
     pixel: [...new Set(map?.metresPerPixel.map(short))].join(' × '),
   };
   const unit = scale === 1000 ? '1 mm' : '1 m';
+  const counted = (numbers: readonly number[]): string => numbers.map((number) => number.toLocaleString(language)).join(' → ');
+  const { levels, hulls } = found;
   const notes = [
+    ...(levels && levels.length > 1 ? [later(language, 'exportLevels', { triangles: counted(levels) })] : []),
+    ...(hulls ? [later(language, 'exportHulls', { n: counted([hulls.objects]), triangles: counted([hulls.triangles]) })] : []),
     ...(found.texelsPerMetre ? [later(language, 'exportTexels', { texels: found.texelsPerMetre.toLocaleString(language) })] : []),
     ...found.notes.map(({ code, count }) =>
       later(language, `note-${code}`, { unit, count: count?.toLocaleString(language), highest: map && short(map.highest) }),

@@ -52,6 +52,13 @@ export function meshControls(
         : nothing
     }
     ${segments({
+      name: 'export-lods',
+      label: words('exportLods'),
+      options: ['1', '2', '3', '4'].map((value) => ({ value, label: value })),
+      value: String(options.lods),
+      action: (lods) => choose({ lods: Number(lods) }),
+    })}
+    ${segments({
       name: 'export-bottom',
       label: words(solid),
       options: [
@@ -66,8 +73,9 @@ export function meshControls(
 
 /** What has just been chosen counts; what it cannot go with gives way. */
 export function fittingMesh(options: ResolvedOptions, change: Partial<ResolvedOptions>, { forms }: MeshWords): ResolvedOptions {
-  const { format, mesh, textures } = options;
+  const { format, mesh, textures, lods } = options;
   const isHeld = mesh in forms && FORMS[format]?.includes(mesh);
-  if (isHeld && (textures === 'none' || format === 'glb')) return options;
+  const hasLevels = lods === 1 || format === 'glb' || format === 'obj';
+  if (isHeld && hasLevels && (textures === 'none' || format === 'glb')) return options;
   return change.format ? { ...options, mesh: isHeld ? mesh : 'one', textures: 'none' } : { ...options, format: 'glb' };
 }

@@ -67,6 +67,9 @@ export const LATER = {
   'textures-none': { en: 'None', ja: 'なし' },
   exportTexels: { en: 'The textures have {texels} texels per metre.', ja: 'テクスチャの解像度は 1 m あたり {texels} テクセルです。' },
   exportWriting: { en: 'Writing the file …', ja: 'ファイルを作成しています…' },
+  exportLods: { en: 'Levels of detail', ja: '詳細度（LOD）の段数' },
+  exportLevels: { en: 'Triangles of the levels: {triangles}', ja: '各詳細度の三角形：{triangles} 枚' },
+  exportHulls: { en: '{n} convex hulls for physics, {triangles} triangles', ja: '物理演算用の凸包 {n} 個、三角形 {triangles} 枚' },
   exportFigures: {
     en: '{name}: {size}, {objects} objects, {triangles} triangles',
     ja: '{name}：{size}、オブジェクト {objects} 個、三角形 {triangles} 枚',

@@ -6,12 +6,16 @@ import type { ByteWriter } from './byte-writer.ts';
 import { writeGlb } from './glb.ts';
 import type { Written } from './glb.ts';
 import type { Counts, Told } from './gltf-json.ts';
+import type { Shapes } from './gltf-parts.ts';
+import { HULL_NAMES, hullsOf } from './hulls.ts';
 import { kitOf } from './kit.ts';
 import type { Kit } from './kit.ts';
+import { levelsOf } from './lods.ts';
 import { checkMaps, writeMaps } from './maps/maps.ts';
 import type { MapFacts, WrittenMaps } from './maps/maps.ts';
 import { measuresOf } from './measures.ts';
 import type { Measures } from './measures.ts';
+import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import { isMap, textureSide } from './options.ts';
 import type { ResolvedOptions } from './options.ts';
@@ -111,11 +115,14 @@ const FORMATS = {
 /** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
 export const MOST_BYTES = 2 ** 31 - 1;
 
-/** JSON of a rock's node, mesh and accessors; a line of OBJ; a line of CSV. As measured, rounded up. */
-const [BYTES_A_ROCK, BYTES_A_LINE, BYTES_A_POINT] = [900, 40, 200];
+/** JSON of a rock's node, mesh and accessors; a hull with its JSON; a line of OBJ; a line of CSV. As measured, rounded up. */
+const [BYTES_A_ROCK, BYTES_A_HULL, BYTES_A_LINE, BYTES_A_POINT] = [900, 1100, 40, 200];
 
 /** Digits of what is measured of a body: nobody measures a stone more closely. */
 const MEASURED = 4;
+
+/** The share of the work that is done when levels and hulls are there. */
+const SHAPES_SHARE = 0.4;
 
 /**
  * The file.
@@ -131,7 +138,7 @@ export async function exportModel(
   waiting?: Waiting,
   baked?: Baked,
 ): Promise<ExportedFile> {
-  const { format, mesh } = options;
+  const { format } = options;
   checkSize(model, options);
   const fineness = baked && { texelsPerMetre: Math.round(baked.atlas.density / model.unit) };
   const told: Told = {
@@ -143,9 +150,9 @@ export async function exportModel(
       else out.text(JSON.stringify({ ...(noun === undefined && extras), ...extrasOf(k) }));
     },
   };
-  // Closed or open, a kit has the same kinds.
-  const kit = mesh === 'kit' && !isMap(options) ? kitOf(model, options.kinds) : undefined;
-  const { bytes, counts, ending = `.${format}`, map } = await write(model, options, told, new Pace(waiting), { kit, baked });
+  const pace = new Pace(waiting);
+  const { shapes, kit } = await shapesOf(model, options, pace.within(0, SHAPES_SHARE), baked);
+  const { bytes, counts, ending = `.${format}`, map } = await write(shapes, options, told, pace.within(SHAPES_SHARE, 1), kit);
   const notes = [...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })), ...own];
   return {
     bytes,
@@ -203,20 +210,40 @@ function writeMeasured(out: ByteWriter, extras: Record<string, unknown>, { area,
   out.text(']}');
 }
 
+/** What is written of the model, and the kit that it is written as. */
+async function shapesOf(
+  open: Model,
+  options: ResolvedOptions,
+  pace: Pace,
+  baked: Baked | undefined,
+): Promise<{ shapes: Shapes; kit: Kit | undefined }> {
+  const { mesh, kinds, solid, lods, hulls } = options;
+  const whole = solid && !isMap(options) && mesh !== 'points' ? closed(open) : open;
+  // Closed or open, a kit has the same kinds.
+  const kit = mesh === 'kit' && !isMap(options) ? kitOf(open, kinds) : undefined;
+  const chosen = kit && new Set(kit.kinds);
+  const isOne = (k: number): boolean => isOneThing(open, open.groupOf[k]!);
+  const isWritten = (k: number): boolean => !chosen || chosen.has(k) || isOne(k);
+  const levels = await levelsOf(baked ? textured(whole, baked) : whole, open, lods, isWritten, pace.within(0, 0.7));
+  if (hulls === 'none') return { shapes: { levels, hullName: (object) => object }, kit };
+  const ofHulls = await hullsOf(open, (k) => isWritten(k) && !isOne(k), pace.within(0.7, 1));
+  return { shapes: { levels, hulls: ofHulls, hullName: HULL_NAMES[hulls] }, kit };
+}
+
 async function write(
-  model: Model,
+  shapes: Shapes,
   options: ResolvedOptions,
   told: Told,
   pace: Pace,
-  { kit, baked }: { kit: Kit | undefined; baked: Baked | undefined },
+  kit: Kit | undefined,
 ): Promise<Written & Partial<WrittenMaps>> {
+  const model = shapes.levels[0]!;
   if (isMap(options)) return writeMaps(model, options, told, pace);
   if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options) : writePlyPoints(model, options, told);
-  const whole = options.solid ? closed(model) : model;
-  if (options.format === 'obj') return writeObj(whole, options, told, pace);
-  if (options.format === 'stl') return writeStl(whole, options, told);
-  if (options.format === 'ply') return writePly(whole, options, told);
-  return writeGlb(baked ? textured(whole, baked) : whole, options, told, pace, kit);
+  if (options.format === 'obj') return writeObj(shapes.levels, options, told, pace);
+  if (options.format === 'stl') return writeStl(model, options, told);
+  if (options.format === 'ply') return writePly(model, options, told);
+  return writeGlb(shapes, options, told, pace, kit);
 }
 
 function checkSize(model: Model, options: ResolvedOptions): void {
@@ -224,7 +251,7 @@ function checkSize(model: Model, options: ResolvedOptions): void {
     checkMaps(model, options);
     return;
   }
-  const { format, mesh, solid } = options;
+  const { format, mesh, solid, lods, hulls } = options;
   const { positions, indices, groupOf } = model;
   const side = textureSide(options);
   const bodies = groupOf.length;
@@ -234,8 +261,15 @@ function checkSize(model: Model, options: ResolvedOptions): void {
     vertices += rims + bodies;
     triangles += rims;
   }
+  // Of closed bodies that are small, a level has half of the one before.
+  vertices *= (lods + 1) / 2;
+  triangles *= (lods + 1) / 2;
   const ofMeshes: Partial<Record<typeof format, number>> = {
-    glb: (24 + (side > 0 ? 24 : 0)) * vertices + 12 * triangles + 9 * side * side + (mesh === 'one' ? 4 * vertices : BYTES_A_ROCK * bodies),
+    glb:
+      (24 + (side > 0 ? 24 : 0)) * vertices +
+      12 * triangles +
+      9 * side * side +
+      (mesh === 'one' ? 4 * vertices : (lods * BYTES_A_ROCK + (hulls === 'none' ? 0 : BYTES_A_HULL)) * bodies),
     obj: BYTES_A_LINE * (2 * vertices + triangles),
     stl: 50 * triangles,
     ply: 27 * vertices + 13 * triangles,

@@ -9,8 +9,9 @@ import type { ByteWriter } from './byte-writer.ts';
 import { fillInstances, fillMeshes, layoutOf } from './gltf-buffers.ts';
 import { GltfJson } from './gltf-json.ts';
 import type { Counts, Told } from './gltf-json.ts';
+import { allMeshes } from './gltf-parts.ts';
+import type { Shapes } from './gltf-parts.ts';
 import { fillTextures } from './gltf-textures.ts';
-import { meshesOf } from './gltf-parts.ts';
 import type { Kit } from './kit.ts';
 import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
@@ -28,23 +29,31 @@ export interface Written {
 const JSON_SHARE = 0.7;
 
 /** The file. `kit` where `mesh` is so. */
-export async function writeGlb(model: Model, { mesh, instancing }: ResolvedOptions, told: Told, pace: Pace, kit?: Kit): Promise<Written> {
-  const meshes = meshesOf(model, mesh, kit);
-  const layout = layoutOf(model, meshes, mesh === 'one', kit && instancing ? instancesOf(model) : 0);
-  const json = new GltfJson(model, layout, told);
-  const objects = kit ? json.addKit(kit, meshes, instancing) : mesh === 'one' ? json.addWholes(meshes) : json.addSingles(meshes);
-  const expected = meshes.length + (kit ? model.groupOf.length : meshes.length);
+export async function writeGlb(
+  shapes: Shapes,
+  { mesh, instancing, vertexColors }: ResolvedOptions,
+  told: Told,
+  pace: Pace,
+  kit?: Kit,
+): Promise<Written> {
+  const model = shapes.levels[0]!;
+  const meshes = allMeshes(shapes, mesh, kit);
+  const instances = kit && instancing ? instancesOf(model) : 0;
+  const layout = layoutOf(meshes.all, { withIds: mesh === 'one', withColors: vertexColors, instances, images: model.textures?.images });
+  const json = new GltfJson(model, layout, meshes, shapes.hullName, told);
+  const objects = kit ? json.addKit(kit, instancing) : mesh === 'one' ? json.addWholes() : json.addSingles();
+  const expected = meshes.all.length + (kit ? model.groupOf.length : meshes.own.length);
   let done = 0;
-  for (const steps of [json.addMeshes(meshes), objects]) {
+  for (const steps of [json.addMeshes(), objects]) {
     for (const _ of steps) {
       done += 1;
       if (pace.isDue()) await pace.rest((JSON_SHARE * done) / expected);
     }
   }
   const { bytes, bin } = container(json.pieces(), layout.length);
-  await fillMeshes(model, meshes, layout, bin, pace, [JSON_SHARE, 1]);
+  await fillMeshes(model, meshes.all, layout, bin, pace.within(JSON_SHARE, 1));
   if (kit && instancing) fillInstances(model, kit, layout, bin);
-  if (model.textures) fillTextures(model, model.textures, meshes, layout, bin);
+  if (model.textures) fillTextures(model.textures.images, meshes.all, layout, bin);
   return { bytes, counts: json.counts };
 }
 

@@ -3,7 +3,7 @@
 import type { Mesh, Part } from './gltf-parts.ts';
 import type { Kit } from './kit.ts';
 import { thingsOf } from './model.ts';
-import type { Model } from './model.ts';
+import type { Images, Model } from './model.ts';
 import type { Pace } from './pace.ts';
 import { instancesByKind, placementOf } from './placement.ts';
 
@@ -11,6 +11,9 @@ const [ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER] = [34962, 34963];
 const [UNSIGNED_SHORT, UNSIGNED_INT] = [5123, 5125];
 /** Vertices that a mesh may have whose indices take two bytes: 65535 would restart a strip. */
 const SHORT = 65_535;
+/** Four parts of 16 bits: in eight, dark linear colours would be steps apart. */
+export const COLOR_BYTES = 8;
+const WHITE = 65_535;
 
 /** Where the arrays of a part lie: its first vertex and index among all, and how many it has. */
 export interface Place {
@@ -46,6 +49,7 @@ export const IMAGES = ['color', 'normal', 'surface'] as const;
 const VIEWS = [
   'positions',
   'normals',
+  'colors',
   'tangents',
   'coordinates',
   'ids',
@@ -57,22 +61,27 @@ const VIEWS = [
 ] as const;
 export type ViewName = (typeof VIEWS)[number];
 
+/** What is wanted beside positions, normals and indices. */
+export interface Wanted {
+  /** Whether vertices tell which thing they are of. */
+  withIds: boolean;
+  /** Whether vertices have the colours of their materials. */
+  withColors: boolean;
+  /** How many bodies are placed by attributes. */
+  instances: number;
+  /** Where a material is textured. */
+  images: Images | undefined;
+}
+
 /**
- * Where everything is going to lie.
- *
- * @param withIds whether vertices tell which thing they are of.
- * @param instances how many bodies are placed by attributes.
+ * Where everything is going to lie. Hulls, which have positions alone, come last.
  */
-export function layoutOf(
-  { indexStarts, vertexStarts, textures }: Model,
-  meshes: readonly Mesh[],
-  withIds: boolean,
-  instances: number,
-): Layout {
+export function layoutOf(meshes: readonly Mesh[], { withIds, withColors, instances, images }: Wanted): Layout {
   const places: Place[] = [];
-  let [vertex, index, most] = [0, 0, 0];
+  let [vertex, index, most, dressed] = [0, 0, 0, 0];
   for (const { parts } of meshes) {
-    for (const { bodies } of parts) {
+    for (const { model, material, bodies } of parts) {
+      const { indexStarts, vertexStarts } = model;
       let [vertices, indices] = [0, 0];
       for (const k of bodies) {
         vertices += vertexStarts[k + 1]! - vertexStarts[k]!;
@@ -80,6 +89,7 @@ export function layoutOf(
       }
       places.push({ vertex, vertices, index, indices });
       vertex += vertices;
+      if (material !== undefined) dressed = vertex;
       index += indices;
       most = Math.max(most, vertices);
     }
@@ -87,17 +97,18 @@ export function layoutOf(
   const indexBytes = most < SHORT ? 2 : 4;
   const { views, length } = laidOut({
     positions: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
-    normals: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
-    tangents: { length: textures ? 16 * vertex : 0, stride: 16, target: ARRAY_BUFFER },
-    coordinates: { length: textures ? 8 * vertex : 0, stride: 8, target: ARRAY_BUFFER },
+    normals: { length: 12 * dressed, stride: 12, target: ARRAY_BUFFER },
+    colors: { length: withColors ? COLOR_BYTES * dressed : 0, stride: COLOR_BYTES, target: ARRAY_BUFFER },
+    tangents: { length: images ? 16 * dressed : 0, stride: 16, target: ARRAY_BUFFER },
+    coordinates: { length: images ? 8 * dressed : 0, stride: 8, target: ARRAY_BUFFER },
     ids: { length: withIds ? 4 * vertex : 0, stride: 4, target: ARRAY_BUFFER },
     indices: { length: indexBytes * index, target: ELEMENT_ARRAY_BUFFER },
     translations: { length: 12 * instances },
     rotations: { length: 16 * instances },
     scales: { length: 12 * instances },
-    color: { length: textures?.images.color.length ?? 0 },
-    normal: { length: textures?.images.normal.length ?? 0 },
-    surface: { length: textures?.images.surface.length ?? 0 },
+    color: { length: images?.color.length ?? 0 },
+    normal: { length: images?.normal.length ?? 0 },
+    surface: { length: images?.surface.length ?? 0 },
   });
   return { length, places, views, indexType: indexBytes === 2 ? UNSIGNED_SHORT : UNSIGNED_INT, indexBytes };
 }
@@ -119,7 +130,6 @@ function laidOut(wanted: Record<ViewName, Omit<View, 'index' | 'offset'>>): Pick
  * Writes all meshes to where they lie.
  *
  * @param bytes the binary part, as long as the layout says, at a multiple of four bytes.
- * @param share from which share of all work to which this takes.
  */
 export async function fillMeshes(
   model: Model,
@@ -127,21 +137,23 @@ export async function fillMeshes(
   { places, views, indexBytes }: Layout,
   bytes: Uint8Array<ArrayBuffer>,
   pace: Pace,
-  share: readonly [number, number],
 ): Promise<void> {
   const floats = (name: ViewName): Float32Array => floatsOf(bytes, views[name]);
   const [positions, normals, ids] = [floats('positions'), floats('normals'), floats('ids')];
   const { offset = 0, length = 0 } = views.indices ?? {};
   const indices = new (indexBytes === 2 ? Uint16Array : Uint32Array)(bytes.buffer, bytes.byteOffset + offset, length / indexBytes);
+  const colors = shortsOf(bytes, views.colors);
   const numbers = ids.length > 0 ? numbersOf(model) : undefined;
   let p = 0;
   for (const { parts } of meshes) {
     for (const part of parts) {
       const { vertex, index } = places[p++]!;
-      fillVertices(model, part, positions, normals, 3 * vertex);
-      fillIndices(model, part, indices, index);
-      if (numbers) fillIds(model, part, numbers, ids, vertex);
-      if (pace.isDue()) await pace.rest(share[0] + ((share[1] - share[0]) * p) / places.length);
+      fillPositions(part, positions, 3 * vertex);
+      if (part.material !== undefined) fillNormals(part, normals, 3 * vertex);
+      if (colors.length > 0 && part.material !== undefined) fillColors(part, part.material, colors, 4 * vertex);
+      fillIndices(part, indices, index);
+      if (numbers) fillIds(part, numbers, ids, vertex);
+      if (pace.isDue()) await pace.rest(p / places.length);
     }
   }
 }
@@ -164,14 +176,13 @@ export function floatsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined)
   return new Float32Array(bytes.buffer, bytes.byteOffset + (view?.offset ?? 0), (view?.length ?? 0) / 4);
 }
 
+function shortsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined): Uint16Array {
+  return new Uint16Array(bytes.buffer, bytes.byteOffset + (view?.offset ?? 0), (view?.length ?? 0) / 2);
+}
+
 /** Writes a part's vertices in metres, y up, about its origin. */
-function fillVertices(
-  { positions, normals, vertexStarts, unit }: Model,
-  part: Part,
-  toPositions: Float32Array,
-  toNormals: Float32Array,
-  begin: number,
-): void {
+function fillPositions(part: Part, to: Float32Array, begin: number): void {
+  const { positions, vertexStarts, unit } = part.model;
   const [x, y, z] = part.origin;
   const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
   let v = begin;
@@ -180,20 +191,45 @@ function fillVertices(
     for (let from = 3 * vertexStarts[k]!; from < end; from += 3, v += 3) {
       const px = positions[from]! - x;
       const py = positions[from + 1]! - y;
-      toPositions[v] = unit * (cos * px + sin * py);
-      toPositions[v + 1] = unit * (positions[from + 2]! - z);
-      toPositions[v + 2] = unit * (sin * px - cos * py);
+      to[v] = unit * (cos * px + sin * py);
+      to[v + 1] = unit * (positions[from + 2]! - z);
+      to[v + 2] = unit * (sin * px - cos * py);
+    }
+  }
+}
+
+function fillNormals(part: Part, to: Float32Array, begin: number): void {
+  const { normals, vertexStarts } = part.model;
+  const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
+  let v = begin;
+  for (const k of part.bodies) {
+    const end = 3 * vertexStarts[k + 1]!;
+    for (let from = 3 * vertexStarts[k]!; from < end; from += 3, v += 3) {
       const nx = normals[from]!;
       const ny = normals[from + 1]!;
-      toNormals[v] = cos * nx + sin * ny;
-      toNormals[v + 1] = normals[from + 2]!;
-      toNormals[v + 2] = sin * nx - cos * ny;
+      to[v] = cos * nx + sin * ny;
+      to[v + 1] = normals[from + 2]!;
+      to[v + 2] = sin * nx - cos * ny;
+    }
+  }
+}
+
+/** The linear colour of the material, for each vertex. */
+function fillColors({ model: { materials, vertexStarts }, bodies }: Part, material: number, to: Uint16Array, begin: number): void {
+  const [red, green, blue] = materials[material]!.color.map((part) => Math.round(WHITE * part));
+  let v = begin;
+  for (const k of bodies) {
+    for (let count = vertexStarts[k + 1]! - vertexStarts[k]!; count > 0; count--) {
+      to[v++] = red!;
+      to[v++] = green!;
+      to[v++] = blue!;
+      to[v++] = WHITE;
     }
   }
 }
 
 /** Writes a part's indices, which begin with 0. */
-function fillIndices({ indices, indexStarts, vertexStarts }: Model, { bodies }: Part, to: Uint16Array | Uint32Array, begin: number): void {
+function fillIndices({ model: { indices, indexStarts, vertexStarts }, bodies }: Part, to: Uint16Array | Uint32Array, begin: number): void {
   let [i, vertex] = [begin, 0];
   for (const k of bodies) {
     const base = vertex - vertexStarts[k]!;
@@ -211,7 +247,7 @@ function numbersOf(model: Model): Uint32Array {
 }
 
 /** Which thing each vertex is of. */
-function fillIds({ vertexStarts }: Model, { bodies }: Part, numbers: Uint32Array, ids: Float32Array, begin: number): void {
+function fillIds({ model: { vertexStarts }, bodies }: Part, numbers: Uint32Array, ids: Float32Array, begin: number): void {
   let v = begin;
   for (const k of bodies) {
     const end = v + vertexStarts[k + 1]! - vertexStarts[k]!;
@@ -230,7 +266,8 @@ export const BOUNDS = 6;
  *
  * @param to of `BOUNDS` numbers.
  */
-export function boundsOf({ positions, vertexStarts, unit }: Model, part: Part, to: Float32Array): Float32Array {
+export function boundsOf(part: Part, to: Float32Array): Float32Array {
+  const { positions, vertexStarts, unit } = part.model;
   const [x, y, z] = part.origin;
   const { cos, sin } = part.turn ?? { cos: 1, sin: 0 };
   to.fill(Infinity, 0, 3);

@@ -1,9 +1,10 @@
 /** The JSON part of a glTF file. */
 
 import { ByteWriter } from './byte-writer.ts';
-import { BOUNDS, boundsOf } from './gltf-buffers.ts';
+import { BOUNDS, boundsOf, COLOR_BYTES } from './gltf-buffers.ts';
 import type { Layout, View, ViewName } from './gltf-buffers.ts';
-import type { Mesh, Part } from './gltf-parts.ts';
+import { levelName } from './gltf-parts.ts';
+import type { Meshes, Part, Shapes } from './gltf-parts.ts';
 import { TEXTURED, texturesOf } from './gltf-textures.ts';
 import type { Kit } from './kit.ts';
 import { isOneThing, thingsOf } from './model.ts';
@@ -11,12 +12,16 @@ import type { Model } from './model.ts';
 import { instancesByKind, placementOf, translationOf } from './placement.ts';
 import type { Placement } from './placement.ts';
 
-/** What a file has in it, for its report. */
+/** What a file has in it, for its report. Vertices, triangles and objects are those of the finest level, without hulls. */
 export interface Counts {
   vertices: number;
   triangles: number;
   /** Placed meshes. */
   objects: number;
+  /** Triangles of each level of detail, the finest first, where a file may have them. */
+  levels?: number[];
+  /** Where there are any. */
+  hulls?: { objects: number; vertices: number; triangles: number };
   /** Of the scene graph: objects, and the groups that they are in. */
   nodes: number;
   meshes: number;
@@ -31,18 +36,19 @@ export interface Told {
   body: (out: ByteWriter, k: number) => void;
 }
 
-const FLOAT = 5126;
+const [FLOAT, UNSIGNED_SHORT] = [5126, 5123];
 /** Digits of numbers that people read, as many as a 32-bit float has; and of those that have to be a certain 32-bit float. */
 const [DIGITS, BOUND_DIGITS] = [7, 9];
 
 /** What is written of vertices, in the order in which it stands in a primitive. */
 const ATTRIBUTES = [
-  { view: 'positions', semantic: 'POSITION', bytes: 12, type: 'VEC3' },
-  { view: 'normals', semantic: 'NORMAL', bytes: 12, type: 'VEC3' },
-  { view: 'tangents', semantic: 'TANGENT', bytes: 16, type: 'VEC4' },
-  { view: 'coordinates', semantic: 'TEXCOORD_0', bytes: 8, type: 'VEC2' },
-  { view: 'ids', semantic: '_FEATURE_ID_0', bytes: 4, type: 'SCALAR' },
-] as const satisfies readonly { view: ViewName; semantic: string; bytes: number; type: string }[];
+  { view: 'positions', semantic: 'POSITION', bytes: 12, component: FLOAT, type: 'VEC3' },
+  { view: 'normals', semantic: 'NORMAL', bytes: 12, component: FLOAT, type: 'VEC3' },
+  { view: 'tangents', semantic: 'TANGENT', bytes: 16, component: FLOAT, type: 'VEC4' },
+  { view: 'coordinates', semantic: 'TEXCOORD_0', bytes: 8, component: FLOAT, type: 'VEC2' },
+  { view: 'colors', semantic: 'COLOR_0', bytes: COLOR_BYTES, component: UNSIGNED_SHORT, type: 'VEC4' },
+  { view: 'ids', semantic: '_FEATURE_ID_0', bytes: 4, component: FLOAT, type: 'SCALAR' },
+] as const satisfies readonly { view: ViewName; semantic: string; bytes: number; component: number; type: string }[];
 
 /**
  * The JSON part, whose lists are bytes from the start: as objects they would take ten times the time and the memory.
@@ -53,10 +59,14 @@ export class GltfJson {
   readonly counts: Counts = { vertices: 0, triangles: 0, objects: 0, nodes: 0, meshes: 0 };
   #model: Model;
   #layout: Layout;
+  #meshes: Meshes;
+  #hullName: Shapes['hullName'];
   #told: Told;
+  /** For each level. */
+  #levels: number[];
   #accessors = new ByteWriter();
   #accessorCount = 0;
-  #meshes = new ByteWriter();
+  #meshList = new ByteWriter();
   /** For each mesh. */
   #triangles: number[] = [];
   /** How many parts have been written. */
@@ -68,16 +78,19 @@ export class GltfJson {
   #extensions = new Set<string>();
   #bounds = new Float32Array(BOUNDS);
 
-  constructor(model: Model, layout: Layout, told: Told) {
+  constructor(model: Model, layout: Layout, meshes: Meshes, hullName: Shapes['hullName'], told: Told) {
     this.#model = model;
     this.#layout = layout;
+    this.#meshes = meshes;
+    this.#hullName = hullName;
+    this.#levels = Array.from({ length: meshes.levels }, () => 0);
     this.#told = told;
   }
 
   /** Meshes are added in the order of the layout. */
-  *addMeshes(meshes: readonly Mesh[]): Generator<void> {
-    const out = this.#meshes;
-    for (const { name, parts } of meshes) {
+  *addMeshes(): Generator<void> {
+    const out = this.#meshList;
+    for (const { name, parts } of this.#meshes.all) {
       out.text(this.counts.meshes > 0 ? ',{"name":' : '{"name":');
       out.quoted(name);
       out.text(',"primitives":[');
@@ -95,46 +108,50 @@ export class GltfJson {
 
   /** Returns how many triangles it has. */
   #addPart(part: Part): number {
-    const out = this.#meshes;
+    const out = this.#meshList;
     const { places, views, indexType, indexBytes } = this.#layout;
     const { vertex, vertices, index, indices } = places[this.#parts++]!;
     out.text('{"attributes":');
     let before = '{"';
-    for (const { view, semantic, bytes, type } of ATTRIBUTES) {
-      if (!views[view]) continue;
-      const bounds = view === 'positions' ? boundsOf(this.#model, part, this.#bounds) : undefined;
+    for (const { view, semantic, bytes, component, type } of ATTRIBUTES) {
+      if (!views[view] || (part.material === undefined && view !== 'positions')) continue;
+      const bounds = view === 'positions' ? boundsOf(part, this.#bounds) : undefined;
       out.text(before);
       out.text(semantic);
       out.text('":');
-      out.whole(this.#accessor(view, bytes * vertex, FLOAT, vertices, type, bounds));
+      out.whole(this.#accessor(view, bytes * vertex, component, vertices, type, bounds));
       before = ',"';
     }
     out.text('},"indices":');
     out.whole(this.#accessor('indices', indexBytes * index, indexType, indices, 'SCALAR'));
-    out.text(',"material":');
-    out.whole(this.#material(part.material));
+    if (part.material !== undefined) {
+      out.text(',"material":');
+      out.whole(this.#material(part.material));
+    }
     if (views.ids) {
       const features = { featureIds: [{ featureCount: part.bodies.length, attribute: 0 }] };
       out.text(`,"extensions":${JSON.stringify(this.#used('EXT_mesh_features', features))}`);
     }
     out.text('}');
-    this.counts.vertices += vertices;
+    if (this.counts.meshes < this.#meshes.own.length) this.counts.vertices += vertices;
     return indices / 3;
   }
 
-  *addWholes(meshes: readonly Mesh[]): Generator<void> {
-    for (const [mesh, { name, group }] of meshes.entries()) {
-      this.#roots.push(this.#beginNode(name));
-      this.#mesh(mesh);
-      this.#endNode(this.#model.groups[group]!.extras);
+  *addWholes(): Generator<void> {
+    for (const [mesh, { name, group }] of this.#meshes.own.entries()) {
+      for (let level = 0; level < this.#meshes.levels; level++) {
+        this.#roots.push(this.#beginNode(levelName(name, level, this.#meshes.levels)));
+        this.#mesh(mesh, level);
+        this.#endNode(this.#model.groups[group]!.extras);
+      }
       yield;
     }
   }
 
-  *addSingles(meshes: readonly Mesh[]): Generator<void> {
+  *addSingles(): Generator<void> {
     for (const group of this.#model.groups.keys()) {
       const first = this.counts.nodes;
-      for (const [mesh, { name, group: of, parts }] of meshes.entries()) {
+      for (const [mesh, { name, group: of, parts }] of this.#meshes.own.entries()) {
         if (of !== group) continue;
         const body = parts[0]!.bodies[0]!;
         this.#object(name, mesh, translationOf(this.#model, body), undefined, body);
@@ -144,9 +161,9 @@ export class GltfJson {
     }
   }
 
-  *addKit(kit: Kit, meshes: readonly Mesh[], instancing: boolean): Generator<void> {
+  *addKit(kit: Kit, instancing: boolean): Generator<void> {
     if (instancing) {
-      this.#addInstances(kit, meshes);
+      this.#addInstances(kit);
       return;
     }
     const things = thingsOf(this.#model);
@@ -163,12 +180,12 @@ export class GltfJson {
     }
   }
 
-  #addInstances(kit: Kit, meshes: readonly Mesh[]): void {
+  #addInstances(kit: Kit): void {
     const instances = instancesByKind(this.#model, kit);
     let at = 0;
     for (const group of this.#model.groups.keys()) {
       const first = this.counts.nodes;
-      for (const [mesh, { name, group: of, parts }] of meshes.entries()) {
+      for (const [mesh, { name, group: of, parts }] of this.#meshes.own.entries()) {
         if (of !== group) continue;
         if (isOneThing(this.#model, group)) {
           const body = parts[0]!.bodies[0]!;
@@ -183,9 +200,11 @@ export class GltfJson {
           SCALE: this.#accessor('scales', 12 * at, FLOAT, count, 'VEC3'),
         };
         at += count;
-        this.#beginNode(name);
-        this.#mesh(mesh, count);
-        this.#nodes.text(`,"extensions":${JSON.stringify(this.#used('EXT_mesh_gpu_instancing', { attributes }))}}`);
+        for (let level = 0; level < this.#meshes.levels; level++) {
+          this.#beginNode(levelName(name, level, this.#meshes.levels));
+          this.#mesh(mesh, level, count);
+          this.#nodes.text(`,"extensions":${JSON.stringify(this.#used('EXT_mesh_gpu_instancing', { attributes }))}}`);
+        }
       }
       this.#group(group, first);
     }
@@ -204,29 +223,60 @@ export class GltfJson {
     this.#nodes.text(`,"extras":${JSON.stringify(extras)}}`);
   }
 
-  #mesh(mesh: number, times = 1): void {
+  /** Tells that the node is a mesh of the finest level, at another one, so many times. */
+  #mesh(mesh: number, level: number, times = 1): void {
+    const number = mesh + level * this.#meshes.own.length;
     this.#nodes.text(',"mesh":');
-    this.#nodes.whole(mesh);
+    this.#nodes.whole(number);
+    this.#levels[level]! += times * this.#triangles[number]!;
+    if (level > 0) return;
     this.counts.objects += times;
-    this.counts.triangles += times * this.#triangles[mesh]!;
+    this.counts.triangles += times * this.#triangles[number]!;
   }
 
+  /** An object at all of its levels, and its hull. `mesh` is that of the finest. */
   #object(
     name: string,
     mesh: number,
     translation: Placement['translation'],
-    { rotation, scale }: Partial<Placement> = {},
+    placement: Partial<Placement> | undefined,
     body: number,
   ): void {
+    const { levels, hulls } = this.#meshes;
+    for (let level = 0; level < levels; level++) {
+      this.#beginNode(levelName(name, level, levels));
+      this.#mesh(mesh, level);
+      this.#place(translation, placement);
+      if (level === 0) {
+        this.#nodes.text(',"extras":');
+        this.#told.body(this.#nodes, body);
+      }
+      this.#nodes.text('}');
+    }
+    const hull = hulls[mesh];
+    if (hull !== undefined) {
+      this.#beginNode(this.#hullName(levelName(name, 0, levels)));
+      this.#nodes.text(',"mesh":');
+      this.#nodes.whole(hull);
+      this.#place(translation, placement);
+      this.#nodes.text('}');
+      this.#countHull(hull);
+    }
+  }
+
+  #countHull(hull: number): void {
+    this.counts.hulls ??= { objects: 0, vertices: 0, triangles: 0 };
+    const count = this.counts.hulls;
+    count.objects += 1;
+    count.vertices += this.#layout.places.at(hull - this.#meshes.all.length)!.vertices;
+    count.triangles += this.#triangles[hull]!;
+  }
+
+  #place(translation: Placement['translation'], { rotation, scale }: Partial<Placement> = {}): void {
     const out = this.#nodes;
-    this.#beginNode(name);
-    this.#mesh(mesh);
     this.#list(out, ',"translation":[', translation, 0, 3, DIGITS);
     if (rotation) this.#list(out, ',"rotation":[', rotation, 0, 4, DIGITS);
     if (scale) this.#list(out, ',"scale":[', scale, 0, 3, DIGITS);
-    out.text(',"extras":');
-    this.#told.body(out, body);
-    out.text('}');
   }
 
   /** The numbers from `begin` to `end`. */
@@ -267,6 +317,7 @@ export class GltfJson {
     out.whole(byteOffset);
     out.text(',"componentType":');
     out.whole(componentType);
+    if (view === 'colors') out.text(',"normalized":true');
     out.text(',"count":');
     out.whole(count);
     out.text(',"type":"');
@@ -292,6 +343,7 @@ export class GltfJson {
 
   /** All of it, in pieces that follow one another. */
   pieces(): ByteWriter[] {
+    this.counts.levels = this.#levels;
     const { title, scene } = this.#told;
     const { length, views } = this.#layout;
     const pieces: ByteWriter[] = [];
@@ -312,7 +364,7 @@ export class GltfJson {
     const roots = this.#roots.length > 0 && { nodes: this.#roots };
     text(`,"scene":0,"scenes":[${JSON.stringify({ name: title, ...roots, extras: scene })}]`);
     list('nodes', this.#nodes);
-    list('meshes', this.#meshes);
+    list('meshes', this.#meshList);
     if (this.counts.meshes > 0) text(`,"materials":${JSON.stringify(this.#usedMaterials())}`);
     if (this.#model.textures) {
       for (const [name, items] of Object.entries(texturesOf(this.#layout))) text(`,"${name}":${JSON.stringify(items)}`);
@@ -329,7 +381,11 @@ export class GltfJson {
       if (isTextured) return { name, ...TEXTURED };
       return {
         name,
-        pbrMetallicRoughness: { baseColorFactor: [...color, 1], metallicFactor: 0, roughnessFactor: roughness },
+        pbrMetallicRoughness: {
+          baseColorFactor: this.#layout.views.colors ? [1, 1, 1, 1] : [...color, 1],
+          metallicFactor: 0,
+          roughnessFactor: roughness,
+        },
         ...(isTwoSided && { doubleSided: true }),
       };
     });

@@ -7,7 +7,10 @@ import type { ResolvedOptions } from './options.ts';
 
 /** What one material covers of a mesh: a primitive of the file. */
 export interface Part {
-  material: number;
+  /** Which its vertices and triangles are of: a level of detail, or the hulls. */
+  model: Model;
+  /** None of a hull, which has no normals either. */
+  material: number | undefined;
   bodies: readonly number[];
   /** What becomes the origin of the mesh, in units of the model. */
   origin: readonly [number, number, number];
@@ -21,8 +24,53 @@ export interface Mesh {
   parts: readonly Part[];
 }
 
-/** The meshes of the file. `kit` where the form is so. */
-export function meshesOf(model: Model, form: ResolvedOptions['mesh'], kit?: Kit): Mesh[] {
+/** All meshes of the file: those of the finest level, those of the next in the same order …, and the hulls. */
+export interface Meshes {
+  all: readonly Mesh[];
+  /** Those of the finest level, whose names have no level. */
+  own: readonly Mesh[];
+  levels: number;
+  /** For each mesh of a level the number of its hull, if it has one. */
+  hulls: (number | undefined)[];
+}
+
+/** The levels, the hulls if there are any, and what hulls are called. */
+export interface Shapes {
+  levels: readonly Model[];
+  hulls?: Model | undefined;
+  hullName: (object: string) => string;
+}
+
+export function allMeshes({ levels, hulls, hullName }: Shapes, form: ResolvedOptions['mesh'], kit?: Kit): Meshes {
+  const own = meshesOf(levels[0]!, form, kit);
+  const all = levels.flatMap((model, level) =>
+    levels.length === 1
+      ? own
+      : own.map((mesh) => ({
+          ...mesh,
+          name: levelName(mesh.name, level, levels.length),
+          parts: mesh.parts.map((part) => ({ ...part, model })),
+        })),
+  );
+  const numbers = own.map(({ name, group, parts }) => {
+    const [part] = parts;
+    if (!hulls || !part || parts.length > 1 || part.bodies.length > 1) return undefined;
+    const body = part.bodies[0]!;
+    if (hulls.vertexStarts[body + 1] === hulls.vertexStarts[body]) return undefined;
+    return (
+      all.push({ name: hullName(levelName(name, 0, levels.length)), group, parts: [{ ...part, model: hulls, material: undefined }] }) - 1
+    );
+  });
+  return { all, own, levels: levels.length, hulls: numbers };
+}
+
+/** What an object is called of which there are so many levels. */
+export function levelName(name: string, level: number, levels: number): string {
+  return levels > 1 ? `${name}_LOD${level}` : name;
+}
+
+/** The meshes of a model. `kit` where the form is so. */
+function meshesOf(model: Model, form: ResolvedOptions['mesh'], kit?: Kit): Mesh[] {
   if (form === 'one') return wholes(model);
   return kit ? archetypes(model, kit) : singles(model);
 }
@@ -35,7 +83,7 @@ function wholes(model: Model): Mesh[] {
   return model.groups.flatMap(({ name }, group) => {
     const parts = model.materials.flatMap((_, material) => {
       const bodies = [...model.groupOf.keys()].filter((k) => model.groupOf[k] === group && model.materialOf[k] === material);
-      return bodies.length > 0 ? [{ material, bodies, origin: model.centre }] : [];
+      return bodies.length > 0 ? [{ model, material, bodies, origin: model.centre }] : [];
     });
     return parts.length > 0 ? [{ name, group, parts }] : [];
   });
@@ -58,7 +106,7 @@ function archetypes(model: Model, { kinds, frames }: Kit): Mesh[] {
 }
 
 function partsOf(model: Model, bodies: readonly number[], turn?: Part['turn']): Part[] {
-  return bodies.map((k) => ({ material: model.materialOf[k]!, bodies: [k], origin: originOf(model, k), ...(turn && { turn }) }));
+  return bodies.map((k) => ({ model, material: model.materialOf[k]!, bodies: [k], origin: originOf(model, k), ...(turn && { turn }) }));
 }
 
 function originOf({ origins }: Model, k: number): [number, number, number] {

@@ -3,33 +3,24 @@
 import { floatsOf, IMAGES } from './gltf-buffers.ts';
 import type { Layout } from './gltf-buffers.ts';
 import type { Mesh, Part } from './gltf-parts.ts';
-import type { Model, Textures } from './model.ts';
+import type { Images } from './model.ts';
 import { ATLAS_STRIDE } from './textures/atlas.ts';
 
-/** Writes the tangents of all vertices, their places in the textures, and the textures. Tangents are turned like normals. */
-export function fillTextures(
-  model: Model,
-  textures: Textures,
-  meshes: readonly Mesh[],
-  { places, views }: Layout,
-  bytes: Uint8Array<ArrayBuffer>,
-): void {
+/** Writes the tangents of all vertices but those of hulls, their places in the textures, and the textures. Tangents are turned like normals. */
+export function fillTextures(images: Images, meshes: readonly Mesh[], { places, views }: Layout, bytes: Uint8Array<ArrayBuffer>): void {
   const [tangents, coordinates] = [floatsOf(bytes, views.tangents), floatsOf(bytes, views.coordinates)];
   meshes
     .flatMap(({ parts }) => parts)
-    .forEach((part, p) =>
-      fillPart(model, textures, part, tangents.subarray(4 * places[p]!.vertex), coordinates.subarray(2 * places[p]!.vertex)),
-    );
-  for (const name of IMAGES) bytes.set(textures.images[name], views[name]!.offset);
+    .forEach((part, p) => {
+      if (part.material === undefined) return;
+      fillPart(part, tangents.subarray(4 * places[p]!.vertex), coordinates.subarray(2 * places[p]!.vertex));
+    });
+  for (const name of IMAGES) bytes.set(images[name], views[name]!.offset);
 }
 
-function fillPart(
-  { vertexStarts }: Model,
-  { side, vertices }: Textures,
-  { bodies, turn }: Part,
-  tangents: Float32Array,
-  coordinates: Float32Array,
-): void {
+function fillPart({ model, bodies, turn }: Part, tangents: Float32Array, coordinates: Float32Array): void {
+  const { vertexStarts } = model;
+  const { side, vertices } = model.textures!;
   const { cos, sin } = turn ?? { cos: 1, sin: 0 };
   let v = 0;
   for (const k of bodies) {

@@ -69,6 +69,24 @@ export const OPTIONS = /* @__PURE__ */ rows({
     default: 'none',
     doc: 'Side of the textures of a GLB: albedo, normals, and occlusion, roughness and metalness of the stone as it is drawn, with moss and dust. A graphics device draws them, so they need an element; where there is none the file has plain colours.',
   },
+  vertexColors: {
+    kind: 'switch',
+    default: false,
+    doc: 'The colours of materials as linear colours of vertices (`COLOR_0`), with materials that are white: for GLB. PLY has no materials, and always has them.',
+  },
+  lods: {
+    kind: 'integer',
+    min: 1,
+    max: 4,
+    default: 1,
+    doc: 'Levels of detail of every object, called `…_LOD0`, `…_LOD1` and so on: each of about a third of the triangles of the one before, with the same rim. In GLB and OBJ.',
+  },
+  hulls: {
+    kind: 'choice',
+    choices: ['none', 'unreal', 'godot'],
+    default: 'none',
+    doc: 'Convex hulls of at most 32 vertices for physics, beside each rock of a GLB, by the names that the program knows: `UCX_rock-1_00` or `rock-1-convcolonly`.',
+  },
   up: { kind: 'choice', choices: ['y', 'z'], default: 'y', doc: 'The axis that points up in OBJ, STL and PLY. In glTF it is always y.' },
   scale: {
     kind: 'real',
@@ -140,9 +158,9 @@ function targets<const Rows extends Record<string, TargetRow>>(table: Rows): Row
 export const TARGETS = /* @__PURE__ */ targets({
   gltf: { title: 'glTF', options: {} },
   blender: { title: 'Blender', options: { axes: 'blender' } },
-  unreal: { title: 'Unreal', options: { solid: true, axes: 'unreal', green: 'down' } },
+  unreal: { title: 'Unreal', options: { solid: true, hulls: 'unreal', axes: 'unreal', green: 'down' } },
   unity: { title: 'Unity', options: { axes: 'unity' } },
-  godot: { title: 'Godot', options: {} },
+  godot: { title: 'Godot', options: { hulls: 'godot' } },
   three: { title: 'three.js', options: { mesh: 'one' } },
   print: { title: '3D printing', options: { format: 'stl', mesh: 'one', solid: true, up: 'z', scale: 1000 } },
 });
@@ -207,10 +225,75 @@ export function isMap({ format }: Pick<ResolvedOptions, 'format'>): boolean {
   return MAPS[format] !== undefined;
 }
 
+/** What else cannot be, and what the option becomes where nobody asked for it. */
+interface Conflict<Key extends OptionKey = OptionKey> {
+  key: Key;
+  found: (options: ResolvedOptions) => boolean;
+  instead: ResolvedOptions[Key];
+  reason: (options: ResolvedOptions) => string;
+}
+
+const upper = ({ format }: ResolvedOptions): string => format.toUpperCase();
+
+const CONFLICTS: readonly Conflict[] = [
+  {
+    key: 'vertexColors',
+    found: ({ format, vertexColors }) => vertexColors && format !== 'glb' && format !== 'ply',
+    instead: false,
+    reason: (options) => `${upper(options)} files have no colours of vertices: use format "glb" or "ply"`,
+  },
+  {
+    key: 'vertexColors',
+    found: ({ vertexColors, textures }) => vertexColors && textures !== 'none',
+    instead: false,
+    reason: () => 'textures have the colours: leave one of the two out',
+  },
+  {
+    key: 'lods',
+    found: ({ format, lods }) => lods > 1 && format !== 'glb' && format !== 'obj',
+    instead: 1,
+    reason: (options) => `${upper(options)} files have no objects, and so no levels of detail: use format "glb" or "obj"`,
+  },
+  {
+    key: 'hulls',
+    found: ({ format, hulls }) => hulls !== 'none' && format !== 'glb',
+    instead: 'none',
+    reason: (options) => `programs look for hulls in GLB files, not in ${upper(options)}: use format "glb"`,
+  },
+  {
+    key: 'hulls',
+    found: ({ mesh, hulls }) => hulls !== 'none' && mesh === 'one',
+    instead: 'none',
+    reason: () => 'a hull belongs to a rock: use mesh "rocks" or "kit"',
+  },
+  {
+    key: 'hulls',
+    found: ({ mesh, instancing, hulls }) => hulls !== 'none' && mesh === 'kit' && instancing,
+    instead: 'none',
+    reason: () => 'programs that know hulls read no instances: leave instancing out',
+  },
+];
+
+/** The options, in which what cannot be beside what the file is gives way. */
+export function agreeing(options: ResolvedOptions): ResolvedOptions {
+  const agreed: ResolvedOptions = { ...options };
+  for (const { key, found, instead } of CONFLICTS) if (found(agreed)) Object.assign(agreed, { [key]: instead });
+  return agreed;
+}
+
 /** A target's or a default's choice gives way to what the caller asked for, and what was asked for has to fit. */
 function consistent(options: ResolvedOptions, given: Record<string, unknown>): ResolvedOptions {
   const { format, textures } = options;
-  const fitted = { ...options, ...fitting('mesh', FORMS, options, given), ...fitting('map', MAPS, options, given), format };
+  const fitted: ResolvedOptions = {
+    ...options,
+    ...fitting('mesh', FORMS, options, given),
+    ...fitting('map', MAPS, options, given),
+    format,
+  };
+  for (const { key, found, reason } of CONFLICTS) {
+    if (given[key] !== undefined && found(fitted)) throw impossible(key, fitted[key], reason(fitted));
+  }
+  Object.assign(fitted, agreeing(fitted));
   if (textures === 'none') return fitted;
   if (format !== 'glb') throw impossible('textures', textures, `${format.toUpperCase()} files have none: use format "glb"`);
   if (given.color === 'layer') throw impossible('textures', textures, 'they are of natural stone: leave color out, or use "natural"');

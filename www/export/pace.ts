@@ -18,10 +18,23 @@ export type Turn = (fraction: number) => Promise<void> | undefined;
 
 export class Pace {
   #waiting: Waiting;
+  #share: readonly [number, number];
   #begin = performance.now();
 
-  constructor(waiting: Waiting = {}) {
+  /** @param share from which share of the work to which this one's goes. */
+  constructor(waiting: Waiting = {}, share: readonly [number, number] = [0, 1]) {
     this.#waiting = waiting;
+    this.#share = share;
+  }
+
+  /** That of a part of this one's work. */
+  within(begin: number, end: number): Pace {
+    return new Pace(this.#waiting, [this.#of(begin), this.#of(end)]);
+  }
+
+  #of(fraction: number): number {
+    const [begin, end] = this.#share;
+    return begin + fraction * (end - begin);
   }
 
   /** The turns of a part of the work, which is done from the share `begin` to `end` of the whole. */
@@ -37,11 +50,11 @@ export class Pace {
   /**
    * Ends a slice.
    *
-   * @param fraction how much of the work is done, 0 … 1.
+   * @param fraction how much of this work is done, 0 … 1.
    * @throws the signal's reason when it was aborted.
    */
   async rest(fraction: number): Promise<void> {
-    this.#waiting.onProgress?.(fraction);
+    this.#waiting.onProgress?.(this.#of(fraction));
     await nextTask();
     this.#waiting.signal?.throwIfAborted();
     this.#begin = performance.now();

@@ -3,6 +3,7 @@
 import { ByteWriter } from './byte-writer.ts';
 import type { Written } from './glb.ts';
 import type { Told } from './gltf-json.ts';
+import { levelName } from './gltf-parts.ts';
 import { thingsOf } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
@@ -32,12 +33,38 @@ const MANY = 3 * 1024;
 
 const [LINE, SPACE, SLASH, F] = [10, 32, 47, 102];
 
-/** Wavefront OBJ: `v`, `vn` and `f` with a group for each layer, and an object for each body. Its comments say what the file is. */
-export async function writeObj(model: Model, options: Options, told: Told, pace: Pace): Promise<Written> {
+/**
+ * Wavefront OBJ: `v`, `vn` and `f` with a group for each layer, and an object for each body at each level of detail. Its comments say what the
+ * file is.
+ */
+export async function writeObj(levels: readonly Model[], options: Options, told: Told, pace: Pace): Promise<Written> {
   const out = new ByteWriter();
-  const { positions, normals } = inFile(model, options);
   out.text(`# ${told.title}, by rock-field\n`);
   for (const [key, value] of Object.entries(told.scene)) out.text(`# ${key}: ${String(value)}\n`);
+  let first = 1;
+  for (const [level, model] of levels.entries()) {
+    const share = pace.within(level / levels.length, (level + 1) / levels.length);
+    await writeLevel(out, model, first, (name) => levelName(name, level, levels.length), options, share);
+    first += model.positions.length / 3;
+  }
+  const counts = countsOf(levels[0]!, options.mesh === 'rocks');
+  const objects = levels.length * counts.objects;
+  return {
+    bytes: out.bytes(),
+    counts: { ...counts, levels: levels.map(({ indices }) => indices.length / 3), nodes: objects, meshes: objects },
+  };
+}
+
+/** `begin` is the number of its first vertex. */
+async function writeLevel(
+  out: ByteWriter,
+  model: Model,
+  begin: number,
+  nameOf: (object: string) => string,
+  options: Options,
+  pace: Pace,
+): Promise<void> {
+  const { positions, normals } = inFile(model, options);
   await writeTriples(out, 'v', positions, pace, 0);
   await writeTriples(out, 'vn', normals, pace, 1 / 3);
   const objects = new Map(thingsOf(model).map(({ name, bodies: [first] }) => [first!, name]));
@@ -46,9 +73,8 @@ export async function writeObj(model: Model, options: Options, told: Told, pace:
     const isOther = model.groupOf[k] !== group;
     group = model.groupOf[k]!;
     const { name } = model.groups[group]!;
-    const object = options.mesh === 'rocks' && objects.get(k);
-    if (object) out.text(`o ${object}\n`);
-    else if (isOther && options.mesh === 'one') out.text(`o ${name}\n`);
+    const object = options.mesh === 'rocks' ? objects.get(k) : isOther && name;
+    if (object) out.text(`o ${nameOf(object)}\n`);
     if (isOther) out.text(`g ${name}\n`);
     if (isOther || model.materialOf[k] !== material) {
       material = model.materialOf[k]!;
@@ -57,7 +83,7 @@ export async function writeObj(model: Model, options: Options, told: Told, pace:
     for (let i = model.indexStarts[k]!; i < model.indexStarts[k + 1]!; i += 3) {
       out.codes(F);
       for (let corner = 0; corner < 3; corner++) {
-        const vertex = model.indices[i + corner]! + 1;
+        const vertex = model.indices[i + corner]! + begin;
         out.codes(SPACE);
         out.whole(vertex);
         out.codes(SLASH, SLASH);
@@ -67,7 +93,6 @@ export async function writeObj(model: Model, options: Options, told: Told, pace:
     }
     if (pace.isDue()) await pace.rest(2 / 3 + (k + 1) / model.groupOf.length / 3);
   }
-  return { bytes: out.bytes(), counts: countsOf(model, options.mesh === 'rocks') };
 }
 
 /** A line for each three numbers, which is a third of the work, after `done` of it. */
@@ -167,5 +192,6 @@ function encoded(linear: number): number {
 
 function countsOf({ positions, indices, groupOf, groups }: Model, isApart: boolean): Written['counts'] {
   const objects = isApart ? thingsOf({ groups, groupOf }).length : groups.filter((_, group) => groupOf.includes(group)).length;
-  return { vertices: positions.length / 3, triangles: indices.length / 3, objects, nodes: objects, meshes: objects };
+  const triangles = indices.length / 3;
+  return { vertices: positions.length / 3, triangles, objects, nodes: objects, meshes: objects };
 }

@@ -1,0 +1,269 @@
+// Levels of detail, hulls and colours of vertices: what is in the files, read back.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { WebIO } from '@gltf-transform/core';
+import type { Document, Mesh, Node, Primitive } from '@gltf-transform/core';
+import validator from 'gltf-validator';
+import { exportScene } from 'rock-field/export';
+import type { ExportOptions, RockFieldError } from 'rock-field/export';
+import { hullOf } from '../../www/export/hull.ts';
+import { resolveOptions } from '../../www/export/options.ts';
+
+type Point = [number, number, number];
+
+const REQUEST = { preset: 'riverbed', seed: 7, imageWidth: 120, imageHeight: 90 } as const;
+
+const read = (bytes: Uint8Array): Promise<Document> => new WebIO().readBinary(bytes);
+const nodesOf = (document: Document): Node[] =>
+  document
+    .getRoot()
+    .listNodes()
+    .filter((node) => node.getMesh());
+
+function only(mesh: Mesh): Primitive {
+  const primitives = mesh.listPrimitives();
+  assert.equal(primitives.length, 1, mesh.getName());
+  return primitives[0]!;
+}
+
+function pointsOf(primitive: Primitive): Point[] {
+  const positions = primitive.getAttribute('POSITION')!;
+  return Array.from({ length: positions.getCount() }, (_, v) => positions.getElement<Point>(v, [0, 0, 0]));
+}
+
+const cornersOf = (primitive: Primitive): number[] => [...primitive.getIndices()!.getArray()!];
+
+/** The directed edges that have no triangle on their other side, as places; no edge may have two on one side. */
+function borderOf(primitive: Primitive): string[] {
+  const points = pointsOf(primitive).map(String);
+  const corners = cornersOf(primitive).map((v) => points[v]!);
+  const edges = new Set<string>();
+  for (let k = 0; k < corners.length; k++) {
+    const edge = `${corners[k]} → ${corners[k % 3 === 2 ? k - 2 : k + 1]}`;
+    assert.ok(!edges.has(edge), `two triangles on one side of ${edge}`);
+    edges.add(edge);
+  }
+  return [...edges].filter((edge) => !edges.has(edge.split(' → ').reverse().join(' → '))).sort();
+}
+
+/** Objects by name, each with its levels, the finest first. */
+function levelsIn(nodes: readonly Node[]): Map<string, Node[]> {
+  const objects = new Map<string, Node[]>();
+  for (const node of nodes) {
+    const [, name, level] = /^(.*)_LOD(\d)$/.exec(node.getName())!;
+    const levels = objects.get(name!) ?? [];
+    assert.equal(levels.length, Number(level), node.getName());
+    objects.set(name!, [...levels, node]);
+  }
+  return objects;
+}
+
+const trianglesOf = (node: Node): number => only(node.getMesh()!).getIndices()!.getCount() / 3;
+
+async function assertValid(bytes: Uint8Array, options: ExportOptions): Promise<void> {
+  const { issues } = await validator.validateBytes(bytes);
+  const found = issues.messages.filter(({ severity }) => severity < 2).map(({ message }) => message);
+  assert.deepEqual(found, [], JSON.stringify(options));
+}
+
+test('every level of a rock has at most as many triangles as the one before, on the same rim, at the same place', async () => {
+  for (const solid of [false, true]) {
+    const options = { lods: 4, solid };
+    const { bytes, report } = await exportScene(REQUEST, options);
+    await assertValid(bytes, options);
+    const objects = levelsIn(nodesOf(await read(bytes)));
+    assert.equal(objects.size, report.objects);
+    const sums = [0, 0, 0, 0];
+    for (const [name, levels] of objects) {
+      assert.equal(levels.length, 4, name);
+      const [finest] = levels as [Node];
+      const border = borderOf(only(finest.getMesh()!));
+      assert.equal(border.length === 0, solid, name);
+      for (const [level, node] of levels.entries()) {
+        assert.deepEqual(node.getTranslation(), finest.getTranslation());
+        assert.equal(node.getParentNode(), finest.getParentNode());
+        assert.deepEqual(borderOf(only(node.getMesh()!)), border, node.getName());
+        if (level > 0) assert.ok(trianglesOf(node) <= trianglesOf(levels[level - 1]!), node.getName());
+        sums[level]! += trianglesOf(node);
+      }
+    }
+    assert.deepEqual([report.levels, report.triangles], [sums, sums[0]]);
+    assert.ok(solid || sums[1]! < 0.4 * sums[0]!, `the second level has ${sums[1]} of ${sums[0]} triangles`);
+  }
+});
+
+test('levels reach as far as the rock to all sides, and as high', async () => {
+  const objects = levelsIn(nodesOf(await read((await exportScene(REQUEST, { lods: 3 })).bytes)));
+  for (const [name, levels] of objects) {
+    const [finest, ...coarser] = levels.map((node) => only(node.getMesh()!).getAttribute('POSITION')!);
+    for (const level of coarser) assert.equal(level.getMax([])[1], finest!.getMax([])[1], name);
+  }
+});
+
+test('kits, layers and instances have levels too, and so does OBJ', async () => {
+  const forms: ExportOptions[] = [
+    { mesh: 'kit', kinds: 4, lods: 3 },
+    { mesh: 'kit', kinds: 4, lods: 3, instancing: true },
+    { mesh: 'one', lods: 3 },
+  ];
+  for (const options of forms) {
+    const { bytes, report } = await exportScene(REQUEST, options);
+    await assertValid(bytes, options);
+    if (!options.instancing) {
+      const objects = levelsIn(nodesOf(await read(bytes)));
+      assert.ok([...objects.values()].every((levels) => levels.length === 3));
+      assert.equal(objects.size, report.objects);
+    }
+    const [finest, next, coarsest] = report.levels as Point;
+    assert.ok(finest === report.triangles && next < finest && coarsest <= next, JSON.stringify(report.levels));
+  }
+  const { bytes, report } = await exportScene(REQUEST, { format: 'obj', lods: 2 });
+  const lines = new TextDecoder().decode(bytes).split('\n');
+  const names = lines.filter((line) => line.startsWith('o ')).map((line) => line.slice(2));
+  assert.deepEqual(
+    names.slice().sort(),
+    [0, 1].flatMap((level) => names.slice(0, report.objects).map((name) => name.replace(/\d$/, String(level)))).sort(),
+  );
+  assert.equal(lines.filter((line) => line.startsWith('f ')).length, report.levels![0]! + report.levels![1]!);
+  const vertices = lines.filter((line) => line.startsWith('v ')).length;
+  const last = Math.max(
+    ...lines.filter((line) => line.startsWith('f ')).flatMap((line) => line.split(' ').slice(1).map(Number.parseFloat)),
+  );
+  assert.equal(last, vertices);
+});
+
+/** How far the points stand out of a hull, and whether no corner of it does: convex, seen from outside. */
+function standingOut(hull: Primitive, points: readonly Point[]): { out: number; own: number } {
+  const places = pointsOf(hull);
+  const corners = cornersOf(hull).map((v) => places[v]!);
+  let [out, own] = [0, 0];
+  for (let k = 0; k < corners.length; k += 3) {
+    const [a, b, c] = corners.slice(k, k + 3) as [Point, Point, Point];
+    const [u, v] = [b, c].map((point) => point.map((value, axis) => value - a[axis]!)) as [Point, Point];
+    const normal: Point = [u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]];
+    const length = Math.hypot(...normal);
+    if (length === 0) continue;
+    const height = (point: Point): number => normal.reduce((sum, value, axis) => sum + (value * (point[axis]! - a[axis]!)) / length, 0);
+    out = Math.max(out, ...points.map(height));
+    own = Math.max(own, ...places.map(height));
+  }
+  return { out, own };
+}
+
+/** A hull leaves out no more of its rock, as a share of its longest side. */
+const MARGIN = 0.04;
+
+test('every rock has a convex hull of at most 32 vertices by the name that the program knows, where the rock is', async () => {
+  const names = { unreal: (rock: string) => `UCX_${rock}_00`, godot: (rock: string) => `${rock}-convcolonly` };
+  for (const hulls of ['unreal', 'godot'] as const) {
+    for (const mesh of ['rocks', 'kit'] as const) {
+      const options = { hulls, mesh, kinds: 6, solid: hulls === 'unreal' };
+      const { bytes, report } = await exportScene(REQUEST, options);
+      await assertValid(bytes, options);
+      const nodes = new Map(nodesOf(await read(bytes)).map((node) => [node.getName(), node]));
+      const rocks = [...nodes.keys()].filter((name) => /^rock-\d+$/.test(name));
+      assert.equal(nodes.size, 2 * rocks.length);
+      assert.deepEqual([report.objects, report.hulls!.objects], [rocks.length, rocks.length]);
+      for (const name of rocks) {
+        const [rock, node] = [nodes.get(name)!, nodes.get(names[hulls](name))!];
+        assert.deepEqual(node.getWorldMatrix(), rock.getWorldMatrix(), name);
+        const hull = only(node.getMesh()!);
+        assert.deepEqual([hull.listSemantics(), hull.getMaterial(), borderOf(hull)], [['POSITION'], null, []], name);
+        const points = pointsOf(only(rock.getMesh()!));
+        const size = Math.max(
+          ...[0, 1, 2].map((axis) => Math.max(...points.map((p) => p[axis]!)) - Math.min(...points.map((p) => p[axis]!))),
+        );
+        const { out, own } = standingOut(hull, points);
+        assert.ok(pointsOf(hull).length <= 32 && own < 1e-5 * size, `${name}: a corner stands out by ${own / size}`);
+        assert.ok(out < MARGIN * size, `${name} stands out of its hull by ${out / size}`);
+      }
+    }
+  }
+});
+
+test('a hull of as many corners as it takes has all points in it, and there is none of points in a plane', () => {
+  let state = 5;
+  const random = (): number => {
+    state = (Math.imul(state, 1_664_525) + 1_013_904_223) >>> 0;
+    return state / 2 ** 32;
+  };
+  // Among them many in common planes, as on the ground that rocks stand on.
+  for (let round = 0; round < 60; round++) {
+    const points = Array.from({ length: 3 * (4 + round) }, () => (round % 3 === 0 ? Math.floor(4 * random()) : random()));
+    if (round % 3 === 1) for (let k = 2; k < points.length / 2; k += 3) points[k] = 0;
+    const hull = hullOf(points, Infinity, 0);
+    if (!hull) continue;
+    const at = (k: number): Point => points.slice(3 * k, 3 * k + 3) as Point;
+    const corners = hull.triangles.map((corner) => at(hull.corners[corner]!));
+    for (let k = 0; k < corners.length; k += 3) {
+      const [a, b, c] = corners.slice(k, k + 3) as [Point, Point, Point];
+      for (let p = 0; p < points.length / 3; p++) assert.ok(sixfold(a, b, c, at(p)) < 1e-5, `point ${p} of round ${round} is outside`);
+    }
+    assert.equal(hull.triangles.length / 3, 2 * hull.corners.length - 4);
+  }
+  assert.equal(hullOf([0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 3, 2, 0], 32, 0), undefined);
+  assert.equal(hullOf([0, 0, 0, 1, 1, 1, 2, 2, 2, 3, 3, 3], 32, 0), undefined);
+  assert.equal(hullOf([], 32, 0), undefined);
+});
+
+/** Six times the volume of a tetrahedron. */
+function sixfold(a: Point, b: Point, c: Point, d: Point): number {
+  const [u, v, w] = [b, c, d].map((point) => point.map((value, axis) => value - a[axis]!)) as [Point, Point, Point];
+  return w[0] * (u[1] * v[2] - u[2] * v[1]) + w[1] * (u[2] * v[0] - u[0] * v[2]) + w[2] * (u[0] * v[1] - u[1] * v[0]);
+}
+
+test('vertices have the linear colours of their materials, which are white then', async () => {
+  const materialsOf = (document: Document): Map<string, number[]> =>
+    new Map(
+      document
+        .getRoot()
+        .listMaterials()
+        .map((material) => [material.getName(), material.getBaseColorFactor()]),
+    );
+  for (const mesh of ['rocks', 'kit', 'one'] as const) {
+    const [plain, document] = await Promise.all(
+      [false, true].map(async (vertexColors) => {
+        const options: ExportOptions = { mesh, vertexColors, hulls: mesh === 'rocks' ? 'godot' : 'none' };
+        const { bytes } = await exportScene(REQUEST, options);
+        await assertValid(bytes, options);
+        return read(bytes);
+      }),
+    );
+    const colors = materialsOf(plain!);
+    assert.ok([...materialsOf(document!).values()].every((color) => color.every((part) => part === 1)));
+    for (const primitive of nodesOf(document!).flatMap((node) => node.getMesh()!.listPrimitives())) {
+      const material = primitive.getMaterial();
+      if (!material) continue;
+      const found = primitive.getAttribute('COLOR_0')!;
+      assert.equal(found.getCount(), primitive.getAttribute('POSITION')!.getCount());
+      for (const v of [0, found.getCount() - 1]) {
+        const color = found.getElement(v, [0, 0, 0, 0]);
+        assert.ok(
+          color.every((part, k) => Math.abs(part - colors.get(material.getName())![k]!) < 1e-4),
+          `${color}`,
+        );
+      }
+    }
+  }
+  await assert.rejects(exportScene(REQUEST, { format: 'obj', vertexColors: true }), { name: 'ExportImpossible', key: 'vertexColors' });
+});
+
+test('levels and hulls are refused where a file cannot have them, and a target’s own give way', async () => {
+  const refused: [ExportOptions, keyof ExportOptions][] = [
+    [{ format: 'stl', mesh: 'one', lods: 2 }, 'lods'],
+    [{ format: 'ply', lods: 2 }, 'lods'],
+    [{ format: 'obj', hulls: 'unreal' }, 'hulls'],
+    [{ mesh: 'one', hulls: 'godot' }, 'hulls'],
+    [{ mesh: 'kit', instancing: true, hulls: 'godot' }, 'hulls'],
+  ];
+  for (const [options, key] of refused) {
+    await assert.rejects(
+      exportScene(REQUEST, options),
+      (error: RockFieldError) => error.name === 'ExportImpossible' && error.key === key && error.value === options[key],
+    );
+  }
+  await assert.rejects(exportScene(REQUEST, { lods: 5 }), { name: 'OutOfRange', key: 'lods', value: 5, min: 1, max: 4 });
+  assert.equal(resolveOptions({ target: 'unreal' }).hulls, 'unreal');
+  assert.equal(resolveOptions({ target: 'unreal', mesh: 'one' }).hulls, 'none');
+  assert.equal(resolveOptions({ target: 'godot', format: 'obj' }).hulls, 'none');
+});
