@@ -1,4 +1,4 @@
-// Sets up what building needs: the wasm target, wasm-bindgen and the npm packages. Node built-ins only.
+// Sets up what building needs: the wasm target and the npm packages; `npm run setup` compiles wasm-bindgen too. Node built-ins only.
 import { existsSync, mkdirSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { cache, cargoEnv, lockedVersion, root } from './lib/env.mjs';
@@ -16,7 +16,6 @@ export async function setup({ components = /** @type {string[]} */ ([]) } = {}) 
   checkLinker();
   await wasmTarget();
   for (const component of components) await rustComponent(component);
-  await bindgen();
   await packages();
   say(`  ready in ${((performance.now() - start) / 1000).toFixed(1)} s`);
 }
@@ -105,7 +104,7 @@ function bindgenRoot() {
 }
 
 /** What the build needs of wasm-bindgen is compiled by itself (scripts/build/bindgen): 43 packages, where the official command with its test runner has 254. */
-async function bindgen() {
+export async function bindgen() {
   const version = lockedVersion('wasm-bindgen');
   if (!version) throw new Failure('Cargo.lock has no wasm-bindgen; restore it with: git checkout Cargo.lock');
   if (bindgenProgram('wasm-bindgen')) return;
@@ -115,7 +114,7 @@ async function bindgen() {
     if (own !== version)
       throw new Failure(`${crate} in scripts/build/bindgen/Cargo.toml must be ${version}, as wasm-bindgen in Cargo.lock; it is ${own}`);
   }
-  await step(`Compiling wasm-bindgen ${version}`, 'once, 1–2 min', () => cargoInstall(['--path', folder]));
+  await step(`Compiling wasm-bindgen ${version}`, 'once, 30–60 s', () => cargoInstall(['--path', folder]));
 }
 
 /** The program that runs the crate's tests as wasm in Node, compiled if there is none; only these tests need it. */
@@ -175,6 +174,7 @@ if (isMain(import.meta)) {
   await main(async () => {
     const isAll = process.argv.includes('--all');
     await setup({ components: isAll ? ['rustfmt', 'clippy'] : [] });
+    await bindgen();
     if (isAll) await bindgenTestRunner();
   });
 }
