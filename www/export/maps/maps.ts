@@ -170,7 +170,7 @@ function checkMemory({ width, height }: Grid, { format, map }: ResolvedOptions):
   const perPixel = bytesPerPixel(format, map);
   const expected = perPixel * width * height;
   if (expected <= MOST_MEMORY) return;
-  const megabytes = (bytes: number): number => Math.round(bytes / 1e6);
+  const [needed, most] = [expected, MOST_MEMORY].map((bytes) => Math.round(bytes / 1e6));
   const fitting = Math.floor(Math.max(width, height) * Math.sqrt(MOST_MEMORY / expected));
   const lighter = map === 'all' ? ', or one map at a time' : '';
   throw new RockFieldError({
@@ -178,7 +178,11 @@ function checkMemory({ width, height }: Grid, { format, map }: ResolvedOptions):
     key: 'side',
     value: expected,
     max: MOST_MEMORY,
-    message: `the map would need about ${megabytes(expected)} MB of memory; it may need at most ${megabytes(MOST_MEMORY)} MB: choose side ${fitting} or less${lighter}`,
+    message: `the map would need about ${needed} MB of memory; it may need at most ${most} MB: choose side ${fitting} or less${lighter}`,
+    words: {
+      en: `This would need about ${needed} MB of memory; it may need at most ${most} MB. Choose at most ${fitting} pixels${lighter}.`,
+      ja: `約 ${needed} MB のメモリーが必要ですが、上限は ${most} MB です。${fitting} ピクセル以下に${map === 'all' ? 'するか、マップを 1 枚ずつ保存' : ''}してください。`,
+    },
   });
 }
 

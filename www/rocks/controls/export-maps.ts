@@ -30,7 +30,7 @@ export function retarget(options: ResolvedOptions, target: ExportTarget): Partia
   const preferred = resolveOptions({ target });
   if (contentOf(options) === 'meshes' || target === 'print') return preferred;
   const { axes, green } = preferred;
-  const side = options.samples === 'corners' ? nearest(landscapesFor(target), options.side) : options.side;
+  const side = options.samples === 'corners' ? enough(landscapesFor(target), options.side) : options.side;
   return { axes, green, side };
 }
 
@@ -53,8 +53,9 @@ function landscapesFor(target: ExportTarget): readonly number[] {
   return target === 'unreal' ? [505, 1009, 2017, 4033, 8129] : [513, 1025, 2049, 4097];
 }
 
-function nearest(sides: readonly number[], side: number): number {
-  return sides.reduce((best, one) => (Math.abs(one - side) < Math.abs(best - side) ? one : best));
+/** The first that hardly loses anything of `side` pixels. */
+function enough(sides: readonly number[], side: number): number {
+  return sides.find((one) => one >= 0.9 * side) ?? sides.at(-1)!;
 }
 
 export function pointControls({ words, options, choose }: Choosing): TemplateResult {
@@ -95,7 +96,7 @@ export function mapControls({ words, options, target, choose }: Choosing, fieldS
       action: (samples) =>
         choose(
           samples === 'corners'
-            ? { samples, square: true, side: nearest(landscapesFor(target), options.side || fieldSide) }
+            ? { samples, square: true, side: enough(landscapesFor(target), options.side || fieldSide) }
             : { samples, square: false, side: 0 },
         ),
     })}
