@@ -4,6 +4,7 @@ import { test } from 'node:test';
 import { WebIO } from '@gltf-transform/core';
 import type { Document, Mesh, Node, Primitive } from '@gltf-transform/core';
 import validator from 'gltf-validator';
+import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { exportScene } from 'rock-field/export';
 import type { ExportOptions, RockFieldError } from 'rock-field/export';
 import { hullOf } from '../../www/export/hull.ts';
@@ -247,6 +248,71 @@ test('vertices have the linear colours of their materials, which are white then'
   }
   await assert.rejects(exportScene(REQUEST, { format: 'obj', vertexColors: true }), { name: 'ExportImpossible', key: 'vertexColors' });
 });
+
+test('a compressed file is smaller, and is the same to the last bit when it is unpacked', async () => {
+  await MeshoptDecoder.ready;
+  const forms: ExportOptions[] = [
+    { mesh: 'one', vertexColors: true },
+    { lods: 2, hulls: 'unreal', solid: true },
+    { mesh: 'kit', instancing: true },
+  ];
+  for (const options of forms) {
+    const [plain, compressed] = await Promise.all([false, true].map((compress) => exportScene(REQUEST, { ...options, compress })));
+    await assertValid(compressed!.bytes, options);
+    assert.ok(compressed!.bytes.length < plain!.bytes.length);
+    assert.ok(compressed!.report.notes.some(({ code }) => code === 'compressed'));
+    const [from, to] = [partsOf(plain!.bytes), partsOf(compressed!.bytes)];
+    assert.deepEqual([to.json.accessors, to.json.nodes, to.json.meshes], [from.json.accessors, from.json.nodes, from.json.meshes]);
+    assert.ok((to.json.extensionsRequired as string[]).includes('EXT_meshopt_compression'));
+    const unpacked = new Uint8Array(to.json.buffers[1]!.byteLength);
+    for (const { byteOffset, byteLength, extensions } of to.json.bufferViews) {
+      const { count, byteStride, mode, ...stored } = extensions!.EXT_meshopt_compression;
+      const source = to.bin.subarray(stored.byteOffset, stored.byteOffset + stored.byteLength);
+      const target = unpacked.subarray(byteOffset, byteOffset + byteLength);
+      MeshoptDecoder.decodeGltfBuffer(target, count, byteStride, source, mode);
+    }
+    assert.ok(trianglesIn(from).equals(trianglesIn({ json: from.json, bin: unpacked })), JSON.stringify(options));
+  }
+  const refused = { name: 'ExportImpossible', key: 'compress', value: true };
+  await assert.rejects(exportScene(REQUEST, { format: 'stl', mesh: 'one', compress: true }), refused);
+});
+
+interface Parts {
+  json: {
+    accessors: { bufferView: number }[];
+    bufferViews: {
+      byteOffset: number;
+      byteLength: number;
+      target?: number;
+      extensions?: { EXT_meshopt_compression: { byteOffset: number; byteLength: number; count: number; byteStride: number; mode: string } };
+    }[];
+    buffers: { byteLength: number }[];
+    [key: string]: unknown;
+  };
+  bin: Uint8Array;
+}
+
+function partsOf(bytes: Uint8Array): Parts {
+  const length = new DataView(bytes.buffer).getUint32(12, true);
+  return { json: JSON.parse(new TextDecoder().decode(bytes.subarray(20, 20 + length))) as Parts['json'], bin: bytes.subarray(28 + length) };
+}
+
+/** The binary part, whose triangles begin with their lowest corner: the encoder turns them. */
+function trianglesIn({ json, bin }: Parts): Buffer {
+  const bytes = bin.slice();
+  for (const [view, { byteOffset, byteLength, target }] of json.bufferViews.entries()) {
+    if (target !== 34_963) continue;
+    const isShort =
+      (json.accessors.find(({ bufferView }) => bufferView === view) as unknown as { componentType: number }).componentType === 5123;
+    const indices = new (isShort ? Uint16Array : Uint32Array)(bytes.buffer, byteOffset, byteLength / (isShort ? 2 : 4));
+    for (let k = 0; k < indices.length; k += 3) {
+      const corners = [...indices.subarray(k, k + 3)];
+      const lowest = corners.indexOf(Math.min(...corners));
+      indices.set([...corners.slice(lowest), ...corners.slice(0, lowest)], k);
+    }
+  }
+  return Buffer.from(bytes);
+}
 
 test('levels and hulls are refused where a file cannot have them, and a target’s own give way', async () => {
   const refused: [ExportOptions, keyof ExportOptions][] = [

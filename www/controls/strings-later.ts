@@ -112,6 +112,14 @@ export const LATER = {
     en: 'This kind of file has no units. One unit is {unit}.',
     ja: 'この形式には単位がありません。1 単位は {unit} です。',
   },
+  'note-many-objects': {
+    en: '{count} objects: many programs take long to open so many. Copies of a few, or a mesh per layer, open faster.',
+    ja: 'オブジェクトが {count} 個あります。多くのソフトでは開くのに時間がかかります。少数の複製、または層ごとに結合した形式なら速く開けます。',
+  },
+  'note-compressed': {
+    en: 'Programs that do not know EXT_meshopt_compression cannot open it.',
+    ja: 'EXT_meshopt_compression に対応していないソフトでは開けません。',
+  },
   'note-few-readers': { en: 'Few programs read the copies.', ja: '複製を読み込めるソフトは多くありません。' },
   'note-no-device': {
     en: 'Textures are drawn by a graphics device, and there is none here: each rock has one colour.',

@@ -85,6 +85,9 @@ const NOTES = {
   'no-units': 'This format has no units: tell the program that opens it what a unit is.',
   'few-readers': 'Few programs read EXT_mesh_gpu_instancing; without `instancing` all do.',
   'no-device': 'Textures are drawn by a graphics device, and there is none here: each rock has one colour.',
+  'many-objects':
+    '{count} objects: many programs take long to open so many. A kit shares its meshes, and `mesh: "one"` has one for each layer.',
+  compressed: 'Programs that do not know EXT_meshopt_compression cannot open it.',
   'kit-differs': 'Rocks of a kit are like the rocks of the scene, not the same.',
   thickened: 'Wood ears without a thickness are sheets: to be solid they have been made 1.5 mm thick.',
   'crosses-itself':
@@ -121,6 +124,9 @@ const [BYTES_A_ROCK, BYTES_A_HULL, BYTES_A_LINE, BYTES_A_POINT] = [900, 1100, 40
 /** Digits of what is measured of a body: nobody measures a stone more closely. */
 const MEASURED = 4;
 
+/** From so many objects on, programs take minutes to open a file. */
+const MANY = 2000;
+
 /** The share of the work that is done when levels and hulls are there. */
 const SHAPES_SHARE = 0.4;
 
@@ -153,7 +159,11 @@ export async function exportModel(
   const pace = new Pace(waiting);
   const { shapes, kit } = await shapesOf(model, options, pace.within(0, SHAPES_SHARE), baked);
   const { bytes, counts, ending = `.${format}`, map } = await write(shapes, options, told, pace.within(SHAPES_SHARE, 1), kit);
-  const notes = [...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })), ...own];
+  const notes = [
+    ...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })),
+    ...(options.mesh === 'rocks' && counts.objects > MANY ? [{ code: 'many-objects', count: counts.objects } as const] : []),
+    ...own,
+  ];
   return {
     bytes,
     name: `${title}${ending}`,
@@ -169,7 +179,7 @@ export async function exportModel(
 }
 
 function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boolean): NoteCode[] {
-  const { format, mesh, instancing, textures } = options;
+  const { format, mesh, instancing, textures, compress } = options;
   if (isMap(options)) return mapCodesOf(options);
   if (mesh === 'points') return ['kinds-of-kit'];
   return [
@@ -177,6 +187,7 @@ function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boo
     ...(textures !== 'none' && !isTextured ? (['no-device'] as const) : []),
     ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
     ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
+    ...(compress ? (['compressed'] as const) : []),
   ];
 }
 

@@ -16,6 +16,7 @@ import type { Kit } from './kit.ts';
 import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
+import { packed } from './packed.ts';
 import type { Pace } from './pace.ts';
 
 const [GLTF, JSON_CHUNK, BIN_CHUNK] = [0x46546c67, 0x4e4f534a, 0x004e4942];
@@ -27,11 +28,13 @@ export interface Written {
 
 /** The share of the work that is done when the JSON part is written. */
 const JSON_SHARE = 0.7;
+/** And that when the binary part is filled which is to be compressed. */
+const PACKED_SHARE = 0.85;
 
 /** The file. `kit` where `mesh` is so. */
 export async function writeGlb(
   shapes: Shapes,
-  { mesh, instancing, vertexColors }: ResolvedOptions,
+  { mesh, instancing, vertexColors, compress }: ResolvedOptions,
   told: Told,
   pace: Pace,
   kit?: Kit,
@@ -50,10 +53,22 @@ export async function writeGlb(
       if (pace.isDue()) await pace.rest((JSON_SHARE * done) / expected);
     }
   }
+  const fill = async (bin: Uint8Array<ArrayBuffer>, share: Pace): Promise<void> => {
+    await fillMeshes(model, meshes.all, layout, bin, share);
+    if (kit && instancing) fillInstances(model, kit, layout, bin);
+    if (model.textures) fillTextures(model.textures.images, meshes.all, layout, bin);
+  };
+  if (compress && layout.length > 0) {
+    const whole = new Uint8Array(layout.length);
+    await fill(whole, pace.within(JSON_SHARE, PACKED_SHARE));
+    const packing = await packed(layout, whole, pace.within(PACKED_SHARE, 1));
+    const { bytes, bin } = container(json.pieces(packing), packing.length);
+    for (const { offset, bytes: own } of Object.values(packing.views)) bin.set(own, offset);
+    return { bytes, counts: json.counts };
+  }
+  // Filled where it is, so that it is in memory once.
   const { bytes, bin } = container(json.pieces(), layout.length);
-  await fillMeshes(model, meshes.all, layout, bin, pace.within(JSON_SHARE, 1));
-  if (kit && instancing) fillInstances(model, kit, layout, bin);
-  if (model.textures) fillTextures(model.textures.images, meshes.all, layout, bin);
+  await fill(bin, pace.within(JSON_SHARE, 1));
   return { bytes, counts: json.counts };
 }
 

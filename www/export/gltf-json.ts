@@ -9,6 +9,8 @@ import { TEXTURED, texturesOf } from './gltf-textures.ts';
 import type { Kit } from './kit.ts';
 import { isOneThing, thingsOf } from './model.ts';
 import type { Model } from './model.ts';
+import { COMPRESSION, packedViews } from './packed.ts';
+import type { Packing } from './packed.ts';
 import { instancesByKind, placementOf, translationOf } from './placement.ts';
 import type { Placement } from './placement.ts';
 
@@ -39,6 +41,9 @@ export interface Told {
 const [FLOAT, UNSIGNED_SHORT] = [5126, 5123];
 /** Digits of numbers that people read, as many as a 32-bit float has; and of those that have to be a certain 32-bit float. */
 const [DIGITS, BOUND_DIGITS] = [7, 9];
+
+/** Extensions without which a file cannot be read. */
+const REQUIRED = ['EXT_mesh_gpu_instancing', COMPRESSION];
 
 /** What is written of vertices, in the order in which it stands in a primitive. */
 const ATTRIBUTES = [
@@ -341,9 +346,10 @@ export class GltfJson {
     return { [extension]: value };
   }
 
-  /** All of it, in pieces that follow one another. */
-  pieces(): ByteWriter[] {
+  /** All of it, in pieces that follow one another. `packing` where the binary part is compressed. */
+  pieces(packing?: Packing): ByteWriter[] {
     this.counts.levels = this.#levels;
+    if (packing) this.#extensions.add(COMPRESSION);
     const { title, scene } = this.#told;
     const { length, views } = this.#layout;
     const pieces: ByteWriter[] = [];
@@ -360,7 +366,8 @@ export class GltfJson {
     };
     text('{"asset":{"version":"2.0","generator":"rock-field"}');
     if (this.#extensions.size > 0) text(`,"extensionsUsed":${JSON.stringify([...this.#extensions])}`);
-    if (this.#extensions.has('EXT_mesh_gpu_instancing')) text(',"extensionsRequired":["EXT_mesh_gpu_instancing"]');
+    const required = REQUIRED.filter((extension) => this.#extensions.has(extension));
+    if (required.length > 0) text(`,"extensionsRequired":${JSON.stringify(required)}`);
     const roots = this.#roots.length > 0 && { nodes: this.#roots };
     text(`,"scene":0,"scenes":[${JSON.stringify({ name: title, ...roots, extras: scene })}]`);
     list('nodes', this.#nodes);
@@ -370,7 +377,12 @@ export class GltfJson {
       for (const [name, items] of Object.entries(texturesOf(this.#layout))) text(`,"${name}":${JSON.stringify(items)}`);
     }
     list('accessors', this.#accessors);
-    if (length > 0) text(`,"bufferViews":${JSON.stringify(Object.values(views).map(bufferView))},"buffers":[{"byteLength":${length}}]`);
+    if (length > 0) {
+      const bufferViews = packing ? packedViews(this.#layout, packing) : Object.values(views).map(bufferView);
+      const fallback = { byteLength: length, extensions: { [COMPRESSION]: { fallback: true } } };
+      const buffers = packing ? [{ byteLength: packing.length }, fallback] : [{ byteLength: length }];
+      text(`,"bufferViews":${JSON.stringify(bufferViews)},"buffers":${JSON.stringify(buffers)}`);
+    }
     text('}');
     return pieces;
   }

@@ -74,6 +74,11 @@ export const OPTIONS = /* @__PURE__ */ rows({
     default: false,
     doc: 'The colours of materials as linear colours of vertices (`COLOR_0`), with materials that are white: for GLB. PLY has no materials, and always has them.',
   },
+  compress: {
+    kind: 'switch',
+    default: false,
+    doc: 'A GLB whose meshes are compressed without a loss (`EXT_meshopt_compression`), to about six tenths. three.js, Babylon.js, Godot and glTFast read it; Blender does from 5.2 on.',
+  },
   lods: {
     kind: 'integer',
     min: 1,
@@ -241,6 +246,12 @@ const CONFLICTS: readonly Conflict[] = [
     found: ({ format, vertexColors }) => vertexColors && format !== 'glb' && format !== 'ply',
     instead: false,
     reason: (options) => `${upper(options)} files have no colours of vertices: use format "glb" or "ply"`,
+  },
+  {
+    key: 'compress',
+    found: ({ format, compress }) => compress && format !== 'glb',
+    instead: false,
+    reason: (options) => `${upper(options)} files are not compressed: use format "glb"`,
   },
   {
     key: 'vertexColors',
