@@ -1,12 +1,12 @@
-/** What a binary glTF file says of itself, out of the beginning of its JSON: a file of thousands of rocks has megabytes of it. */
+/** What a binary glTF file says of itself, out of the beginning of its JSON, or its end: a file of thousands of rocks has megabytes of it. */
 
 import { Refused } from './refused.ts';
 
 const JSON_CHUNK = 0x4e4f534a;
 /** Header of the file and of its first chunk. */
 const HEAD = 20;
-/** So much of the JSON is looked through, bytes, and so much of it is parsed, characters. */
-const [MOST_JSON, MOST_PARSED] = [1 << 22, 1 << 16];
+/** So much of the JSON is looked through, from its beginning and at its end, bytes; and so much of it is parsed, characters. */
+const [MOST_JSON, MOST_TAIL, MOST_PARSED] = [1 << 22, 1 << 18, 1 << 16];
 
 /**
  * The extras of the file's `asset` and of its scenes. What optimisers write has them in either place.
@@ -21,6 +21,12 @@ export async function gltfExtras(glb: Blob): Promise<unknown[]> {
   const read = Math.min(length, MOST_JSON);
   const text = await glb.slice(HEAD, HEAD + read).text();
   const members = topMembers(text, ['asset', 'scenes']);
+  if (!members.scenes && read < length) {
+    // Some write them last.
+    const tail = await glb.slice(HEAD + length - MOST_TAIL, HEAD + length).text();
+    const at = tail.lastIndexOf('"scenes"');
+    if (at >= 0) members.scenes = topMembers(`{${tail.slice(at)}`, ['scenes']).scenes;
+  }
   if (!members.asset && !members.scenes && read === length) throw new Refused('broken');
   const scenes = members.scenes ? parsed(members.scenes) : [];
   return [members.asset ? parsed(members.asset) : undefined, ...(Array.isArray(scenes) ? scenes : [])].map(
