@@ -36,7 +36,7 @@ const UNKNOWN_TO = {
 const PACKAGES = {
   lit: new RegExp(`^((${NAMES})/)?controls/`),
   '@noble/hashes': /^export\/hash\.ts$/,
-  fflate: /^export\/maps\//,
+  fflate: /^export\/(maps\/|png-rows\.ts$)/,
   earcut: /^wood-ear\/log-file\//,
   meshoptimizer: /^(wood-ear\/log-file|export)\//,
   react: /^typings\//,

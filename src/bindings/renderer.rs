@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{Bake, Camera, Gpu, Layer, Mesh, Plan, Prop, Props, RenderError, Rocks, Scene, View};
+use crate::render::{Bake, Camera, Gpu, Layer, Mesh, Plan, Prop, Props, RenderError, Rocks, Scene, Tile, View};
 use crate::shading::{ColorMode, Look, Mode, Quality};
 
 thread_local! {
@@ -218,6 +218,14 @@ impl Renderer {
     /// Sets the size of the picture in device pixels, and how many of them make a CSS pixel.
     pub fn resize(&mut self, width: u32, height: u32, ratio: f32) {
         self.view.resize(&self.gpu, width, height, ratio);
+    }
+
+    /// Draws a part of a larger picture from now on, until [`Renderer::resize`]: the one of the size set there whose
+    /// upper left corner is at `x`, `y` of the whole. `backing`: what stands in for ground and backdrop, 1 black, 2
+    /// white, 0 neither.
+    #[wasm_bindgen(js_name = setTile)]
+    pub fn set_tile(&mut self, width: f32, height: f32, x: f32, y: f32, backing: u8) {
+        self.view.set_tile(Tile { whole: [width.max(1.0), height.max(1.0)], corner: [x, y] }, backing);
     }
 
     /// Draws one frame.

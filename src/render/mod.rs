@@ -45,4 +45,4 @@ pub(crate) use gpu::Gpu;
 pub(crate) use plan::{Layer, Plan};
 pub(crate) use props::{Place, Prop, Props};
 pub(crate) use scene::{Rocks, Scene};
-pub(crate) use view::View;
+pub(crate) use view::{Tile, View};

@@ -1,11 +1,20 @@
 //! One canvas: its camera, its style, and how a frame is drawn.
 
+use glam::{Mat4, Vec3, Vec4};
+
 use super::bake::{Bake, SIDE as BAKE_SIDE};
 use super::camera::FOV_Y;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
 use crate::shading::palette::{self, DARK, LIGHT};
 use crate::shading::{ColorMode, Globals, Look, Mode, Quality};
+
+/// A part of a larger picture: the size of the whole and where the part's upper left corner is in it, device pixels.
+#[derive(Clone, Copy)]
+pub(crate) struct Tile {
+    pub(crate) whole: [f32; 2],
+    pub(crate) corner: [f32; 2],
+}
 
 /// The state of one canvas.
 pub(crate) struct View {
@@ -16,6 +25,9 @@ pub(crate) struct View {
     /// Size in device pixels.
     width: u32,
     height: u32,
+    tile: Option<Tile>,
+    /// 1 or 2 where black or white stands in for ground and backdrop, else 0.
+    backing: u8,
     globals: wgpu::Buffer,
     frame_group: wgpu::BindGroup,
     camera: Camera,
@@ -48,6 +60,8 @@ impl View {
             own,
             width: 1,
             height: 1,
+            tile: None,
+            backing: 0,
             globals,
             frame_group,
             camera: Camera { azimuth: 0.0, elevation: 1.0, distance: 1000.0, target: [0.0; 3] },
@@ -64,8 +78,15 @@ impl View {
         self.camera = camera.sanitised();
     }
 
-    /// Sets the size in device pixels, clamped to what a texture can hold, and the device pixels per CSS pixel.
+    /// Draws a part of a picture from now on, as large as the view; `backing` is what stands in for ground and backdrop.
+    pub(crate) fn set_tile(&mut self, tile: Tile, backing: u8) {
+        (self.tile, self.backing) = (Some(tile), backing);
+    }
+
+    /// Sets the size in device pixels, clamped to what a texture can hold, and the device pixels per CSS pixel. The
+    /// picture is drawn whole again.
     pub(crate) fn resize(&mut self, gpu: &Gpu, width: u32, height: u32, ratio: f32) {
+        (self.tile, self.backing) = (None, 0);
         self.ratio = if ratio.is_finite() { ratio.max(0.25) } else { 1.0 };
         let max = gpu.max_side();
         (self.width, self.height) = (width.clamp(1, max), height.clamp(1, max));
@@ -244,6 +265,9 @@ impl View {
 
     /// The colour around a plan. The other views cover every pixel themselves.
     fn clear_color(&self, gpu: &Gpu) -> wgpu::Color {
+        if self.backing > 0 {
+            return if self.backing == 1 { wgpu::Color::BLACK } else { wgpu::Color::WHITE };
+        }
         let theme = if self.dark { &DARK } else { &LIGHT };
         let [r, g, b] = if gpu.kind.format.is_srgb() {
             let [r, g, b, _] = palette::linear(theme.table);
@@ -256,7 +280,12 @@ impl View {
 
     fn globals(&self, scene: Option<&Scene>) -> Globals {
         let theme = if self.dark { &DARK } else { &LIGHT };
-        let (width, height) = (self.width as f32, self.height as f32);
+        let own = [self.width as f32, self.height as f32];
+        let Tile { whole: [width, height], corner: [x, y] } =
+            self.tile.unwrap_or(Tile { whole: own, corner: [0.0; 2] });
+        // From the whole picture's clip space to the tile's.
+        let scale = [width / own[0], height / own[1]];
+        let shift = [(width - 2.0 * x - own[0]) / own[0], (2.0 * y + own[1] - height) / own[1]];
         let aspect = width / height;
         let frame = self.camera.frame();
         let (center, radius) = scene.map_or((frame.eye, 1.0), |scene| (scene.center, scene.radius));
@@ -266,15 +295,24 @@ impl View {
         let natural = self.is_natural();
         let wireframe = if self.mode == Mode::Wireframe { 1.0 } else { 0.0 };
         Globals {
-            clip_from_eye: frame.clip_from_eye(aspect, center, radius, natural).to_cols_array_2d(),
+            clip_from_eye: (Mat4::from_translation(Vec3::new(shift[0], shift[1], 0.0))
+                * Mat4::from_scale(Vec3::new(scale[0], scale[1], 1.0))
+                * frame.clip_from_eye(aspect, center, radius, natural))
+            .to_cols_array_2d(),
             eye: frame.eye.extend(self.ratio).to_array(),
             ray_right: (frame.right * tangent * aspect).extend(width).to_array(),
             ray_up: (frame.up * tangent).extend(height).to_array(),
             ray_forward: frame.forward.extend(wireframe).to_array(),
-            plan: [self.camera.target[0], self.camera.target[1], zoom / aspect, zoom],
+            plan: [
+                self.camera.target[0] - shift[0] / (zoom / aspect * scale[0]),
+                self.camera.target[1] - shift[1] / (zoom * scale[1]),
+                zoom / aspect * scale[0],
+                zoom * scale[1],
+            ],
+            tile: [x, y, own[0], own[1]],
             backdrop_low: palette::linear(theme.backdrop_low),
             backdrop_high: palette::linear(theme.backdrop_high),
-            soil: palette::linear(theme.soil),
+            soil: Vec4::from(palette::linear(theme.soil)).truncate().extend(f32::from(self.backing)).to_array(),
             dust: palette::linear(theme.dust),
             weather: self.look.weather,
             scene: [

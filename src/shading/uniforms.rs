@@ -2,7 +2,7 @@
 
 use bytemuck::{Pod, Zeroable};
 
-/// Written once per frame and view. Size 256 B.
+/// Written once per frame and view. Size 272 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Globals {
@@ -18,9 +18,12 @@ pub(crate) struct Globals {
     pub(crate) ray_forward: [f32; 4],
     /// For plans: xy the middle in px of the image, zw the scale from px to clip space.
     pub(crate) plan: [f32; 4],
-    /// Linear colour; w is not used. The same holds for the next three.
+    /// The part of the picture that is drawn, device pixels: xy its upper left corner, zw its size.
+    pub(crate) tile: [f32; 4],
+    /// Linear colour; w is not used. The same holds for the next two and for `dust`.
     pub(crate) backdrop_low: [f32; 4],
     pub(crate) backdrop_high: [f32; 4],
+    /// w: 1 or 2 where black or white stands in for ground and backdrop, else 0.
     pub(crate) soil: [f32; 4],
     pub(crate) dust: [f32; 4],
     /// Variation, wetness, moss, dust.

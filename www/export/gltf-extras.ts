@@ -25,7 +25,7 @@ export async function gltfExtras(glb: Blob): Promise<unknown[]> {
     // Some write them last.
     const tail = await glb.slice(HEAD + length - MOST_TAIL, HEAD + length).text();
     const at = tail.lastIndexOf('"scenes"');
-    if (at >= 0) members.scenes = topMembers(`{${tail.slice(at)}`, ['scenes']).scenes;
+    if (at >= 0) Object.assign(members, topMembers(`{${tail.slice(at)}`, ['scenes']));
   }
   if (!members.asset && !members.scenes && read === length) throw new Refused('broken');
   const scenes = members.scenes ? parsed(members.scenes) : [];

@@ -53,6 +53,7 @@ export interface RawRenderer {
   setQuality(level: number): void;
   setCamera(azimuth: number, elevation: number, distance: number, targetX: number, targetY: number, targetZ: number): void;
   resize(width: number, height: number, ratio: number): void;
+  setTile(width: number, height: number, x: number, y: number, backing: number): void;
   render(): void;
   close(): void;
   free(): void;

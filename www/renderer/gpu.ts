@@ -7,7 +7,7 @@ import type { CameraState, GpuBackend, Quality } from '../base/view.ts';
 import type { LossListener, SharedDevice } from './device.ts';
 import { COLORS, FLESH, LOOK, QUALITIES, VIEWS } from './order.gen.ts';
 import type { Look } from '../data/look.ts';
-import type { SceneRenderer, SceneStyle, Wood } from './renderer.ts';
+import type { SceneRenderer, SceneStyle, Tile, Wood } from './renderer.ts';
 
 /** Layer id and site index of every rock: what a rock's colour is drawn from, whatever happens to the others. */
 export function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
@@ -79,6 +79,10 @@ export class GpuRenderer implements SceneRenderer {
 
   get backend(): GpuBackend {
     return this.#device.backend;
+  }
+
+  get maxSide(): number {
+    return this.isLost ? 0 : this.#device.raw.maxSide();
   }
 
   get isLost(): boolean {
@@ -163,6 +167,12 @@ export class GpuRenderer implements SceneRenderer {
       // At once: in the next task the device's canvas may be blank, or another's.
       if (this.#device.canvas) this.#context?.drawImage(this.#device.canvas, 0, 0, width, height, 0, 0, width, height);
     });
+  }
+
+  renderTile({ whole, corner, size, backing }: Tile): void {
+    this.resize(...size);
+    this.#guard(() => this.#raw.setTile(...whole, ...corner, ['none', 'black', 'white'].indexOf(backing)));
+    this.render();
   }
 
   dispose(): void {

@@ -5,3 +5,6 @@ export const FOV_Y = (36 * Math.PI) / 180;
 
 /** A 4K screen's worth. With 4 samples a pixel takes some 40 bytes, so this is 330 MB on the device. */
 export const MAX_PIXELS = 3840 * 2160;
+
+/** Of a picture that is drawn in parts, pixels in a row and in a column. */
+export const MAX_SIDE = 16_384;

@@ -26,6 +26,17 @@ export interface Wood {
   place: readonly [x: number, y: number, z: number, scale: number];
 }
 
+/** A part of a picture, device pixels. */
+export interface Tile {
+  /** Of the whole picture. */
+  whole: readonly [width: number, height: number];
+  /** Its upper left corner in the whole. */
+  corner: readonly [x: number, y: number];
+  size: readonly [width: number, height: number];
+  /** What stands in for ground and backdrop. */
+  backing: 'none' | 'black' | 'white';
+}
+
 export interface SceneRenderer {
   readonly backend: Backend;
   readonly canvas: HTMLCanvasElement;
@@ -41,6 +52,10 @@ export interface SceneRenderer {
   resize(width: number, height: number): void;
   /** Draws one frame now. */
   render(): void;
+  /** The most pixels that it draws in a row or a column; absent without a GPU. */
+  readonly maxSide?: number;
+  /** Draws a part of a picture now, which may be larger than the device draws; `resize` comes next. Absent without a GPU. */
+  renderTile?(tile: Tile): void;
   /** The device or context is lost, or about to be told so: what is drawn now is blank. */
   readonly isLost: boolean;
   /** Resolves, and never rejects, with a reason when the device or context is lost. */

@@ -124,6 +124,7 @@ export abstract class DrawnElement extends StageElement {
       renderer: () => this.#kept.renderer,
       size: () => this.stageSize,
       camera: (aspect) => this.cameraFor(aspect),
+      drawn: () => [this.#field, this.#wood, this.#style, this.#look],
       source: () => this.pictureSource,
     });
   }

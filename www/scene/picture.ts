@@ -10,7 +10,9 @@ import type { Failures } from './failures.ts';
 import type { FramePacer } from './frame-pacer.ts';
 import type { SceneRenderer } from '../renderer/renderer.ts';
 import type { StageSize } from './stage-size.ts';
-import { MAX_PIXELS } from '../renderer/limits.ts';
+import type { TiledPicture } from './tiles.ts';
+import { lazily } from '../base/lazy.ts';
+import { MAX_PIXELS, MAX_SIDE } from '../renderer/limits.ts';
 
 export interface PictureOptions {
   /** Device pixels; one follows from the other, and both from the size on the screen, when left out. */
@@ -20,6 +22,12 @@ export interface PictureOptions {
   type?: string;
   /** 0 … 1, of lossy types. */
   quality?: number;
+  /** Whether ground and backdrop are in it. Without them a PNG is transparent around the rocks, but for their shadows. True by default. */
+  ground?: boolean;
+  /** Ends a picture that takes longer, which is one of more pixels than a screen has. */
+  signal?: AbortSignal | undefined;
+  /** Called while such a picture is drawn, with 0 … 1. */
+  onProgress?: ((fraction: number) => void) | undefined;
   /** Whether a PNG file carries the link to what it shows: dropped on the page, it brings it back. True by default. */
   link?: boolean;
 }
@@ -31,6 +39,8 @@ export interface PictureSource {
   /** Of the buffers; empty where they are those of a preview. */
   hash: () => Promise<string>;
 }
+
+const PNG = 'image/png';
 
 /** Of a picture that has no place on the screen, px. */
 const UNSEEN_SIZE: [number, number] = [300, 150];
@@ -54,6 +64,8 @@ interface Pictured {
   renderer(): SceneRenderer | undefined;
   size(): StageSize | undefined;
   camera(aspect: number): CameraState;
+  /** What is drawn, and how: as long as these are the same, so is the picture. */
+  drawn(): readonly unknown[];
   source(): PictureSource;
 }
 
@@ -66,19 +78,52 @@ export async function picture(options: PictureOptions, scene: Pictured): Promise
     if (!renderer || !stage) throw new RockFieldError({ name: 'NoPicture', message: 'there is no picture' });
     // In a tab that nobody sees, nobody has told the size yet.
     if (stage.isEmpty) stage.measure();
-    const size = pictureSize(options, stage.isEmpty ? UNSEEN_SIZE : stage.pixels);
-    const best = scene.pacer.best;
-    if (best) renderer.setQuality(best);
+    const own = stage.isEmpty ? UNSEEN_SIZE : stage.pixels;
+    const isTiled = needsTiles(options, own, renderer);
+    const size = pictureSize(options, own, isTiled);
     const source = scene.source();
-    const taken = takePicture(renderer, size, scene.camera(size[0] / size[1]), options);
-    // In the same task the screen gets its own picture back.
-    renderer.resize(...stage.pixels);
-    scene.pacer.redraw();
-    const blob = await taken.catch((thrown: unknown) => {
-      if (!renderer.isLost) throw thrown;
+    const shot: Shot = {
+      renderer,
+      size,
+      camera: scene.camera(size[0] / size[1]),
+      prepare: () => {
+        const { best } = scene.pacer;
+        if (best) renderer.setQuality(best);
+      },
+      // In the same task the screen gets its own picture back.
+      restore: () => {
+        renderer.resize(...stage.pixels);
+        scene.pacer.redraw();
+      },
+    };
+    const blob = await (isTiled ? takeTiles(shot, options, scene) : take(shot, options)).catch((thrown: unknown) => {
+      if (!renderer.isLost || options.signal?.aborted) throw thrown;
     });
-    if (blob && (await isSound(renderer))) return options.link !== false && blob.type === 'image/png' ? withOrigin(blob, source) : blob;
-    if (performance.now() > end) throw new RockFieldError({ name: 'NoPicture', message: 'the graphics device is lost again and again' });
+    if (blob && (await isSound(renderer))) return options.link !== false && blob.type === PNG ? withOrigin(blob, source) : blob;
+    if (performance.now() > end)
+      throw new RockFieldError({ name: 'NoPicture', message: 'the graphics device is lost, or the scene changes, again and again' });
+  }
+}
+
+/** A picture that is about to be taken. */
+type Shot = Pick<TiledPicture, 'renderer' | 'size' | 'camera' | 'prepare' | 'restore'>;
+
+function take({ renderer, size, camera, prepare, restore }: Shot, options: PictureOptions): Promise<Blob> {
+  prepare();
+  const taken = takePicture(renderer, size, camera, options);
+  restore();
+  return taken;
+}
+
+/** In parts; undefined where the scene changed meanwhile. */
+async function takeTiles(shot: Shot, { ground = true, signal, onProgress }: PictureOptions, scene: Pictured): Promise<Blob | undefined> {
+  const { tiledPicture } = await lazily(() => import('./tiles.ts'));
+  const before = scene.drawn();
+  const isSame = (): boolean => scene.drawn().every((value, k) => value === before[k]);
+  try {
+    return await tiledPicture({ ...shot, isBare: !ground, isSame, signal, onProgress });
+  } catch (thrown) {
+    throw signal?.aborted ? thrown : pictureError(thrown);
   }
 }
 
@@ -106,25 +151,49 @@ function drawable(scene: Pictured): Promise<void> {
   });
 }
 
+/** As asked for, unchecked: one side follows from the other. */
+function sizeOf({ width, height }: PictureOptions, [ownWidth, ownHeight]: readonly [number, number]): [number, number] {
+  return [
+    width ?? Math.round((ownWidth * (height ?? ownHeight)) / ownHeight),
+    height ?? Math.round((ownHeight * (width ?? ownWidth)) / ownWidth),
+  ];
+}
+
+/**
+ * Whether a picture has to be drawn in parts.
+ *
+ * @throws {RockFieldError} `OutOfRange` for a type of file that is not written so, `NoPicture` where this renderer does not draw so.
+ */
+function needsTiles(options: PictureOptions, own: readonly [number, number], { renderTile, maxSide = MAX_SIDE }: SceneRenderer): boolean {
+  const { type = PNG, ground = true } = options;
+  const [width, height] = sizeOf(options, own);
+  if (ground && (type !== PNG || !renderTile)) return false;
+  if (type !== PNG) {
+    const message = `type is ${type}; a picture without the ground is ${PNG}`;
+    throw new RockFieldError({ name: 'OutOfRange', key: 'type', value: type, message });
+  }
+  if (!renderTile) throw new RockFieldError({ name: 'NoPicture', message: 'without a GPU there is no picture without the ground' });
+  return !ground || width * height > MAX_PIXELS || Math.max(width, height) > maxSide;
+}
+
 /**
  * Width and height in pixels.
  *
  * @throws {RockFieldError} `OutOfRange` for a size that cannot be drawn.
  */
-function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHeight]: [number, number]): [number, number] {
-  const size: [number, number] = [
-    width ?? Math.round((ownWidth * (height ?? ownHeight)) / ownHeight),
-    height ?? Math.round((ownHeight * (width ?? ownWidth)) / ownWidth),
-  ];
+function pictureSize(options: PictureOptions, own: readonly [number, number], isTiled: boolean): [number, number] {
+  const size = sizeOf(options, own);
+  const fits = (value: number): boolean => (isTiled ? value <= MAX_SIDE : size[0] * size[1] <= MAX_PIXELS);
   const sides = [
     ['width', size[0]],
     ['height', size[1]],
   ] as const;
+  const max = isTiled ? MAX_SIDE : MAX_PIXELS;
   // What follows from a wrong side is wrong too: the side that was given is named.
-  for (const [key, value] of width === undefined ? [...sides].reverse() : sides) {
-    if (Number.isInteger(value) && value >= 1 && size[0] * size[1] <= MAX_PIXELS) continue;
-    const message = `${key} is ${value}; a picture has whole numbers of pixels, at most ${MAX_PIXELS} together`;
-    throw new RockFieldError({ name: 'OutOfRange', key, value, min: 1, max: MAX_PIXELS, message });
+  for (const [key, value] of options.width === undefined ? [...sides].reverse() : sides) {
+    if (Number.isInteger(value) && value >= 1 && fits(value)) continue;
+    const message = `${key} is ${value}; a picture has whole numbers of pixels, at most ${max} ${isTiled ? 'in a row or a column' : 'together'}`;
+    throw new RockFieldError({ name: 'OutOfRange', key, value, min: 1, max, message });
   }
   return size;
 }
@@ -137,19 +206,14 @@ function pictureSize({ width, height }: PictureOptions, [ownWidth, ownHeight]: [
  */
 export async function takePicture(
   renderer: SceneRenderer,
-  size: [number, number],
+  size: readonly [number, number],
   camera: CameraState,
-  { type = 'image/png', quality }: PictureOptions,
+  { type = PNG, quality }: PictureOptions,
 ): Promise<Blob> {
   try {
     draw(renderer, size, camera);
   } catch (thrown) {
-    if (thrown instanceof RockFieldError) throw thrown;
-    const name = RENDERER_ERRORS.find((known) => thrown instanceof Error && thrown.name === known);
-    throw new RockFieldError(
-      { name: name ?? 'RendererFailed', message: name ? errorText(thrown) : `the picture could not be made: ${errorText(thrown)}` },
-      { cause: thrown },
-    );
+    throw pictureError(thrown);
   }
   const blob = await new Promise<Blob | null>((resolve) => renderer.canvas.toBlob(resolve, type, quality));
   if (!blob) throw new RockFieldError({ name: 'NoPicture', message: 'the browser made no file of the picture' });
@@ -159,7 +223,17 @@ export async function takePicture(
 /** What a renderer says of itself (`src/render/error.rs`) when it is asked for a picture. */
 const RENDERER_ERRORS = ['NoSurface', 'FieldTooLarge', 'MalformedField'] as const satisfies readonly ErrorName[];
 
-function draw(renderer: SceneRenderer, size: [number, number], camera: CameraState): void {
+/** Of what a renderer throws, an error of the list. */
+function pictureError(thrown: unknown): RockFieldError {
+  if (thrown instanceof RockFieldError) return thrown;
+  const name = RENDERER_ERRORS.find((known) => thrown instanceof Error && thrown.name === known);
+  return new RockFieldError(
+    { name: name ?? 'RendererFailed', message: name ? errorText(thrown) : `the picture could not be made: ${errorText(thrown)}` },
+    { cause: thrown },
+  );
+}
+
+function draw(renderer: SceneRenderer, size: readonly [number, number], camera: CameraState): void {
   renderer.resize(...size);
   // A device has its own limit, and draws no larger.
   for (const [key, value, drawn] of [

@@ -1,24 +1,27 @@
 // Prepended to every pass. World: x right, y up, z up, pixels of the image. Colour maths is linear.
 
 // Group 0, once per frame and view.
-// size 256 B, align 16; mirrored by Globals in uniforms.rs
+// size 272 B, align 16; mirrored by Globals in uniforms.rs
 struct Globals {
   // Takes positions relative to the eye: far from the origin an f32 keeps its digits that way.
   clip_from_eye: mat4x4f,
   // xyz the eye; w device pixels per CSS pixel
   eye: vec4f,
-  // Ray through the picture at (x, y) in -1…1: forward + x·right + y·up. w: width, height, px.
+  // Ray through the picture at (x, y) in -1…1: forward + x·right + y·up. w: width, height of the whole picture, px.
   ray_right: vec4f,
   ray_up: vec4f,
   // w: 1 in the wireframe view, where fills are dimmed
   ray_forward: vec4f,
   // Plans: xy the middle in px of the image, zw from px to clip space
   plan: vec4f,
+  // The part of the picture that is drawn, px: xy its upper left corner, zw its size
+  tile: vec4f,
   // Linear; w unused
   backdrop_low: vec4f,
   backdrop_high: vec4f,
-  // Linear albedo of the ground under and round the rocks; w unused
+  // Linear albedo of the ground under and round the rocks; w: 1 or 2 where black or white stands in for ground and backdrop
   soil: vec4f,
+  // w unused
   dust: vec4f,
   // Natural colours: variation, wetness, moss, dust, 0…1
   weather: vec4f,
@@ -66,9 +69,22 @@ fn linear_to_srgb(c: vec3f) -> vec3f {
   return select(1.055 * pow(c, vec3f(1.0 / 2.4)) - 0.055, c * 12.92, c <= vec3f(0.0031308));
 }
 
-// Jimenez' interleaved gradient noise, 0…1: a dither without visible structure.
+// Jimenez' interleaved gradient noise, 0…1: a dither without visible structure, across the tiles of a picture.
 fn dither(pixel: vec2f) -> f32 {
-  return fract(52.9829189 * fract(dot(pixel, vec2f(0.06711056, 0.00583715))));
+  return fract(52.9829189 * fract(dot(pixel + globals.tile.xy, vec2f(0.06711056, 0.00583715))));
+}
+
+// Where a pixel of the tile is in the whole picture, -1…1.
+fn place_of(pixel: vec2f) -> vec2f {
+  return vec2f(2.0, -2.0) * (pixel + globals.tile.xy) / vec2f(globals.ray_right.w, globals.ray_up.w) + vec2f(-1.0, 1.0);
+}
+
+// What stands in for the ground and the backdrop in pictures whose ground is left out: black, and in another picture white. How
+// far the two differ is how much is seen through. Shadows are black in both. Shares of the sun and of the sky that are seen.
+fn backing(sun: f32, sky: f32) -> vec4f {
+  let most = vec2f(SUN_COLOR.g * max(field.sun.z, 0.0), SKY_COLOR.g);
+  let lit = clamp(dot(most, vec2f(sun, sky)) / (most.x + most.y), 0.0, 1.0) * (globals.soil.w - 1.0);
+  return vec4f(select(linear_to_srgb(vec3f(lit)), vec3f(lit), target_is_srgb), 1.0);
 }
 
 // The only place where a colour is encoded; half a step of dither keeps the backdrop from banding.
@@ -78,11 +94,12 @@ fn finish(linear: vec3f, pixel: vec2f) -> vec4f {
   return vec4f(select(encoded, c, target_is_srgb), 1.0);
 }
 
-// Of the plane z = 0, at (x, y) of the picture in -1…1: the ray's point on it, divided by how far along the ray it is. Stays
+// Of the plane z = 0, at (x, y) of the tile in -1…1: the ray's point on it, divided by how far along the ray it is. Stays
 // finite at the horizon and flips beyond it, where the far plane cuts it off. A plane's depth is linear over the picture, so
 // three corners do.
 fn ground_clip(at: vec2f) -> vec4f {
-  let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
+  let whole = place_of((at * vec2f(0.5, -0.5) + 0.5) * globals.tile.zw);
+  let ray = globals.ray_forward.xyz + whole.x * globals.ray_right.xyz + whole.y * globals.ray_up.xyz;
   // Its w is 1.
   let ground = globals.clip_from_eye * vec4f(ray, -ray.z / max(globals.eye.z, 0.01));
   return vec4f(at, ground.z, 1.0);

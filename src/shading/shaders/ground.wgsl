@@ -33,15 +33,14 @@ fn grain(at: vec2f, period: f32, footprint: f32) -> f32 {
 
 @fragment
 fn fs_main(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
-  let viewport = vec2f(globals.ray_right.w, globals.ray_up.w);
-  let at = vec2f(2.0, -2.0) * pixel.xy / viewport + vec2f(-1.0, 1.0);
+  let at = place_of(pixel.xy);
   let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
   let backdrop = mix(globals.backdrop_low.rgb, globals.backdrop_high.rgb, smoothstep(-1.0, 1.0, at.y));
   // Above the horizon: a far point keeps the arithmetic finite, and the fade hides it.
   let steps = globals.eye.z / max(-ray.z, 0.0001);
   let world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);
   // World pixels under one screen pixel, along the longer side of its footprint.
-  let footprint = 2.0 * steps * length(globals.ray_up.xyz) / viewport.y / max(-normalize(ray).z, 0.05);
+  let footprint = 2.0 * steps * length(globals.ray_up.xyz) / globals.ray_up.w / max(-normalize(ray).z, 0.05);
 
   // Outside the image the soil dries to dust and the dust runs out into the backdrop: two wide even
   // fades, so that neither a rectangle nor a haze shows.
@@ -59,6 +58,11 @@ fn fs_main(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
   let fine = grain(world.xy, 2.3, footprint) * 0.5 + grain(world.xy, 6.1, footprint) * 0.3
     + grain(world.xy, 41.0, footprint) * 0.2;
   let up = vec3f(0.0, 0.0, 1.0);
+  if globals.soil.w > 0.5 {
+    let sky = sky_visibility(world, up, pixel.xy);
+    let lit = backing(sunlight(world, up) * mix(0.75, 1.0, sky), sky * sky);
+    return select(backing(1.0, 1.0), lit, ray.z < -0.0001);
+  }
   let albedo = mix(globals.soil.rgb, globals.dust.rgb, dry) * (0.74 + 0.52 * mix(fine, 0.5, 0.6 * dry));
   let earth = shade(albedo, world, up, pixel.xy);
   // Where no dust lies the floor is the backdrop itself.

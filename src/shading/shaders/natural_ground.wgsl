@@ -19,12 +19,11 @@ fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
 
 @fragment
 fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @location(0) vec4f {
-  let viewport = vec2f(globals.ray_right.w, globals.ray_up.w);
-  let at = vec2f(2.0, -2.0) * pixel.xy / viewport + vec2f(-1.0, 1.0);
+  let at = place_of(pixel.xy);
   let backdrop = mix(globals.backdrop_low.rgb, globals.backdrop_high.rgb, smoothstep(-1.0, 1.0, at.y));
   let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
   if is_ground < 0.5 || ray.z > -0.0001 {
-    return finish(backdrop, pixel.xy);
+    return select(finish(backdrop, pixel.xy), backing(1.0, 1.0), globals.soil.w > 0.5);
   }
   let steps = globals.eye.z / -ray.z;
   let world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);
@@ -32,12 +31,15 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   let to_eye = -ray / length(ray);
   // px of the world under a pixel, nearer to the longer side of what it covers than to the shorter: flat pebbles would break
   // into dashes towards the horizon.
-  let across = 2.0 * steps * length(globals.ray_up.xyz) / viewport.y;
+  let across = 2.0 * steps * length(globals.ray_up.xyz) / globals.ray_up.w;
   let footprint = across * pow(max(to_eye.z, 0.02), -0.75);
 
-  ground_cover(world.xy, footprint);
   let up = vec3f(0.0, 0.0, 1.0);
   let seen = sky_seen(world, up, pixel.xy);
+  if globals.soil.w > 0.5 {
+    return backing(sun_seen(world, up), seen);
+  }
+  ground_cover(world.xy, footprint);
   var albedo = cover_albedo * mix(0.45, 1.0, cover_open);
   var slope = vec3f(cover_slope, 0.0);
   // Between and under the rocks it stays damp and collects what is fine.

@@ -18,7 +18,7 @@ fn vs_main(
   // x width in CSS pixels, y the cell size below which it fades, px of the image
   @location(2) style: vec2f,
 ) -> Varyings {
-  let viewport = vec2f(globals.ray_right.w, globals.ray_up.w);
+  let viewport = globals.tile.zw;
   let to_pixels = globals.plan.zw * viewport * 0.5;
   let a = (ends.xy - globals.plan.xy) * to_pixels;
   let b = (ends.zw - globals.plan.xy) * to_pixels;

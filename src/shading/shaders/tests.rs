@@ -89,8 +89,8 @@ fn uniform_blocks_match_rust() {
             assert_eq!(members, ours, stringify!($name));
         };
     }
-    offsets_match!(Globals: clip_from_eye, eye, ray_right, ray_up, ray_forward, plan, backdrop_low, backdrop_high, soil, dust,
-        weather, scene, flesh);
+    offsets_match!(Globals: clip_from_eye, eye, ray_right, ray_up, ray_forward, plan, tile, backdrop_low, backdrop_high, soil,
+        dust, weather, scene, flesh);
     offsets_match!(FieldUniforms: sun_from_world, sun, map, size, ground, log, bow);
 }
 
