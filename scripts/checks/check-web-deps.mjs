@@ -37,6 +37,7 @@ const PACKAGES = {
   lit: new RegExp(`^((${NAMES})/)?controls/`),
   '@noble/hashes': /^export\/hash\.ts$/,
   fflate: /^export\/(maps\/|png-rows\.ts$)/,
+  'lean-qr': /^controls\/postcard\.ts$/,
   earcut: /^wood-ear\/log-file\//,
   meshoptimizer: /^(wood-ear\/log-file|export)\//,
   react: /^typings\//,

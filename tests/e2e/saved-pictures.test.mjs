@@ -214,3 +214,28 @@ test('a file of the other page is offered there, in both directions', async () =
   await page.waitForURL((url) => url.href.endsWith(EARS));
   await closeClean(opened);
 });
+
+test('a postcard is made of what is shown, with its place, and brings the scene back; without the ground a picture has another', async () => {
+  const opened = await openPage(session, ROCKS);
+  const { page } = opened;
+  await canOpen(page);
+  await page.getByRole('button', { name: 'Picture', exact: true }).click();
+  const preview = page.locator('.picture-preview img');
+  await preview.waitFor();
+  const saved = page.waitForEvent('download');
+  await page.locator('.dialog').getByRole('button', { name: 'Save' }).click();
+  const download = await saved;
+  assert.equal(download.suggestedFilename(), 'riverbed-5-postcard.png');
+  const postcard = await readFile(await download.path());
+  const { width, height } = PNG.sync.read(postcard);
+  assert.deepEqual([width, height, textIn(postcard).link], [1200, 630, ROCKS.slice(1)]);
+  const address = await preview.getAttribute('src');
+  await page.locator('input[name=picture-kind][value=cutout]').check();
+  await page.waitForFunction(
+    (before) => document.querySelector('.picture-preview.is-bare img[src]')?.getAttribute('src') !== before,
+    address,
+  );
+  await page.keyboard.press('Escape');
+  await page.waitForFunction(() => !document.querySelector('dialog[open]'));
+  await closeClean(opened);
+});

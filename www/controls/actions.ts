@@ -14,6 +14,8 @@ export interface Actions<K extends Kind> {
   link?: () => string;
   /** Absent where nobody knows the address of a script to embed. */
   embed?: (() => void) | undefined;
+  /** Saves what is shown as a picture; the page's alone. */
+  showPicture?: () => void;
   /** Brings back the scene of a file; the page's alone. */
   openFiles?: (files: readonly File[]) => void;
   /** Lists the page's keys. */

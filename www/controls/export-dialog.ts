@@ -15,6 +15,7 @@ import { showDialog } from './dialogs.ts';
 import { dropDown } from './drop-down.ts';
 import { icon } from './icons.ts';
 import type { Place } from './parts.ts';
+import { saveFile } from './save-file.ts';
 import type { Store } from './store.ts';
 import { errorText, later } from './strings-later.ts';
 import type { LaterKey } from './strings-later.ts';
@@ -123,7 +124,7 @@ function layout(
     ${controls}
     <div class="export-report" role="status">${said}</div>
     <div class="button-row">
-      <button class="button button-primary" type="button" ?disabled=${!isFile(written)} @click=${() => isFile(written) && save(written.file)}>
+      <button class="button button-primary" type="button" ?disabled=${!isFile(written)} @click=${() => isFile(written) && saveFile(written.file)}>
         ${icon('save')}${words('save')}
       </button>
     </div>
@@ -174,15 +175,4 @@ function report(language: Language, written: Written, { scale, mesh }: ResolvedO
     ${picture ? html`<img class="export-picture" src=${picture} alt="">` : nothing}
     ${notes.length > 0 ? html`<ul class="quiet">${notes}</ul>` : nothing}
   `;
-}
-
-/** The browser has taken the file by then, ms. */
-const TAKEN_MS = 60_000;
-
-function save(file: File): void {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(file);
-  link.download = file.name;
-  link.click();
-  setTimeout(() => URL.revokeObjectURL(link.href), TAKEN_MS);
 }

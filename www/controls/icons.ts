@@ -12,7 +12,6 @@ const PATHS = {
   dice: 'M4.2 2.5h7.6c.9 0 1.7.8 1.7 1.7v7.6c0 .9-.8 1.7-1.7 1.7H4.2c-.9 0-1.7-.8-1.7-1.7V4.2c0-.9.8-1.7 1.7-1.7zM5.5 5.5h.01M10.5 5.5h.01M8 8h.01M5.5 10.5h.01M10.5 10.5h.01',
   share: 'M8 9.7V2M5 4.7 8 1.8l3 2.9M5 7H3.3v6.7h9.4V7H11',
   save: 'M8 1.8v7.7M5 6.7 8 9.8l3-3.1M2.8 10.5v3h10.4v-3',
-  open: 'M2.5 12.8V3.3h3.9l1.5 1.9h5.6v7.6zM8 11.2V7.4M6.2 9.1 8 7.2l1.8 1.9',
   previous: 'M10 3.5 5.5 8l4.5 4.5',
   next: 'M6 3.5 10.5 8 6 12.5',
   down: 'M3.5 6 8 10.5 12.5 6',
@@ -32,5 +31,10 @@ const PATHS = {
 export type IconName = keyof typeof PATHS;
 
 export function icon(name: IconName): TemplateResult {
-  return html`<svg class="icon" viewBox="0 0 16 16" aria-hidden="true" focusable="false"><path d=${PATHS[name]}></path></svg>`;
+  return drawn(PATHS[name]);
+}
+
+/** Of a path that is not in the list, since the first picture does not need it. */
+export function drawn(path: string): TemplateResult {
+  return html`<svg class="icon" viewBox="0 0 16 16" aria-hidden="true" focusable="false"><path d=${path}></path></svg>`;
 }

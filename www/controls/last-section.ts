@@ -4,13 +4,16 @@ import { html, nothing } from 'lit';
 import { addressOnGround, isGroundEdited } from './site.ts';
 import { later } from './strings-later.ts';
 import { LANGUAGES, LANGUAGE_NAMES } from './strings.ts';
-import { icon } from './icons.ts';
+import { drawn, icon } from './icons.ts';
 import { segments } from './parts.ts';
 import { THEMES } from '../base/view.ts';
 import type { TemplateResult } from 'lit';
 import type { Kind } from '../table/table.ts';
 import type { Actions } from './actions.ts';
 import type { Store } from './store.ts';
+
+const PICTURE = 'M2.5 3h11v10h-11zM2.7 11l3.2-3.4 2.4 2.5 1.9-1.8 3.1 3M10.6 5.9h.01';
+const OPEN = 'M2.5 12.8V3.3h3.9l1.5 1.9h5.6v7.6zM8 11.2V7.4M6.2 9.1 8 7.2l1.8 1.9';
 
 /** What may have a scene in it. */
 const OPENED = '.png,.glb,.gltf,.json,.zip,image/png,model/gltf-binary,model/gltf+json,application/json,application/zip';
@@ -50,10 +53,18 @@ export function lastSection<K extends Kind>({
     if (files.length > 0) actions.openFiles?.(files);
   };
   const openHelp = later(store.language, 'openFileHelp');
+  const pictureHelp = later(store.language, 'pictureHelp');
+  const pictureButton = actions.showPicture
+    ? html`
+        <button class="button" type="button" title=${pictureHelp} data-help=${pictureHelp} ?disabled=${!store.result} @click=${actions.showPicture}>
+          ${drawn(PICTURE)}${later(store.language, 'picture')}
+        </button>
+      `
+    : nothing;
   const openButton = actions.openFiles
     ? html`
         <label class="button file-button" title=${openHelp} data-help=${openHelp}>
-          ${icon('open')}${later(store.language, 'openFile')}<input class="visually-hidden" type="file" accept=${OPENED} @change=${open} />
+          ${drawn(OPEN)}${later(store.language, 'openFile')}<input class="visually-hidden" type="file" accept=${OPENED} @change=${open} />
         </label>
       `
     : nothing;
@@ -79,7 +90,7 @@ export function lastSection<K extends Kind>({
         action: (theme) => store.setTheme(theme),
       })}
       <div class="button-row">
-        ${exportButton} ${openButton} ${embedButton}
+        ${pictureButton} ${exportButton} ${openButton} ${embedButton}
         <button class="button" type="button" @click=${actions.help}>${icon('help')}${store.text('help')}</button>
         <a class="button" href="docs/" hreflang="en" data-help=${later(store.language, 'docsHelp')}>${store.text('docs')}</a>
       </div>

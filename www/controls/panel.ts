@@ -99,7 +99,7 @@ export abstract class Panel<K extends Kind> extends LitElement {
 
   /** The text that a key stands for; each generator words it for itself. */
   protected abstract words(key: 'presetHelp' | 'shareHelp' | 'embedHelp'): string;
-  protected abstract presetName(): string;
+  abstract presetName(): string;
   /** Opens the list of presets. `place`: where dialogs appear. */
   protected abstract choosePreset(later: Later, place: Place): void;
   /** Between the preset and the statistics. */

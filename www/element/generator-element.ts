@@ -2,7 +2,7 @@
 
 import type { CameraState } from '../base/view.ts';
 import { CAN_SHOW } from '../base/document-styles.ts';
-import { errorInfo, notConnected } from '../base/errors.ts';
+import { errorInfo } from '../base/errors.ts';
 import type { ErrorDetail } from '../base/error-pace.ts';
 import { lazily } from '../base/lazy.ts';
 import type { ExportOptions } from '../export/options.ts';
@@ -79,10 +79,8 @@ export abstract class GeneratorElement<K extends Kind> extends AttributesElement
    * @throws {RockFieldError} `ImportForeign`, `ImportBroken` or `ImportOther` where the file brings none, and nothing has changed; `NotConnected`; what `generate()` rejects with.
    */
   async importFile(file: Blob): Promise<void> {
-    if (!this.isConnected) throw notConnected();
-    const { importedScene } = await lazily(() => import('./import-file.ts'));
-    const scene = await importedScene(this.#definition, file);
-    if (!this.isConnected) throw notConnected();
+    const { importFile } = await lazily(() => import('./import-file.ts'));
+    const scene = await importFile(this.#definition, this, file);
     this.showLink(scene);
     for (const { text } of scene.notices) this.notify(text);
     this.start();

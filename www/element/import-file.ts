@@ -1,6 +1,6 @@
 /** Scenes out of files that were made here, in the words that everybody understands. */
 
-import { RockFieldError } from '../base/errors.ts';
+import { notConnected, RockFieldError } from '../base/errors.ts';
 import type { ErrorName } from '../base/errors.ts';
 import { shown } from '../base/file-name.ts';
 import { filled } from '../base/filled.ts';
@@ -75,6 +75,14 @@ function refused(name: keyof typeof WORDS, file: Blob | string, cause?: unknown)
   const what = typeof file === 'string' ? { en: 'what was pasted', ja: '貼り付けた内容' } : { en: 'the file', ja: 'このファイル' };
   const [en, ja] = [filled(WORDS[name].en, { file: given || what.en }), filled(WORDS[name].ja, { file: given || what.ja })];
   return new RockFieldError({ name, message: en, words: { en, ja } }, { cause });
+}
+
+/** The same for an element, which has to be in a document before and after the file has been read. */
+export async function importFile<K extends Kind>(reading: LinkReading<K>, element: Node, file: Blob): Promise<ImportedScene<K>> {
+  if (!element.isConnected) throw notConnected();
+  const scene = await importedScene(reading, file);
+  if (!element.isConnected) throw notConnected();
+  return scene;
 }
 
 /** Whether a file that could also be something else is to be taken for a scene: one that says so, or a picture, which is nothing else. */

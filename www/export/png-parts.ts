@@ -58,7 +58,7 @@ export class RowFilter {
   }
 
   /** Valid until the next call. */
-  next(samples: Raster['samples']): Uint8Array {
+  next(samples: Uint8Array | Uint16Array): Uint8Array {
     [this.#row, this.#above] = [this.#above, this.#row];
     const row = this.#row;
     const above = this.#above;

@@ -1,10 +1,11 @@
-/** Files and links that are dropped on a page, pasted into it or opened with its button: the scene that they show comes back, as one step of undo. */
+/** Files of the page's scenes: those that are dropped on it, pasted or opened bring theirs back, as one step of undo; and what is shown becomes one. */
 
 import { droppedFiles, hasFiles } from '../base/dropped-files.ts';
 import { errorInfo } from '../base/errors.ts';
 import type { ErrorInfo } from '../base/errors.ts';
 import { shown } from '../base/file-name.ts';
 import type { Language } from '../base/language.ts';
+import { lazily } from '../base/lazy.ts';
 import { toast } from '../controls/dialogs.ts';
 import type { Panel } from '../controls/panel.ts';
 import type { OpenedLink, Store } from '../controls/store.ts';
@@ -43,7 +44,13 @@ const TOAST_MS = 4000;
 export function bringBack<K extends Kind>(parts: FileParts<K>, files: Files<K>): void {
   const { store, panel } = parts;
   const openFiles = (given: readonly File[]): void => void openAny(parts, files, given);
-  panel.actions = { ...panel.actions, openFiles };
+  const showIt = async (): Promise<void> => {
+    const { showPicture } = await lazily(() => import('../controls/picture-dialog.ts'));
+    const { origin, pathname } = location;
+    const address = `${origin}${pathname}#${panel.actions.link?.()}`;
+    showPicture({ store, element: parts.element, title: panel.presetName(), address });
+  };
+  panel.actions = { ...panel.actions, openFiles, showPicture: () => void showIt() };
   listenToDrops(store, openFiles, files.takeOthers !== undefined);
   document.addEventListener('paste', (event) => {
     const { clipboardData } = event;

@@ -37,7 +37,7 @@ export class RockPanel extends Panel<Rocks> {
     return this.store.text(key);
   }
 
-  protected override presetName(): string {
+  override presetName(): string {
     return presetName(this.store.language, { name: this.store.preset });
   }
 

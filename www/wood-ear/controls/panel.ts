@@ -51,7 +51,7 @@ export class WoodEarPanel extends Panel<WoodEars> {
     return woodEarText(this.store.language, key, slots);
   }
 
-  protected override presetName(): string {
+  override presetName(): string {
     return woodEarPresetName(this.store.language, this.store.preset);
   }
 
