@@ -1,5 +1,10 @@
 /** The files that are dragged over a page and dropped on it. */
 
+import type { Words } from './language.ts';
+
+/** What is said of a drop without any. */
+export const NO_FILES: Words = { en: 'There is no file in what was dropped', ja: 'ドロップされたものにファイルがありません' };
+
 /** Whether a drag carries files. What they are is not known before they are dropped. */
 export function hasFiles(event: DragEvent): boolean {
   return event.dataTransfer?.types.includes('Files') ?? false;

@@ -57,7 +57,7 @@ export function lastSection<K extends Kind>({
   const pictureButton = actions.showPicture
     ? html`
         <button class="button" type="button" title=${pictureHelp} data-help=${pictureHelp} ?disabled=${!store.result} @click=${actions.showPicture}>
-          ${drawn(PICTURE)}${later(store.language, 'picture')}
+          ${drawn(PICTURE)}${store.text('picture')}
         </button>
       `
     : nothing;

@@ -51,7 +51,7 @@ export function showPicture<K extends Kind>(parts: PictureParts<K>): void {
   const name = `${store.shown.preset}-${store.shown.params.seed}`;
 
   const show = (): HTMLDialogElement =>
-    showDialog(store, document.body, later(store.language, 'picture'), content(store, state, url, { choose, save, share }));
+    showDialog(store, document.body, store.text('picture'), content(store, state, url, { choose, save, share }));
 
   const set = (change: Partial<State>): void => {
     Object.assign(state, change);

@@ -74,7 +74,6 @@ export const LATER = {
     en: '{name}: {size}, {objects} objects, {triangles} triangles',
     ja: '{name}：{size}、オブジェクト {objects} 個、三角形 {triangles} 枚',
   },
-  picture: { en: 'Picture', ja: '画像' },
   pictureHelp: {
     en: 'Save what is shown as a postcard, or as a picture of any size, with the ground or without.',
     ja: '表示中のシーンを、ポストカードや任意の大きさの画像（地面なしも可）として保存します。',
@@ -107,7 +106,6 @@ export const LATER = {
     en: 'Drop a picture or file made here: its scene comes back',
     ja: 'ここで作った画像やファイルをドロップすると、そのシーンに戻ります',
   },
-  noFile: { en: 'There is no file in what was dropped', ja: 'ドロップされたものにファイルがありません' },
   sceneBack: { en: 'The scene of {file} is back', ja: '{file} のシーンを復元しました' },
   scenePasted: { en: 'The pasted scene is shown', ja: '貼り付けたシーンを表示しました' },
   sceneDiffers: {

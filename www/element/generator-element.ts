@@ -8,8 +8,6 @@ import { lazily } from '../base/lazy.ts';
 import type { ExportOptions } from '../export/options.ts';
 import type { TaskOptions } from '../generator/one-task.ts';
 import type { PictureSource } from '../scene/picture.ts';
-import { isMade } from '../table/row.ts';
-import { same } from '../table/table.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { Kind } from '../table/table.ts';
 import { AttributesElement } from './attributes-element.ts';
@@ -88,16 +86,8 @@ export abstract class GeneratorElement<K extends Kind> extends AttributesElement
   }
 
   protected override get pictureSource(): PictureSource {
-    const { encode, hash, table } = this.#definition;
-    const { settled } = this.history;
-    const { onScreen, result } = this;
-    // Of a run that goes on, a preview may be on screen.
-    const isWhole = same(table, settled.params, onScreen.params, isMade);
-    return {
-      link: encode({ ...(isWhole ? settled : onScreen), ...this.seenSettled }),
-      metresPerPixel: this.metresPerPixel,
-      hash: async () => (isWhole && result ? hash(result) : ''),
-    };
+    const { onScreen, seenSettled, result, metresPerPixel } = this;
+    return { definition: this.#definition, settled: this.history.settled, onScreen, seenSettled, result, metresPerPixel };
   }
 
   /**

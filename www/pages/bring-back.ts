@@ -1,6 +1,6 @@
 /** Files of the page's scenes: those that are dropped on it, pasted or opened bring theirs back, as one step of undo; and what is shown becomes one. */
 
-import { droppedFiles, hasFiles } from '../base/dropped-files.ts';
+import { droppedFiles, hasFiles, NO_FILES } from '../base/dropped-files.ts';
 import { errorInfo } from '../base/errors.ts';
 import type { ErrorInfo } from '../base/errors.ts';
 import { shown } from '../base/file-name.ts';
@@ -101,7 +101,7 @@ async function openAny<K extends Kind>(parts: FileParts<K>, files: Files<K>, giv
   const [file] = given;
   if (files.takeOthers) files.takeOthers(given);
   else if (file) await openOne(parts, files, file);
-  else parts.store.say((language) => later(language, 'noFile'), true);
+  else parts.store.say((language) => NO_FILES[language], true);
 }
 
 async function openOne<K extends Kind>({ store, open }: FileParts<K>, files: Files<K>, file: File | string): Promise<void> {

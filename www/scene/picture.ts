@@ -10,6 +10,10 @@ import type { Failures } from './failures.ts';
 import type { FramePacer } from './frame-pacer.ts';
 import type { SceneRenderer } from '../renderer/renderer.ts';
 import type { StageSize } from './stage-size.ts';
+import type { Link } from '../table/link.ts';
+import { isMade } from '../table/row.ts';
+import { same } from '../table/table.ts';
+import type { Edition, Kind, Table } from '../table/table.ts';
 import type { TiledPicture } from './tiles.ts';
 import { lazily } from '../base/lazy.ts';
 import { MAX_PIXELS, MAX_SIDE } from '../renderer/limits.ts';
@@ -32,12 +36,19 @@ export interface PictureOptions {
   link?: boolean;
 }
 
-/** What is in a picture, as files say it. */
+/** What is in a picture: all that its file says of it comes from this. */
 export interface PictureSource {
-  link: string;
+  definition: {
+    table: Table<Kind>;
+    encode(state: Link<Kind>): string;
+    hash(result: object): Promise<string>;
+  };
+  settled: Edition<Kind>;
+  onScreen: Edition<Kind>;
+  /** How it is seen. */
+  seenSettled: Pick<Link<Kind>, 'view' | 'color' | 'camera'>;
+  result: object | null;
   metresPerPixel: number;
-  /** Of the buffers; empty where they are those of a preview. */
-  hash: () => Promise<string>;
 }
 
 const PNG = 'image/png';
@@ -128,8 +139,13 @@ async function takeTiles(shot: Shot, { ground = true, signal, onProgress }: Pict
 }
 
 /** The same picture, with what brings it back. */
-async function withOrigin(png: Blob, { link, metresPerPixel, hash }: PictureSource): Promise<Blob> {
-  return withText(png, KEYWORD, JSON.stringify(originOf({ link, hash: await hash(), metresPerPixel })));
+async function withOrigin(png: Blob, source: PictureSource): Promise<Blob> {
+  const { definition, settled, onScreen, seenSettled, result, metresPerPixel } = source;
+  // Of a run that goes on, a preview may be on screen, which has no hash that anybody could find again.
+  const isWhole = same(definition.table, settled.params, onScreen.params, isMade);
+  const link = definition.encode({ ...(isWhole ? settled : onScreen), ...seenSettled });
+  const hash = isWhole && result ? await definition.hash(result) : '';
+  return withText(png, KEYWORD, JSON.stringify(originOf({ link, hash, metresPerPixel })));
 }
 
 /** Resolves when there is a picture to take; rejects when there will be none, or the cycle ends. */

@@ -1,7 +1,7 @@
 /** Files that are dragged over a picture and dropped on it. */
 
 import { addStyles, removeStyles } from '../base/document-styles.ts';
-import { droppedFiles, hasFiles } from '../base/dropped-files.ts';
+import { droppedFiles, hasFiles, NO_FILES } from '../base/dropped-files.ts';
 import { filled } from '../base/filled.ts';
 import type { Language } from '../base/language.ts';
 
@@ -10,7 +10,6 @@ const WORDS = {
     en: 'Drop a GLB or OBJ file: it becomes the log. A picture or file made here brings its scene back',
     ja: 'GLB・OBJ ファイルは丸太になります。ここで作った画像やファイルは、そのシーンに戻ります',
   },
-  nothing: { en: 'There is no file in what was dropped', ja: 'ドロップされたものにファイルがありません' },
   beside: { en: '{file} was opened; of the other files nothing was read', ja: '{file} を開きました。ほかのファイルは読み込んでいません' },
 } as const;
 
@@ -41,7 +40,7 @@ export function logAmong(files: Iterable<File>): File | undefined {
 }
 
 export function nothingDropped(language: Language): string {
-  return WORDS.nothing[language];
+  return NO_FILES[language];
 }
 
 /** What is said where several files could have been the log; else null. */
