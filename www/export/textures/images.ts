@@ -11,10 +11,10 @@ export const TILE = 1024;
 const [OPEN, RIGHT, UP, ROUGH] = [3, 4, 5, 6];
 
 /**
- * @param tiles of the atlas, row by row.
+ * @param tiles of the atlas, row by row. They are taken out of the list, so that their memory is free again: of the largest textures it is 512 MB.
  * @param onProgress is told the share of the work that is done, 0 … 1.
  */
-export async function imagesOf(tiles: readonly Uint8Array[], side: number, onProgress?: (fraction: number) => void): Promise<Images> {
+export async function imagesOf(tiles: Uint8Array[], side: number, onProgress?: (fraction: number) => void): Promise<Images> {
   const texels = joined(tiles, side);
   filled(texels, side);
   let done = 0;
@@ -51,14 +51,15 @@ function third(x: number, y: number): number {
   return Math.round(127.5 + 127.5 * Math.sqrt(Math.max(0, 1 - across * across - up * up)));
 }
 
-function joined(tiles: readonly Uint8Array[], side: number): Uint8Array {
+function joined(tiles: Uint8Array[], side: number): Uint8Array {
   const texels = new Uint8Array(TEXEL * side * side);
   const across = side / TILE;
-  tiles.forEach((tile, number) => {
+  for (let number = across * across - 1; number >= 0; number--) {
+    const tile = tiles.pop()!;
     const [left, top] = [TILE * (number % across), TILE * Math.floor(number / across)];
     for (let row = 0; row < TILE; row++) {
       texels.set(tile.subarray(TEXEL * TILE * row, TEXEL * TILE * (row + 1)), TEXEL * ((top + row) * side + left));
     }
-  });
+  }
   return texels;
 }
