@@ -190,6 +190,54 @@ test('what is solid is closed, has a volume, and tells if it passes through itse
   }
 });
 
+/** How many edges have more triangles on one side than on the other; vertices at one place count as one. */
+function openEdges({ positions, indices }: { positions: Float32Array; indices: Uint32Array }): number {
+  const placeOf = (index: number): string => positions.subarray(3 * index, 3 * index + 3).join();
+  const sides = new Map<string, number>();
+  for (let i = 0; i < indices.length; i++) {
+    const [from, to] = [placeOf(indices[i]!), placeOf(indices[i % 3 === 2 ? i - 2 : i + 1]!)];
+    if (from === to) continue;
+    const [edge, side] = from < to ? [`${from} ${to}`, 1] : [`${to} ${from}`, -1];
+    sides.set(edge, (sides.get(edge) ?? 0) + side);
+  }
+  return [...sides.values()].filter((sum) => sum !== 0).length;
+}
+
+test('levels of detail of what is solid have no open edge, and fewer triangles', async () => {
+  const document = await read((await exportWoodEar(OLD, { solid: true, lods: 3 })).bytes);
+  const triangles = [0, 0, 0];
+  for (const node of objects(document)) {
+    const level = Number(/_LOD(\d)$/.exec(node.getName())![1]);
+    const mesh = meshOf(node);
+    assert.equal(openEdges(mesh), 0, node.getName());
+    triangles[level] = triangles[level]! + mesh.indices.length / 3;
+  }
+  assert.ok(triangles[0]! > 1.5 * triangles[1]! && triangles[1]! > 1.5 * triangles[2]!, triangles.join());
+});
+
+test('an ear has one hull around both of its parts, and the log none', async () => {
+  const document = await read((await exportWoodEar(OLD, { hulls: 'unreal' })).bytes);
+  const spans = (node: Node): number[] => {
+    const { positions } = meshOf(node);
+    return [0, 1, 2].flatMap((axis) => {
+      const list = positions.filter((_, k) => k % 3 === axis);
+      return [
+        list.reduce((least, value) => Math.min(least, value), Infinity),
+        list.reduce((most, value) => Math.max(most, value), -Infinity),
+      ];
+    });
+  };
+  const all = new Map(objects(document).map((node) => [node.getName(), node]));
+  const ears = [...all.keys()].filter((name) => name.startsWith('ear-'));
+  assert.equal(all.size, 2 * ears.length + 1);
+  for (const name of ears) {
+    const [ear, hull] = [spans(all.get(name)!), spans(all.get(`UCX_${name}_00`)!)];
+    const size = Math.max(...[0, 2, 4].map((k) => ear[k + 1]! - ear[k]!));
+    const off = Math.max(...ear.map((value, k) => Math.abs(value - hull[k]!)));
+    assert.ok(off < 0.03 * size, `${name}: its hull differs by ${off} m of ${size}`);
+  }
+});
+
 test('triangles cross where an edge of one passes through the other, not where they touch', () => {
   const flat = [0, 0, 0, 2, 0, 0, 0, 2, 0];
   const two = (other: number[]): boolean =>

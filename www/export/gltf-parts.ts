@@ -54,7 +54,7 @@ export function allMeshes({ levels, hulls, hullName }: Shapes, form: ResolvedOpt
   );
   const numbers = own.map(({ name, group, parts }) => {
     const [part] = parts;
-    if (!hulls || !part || parts.length > 1 || part.bodies.length > 1) return undefined;
+    if (!hulls || !part || part.bodies.length > 1) return undefined;
     const body = part.bodies[0]!;
     if (hulls.vertexStarts[body + 1] === hulls.vertexStarts[body]) return undefined;
     return (

@@ -1,6 +1,7 @@
 /** Hulls of bodies for physics: convex, with few vertices. */
 
 import { hullOf } from './hull.ts';
+import { thingsOf } from './model.ts';
 import type { Model } from './model.ts';
 import type { ResolvedOptions } from './options.ts';
 import type { Pace } from './pace.ts';
@@ -15,17 +16,20 @@ export const HULL_NAMES = {
 } as const satisfies Record<Exclude<ResolvedOptions['hulls'], 'none'>, (object: string) => string>;
 
 /**
- * The model with the hull of each body in its place, which has no normals.
+ * The model with the hull of each thing in the place of its first body; it has no normals.
  *
- * @param wanted whether a body needs one; of others, and of those that are flat, there is none.
+ * @param wanted whether the thing that begins with a body needs one; of others, and of those that are flat, there is none.
  */
 export async function hullsOf(model: Model, wanted: (k: number) => boolean, pace: Pace): Promise<Model> {
   const bodies = model.groupOf.length;
   const positions: number[] = [];
   const indices: number[] = [];
   const [vertexStarts, indexStarts] = [new Uint32Array(bodies + 1), new Uint32Array(bodies + 1)];
+  /** For the first body of a thing, the one after its last. */
+  const ends = new Uint32Array(bodies);
+  for (const { bodies: own } of thingsOf(model)) ends[own[0]!] = own.at(-1)! + 1;
   for (let k = 0; k < bodies; k++) {
-    if (wanted(k)) addHull(model, k, positions, indices);
+    if (ends[k]! > 0 && wanted(k)) addHull(model, k, ends[k]!, positions, indices);
     vertexStarts[k + 1] = positions.length / 3;
     indexStarts[k + 1] = indices.length;
     if (pace.isDue()) await pace.rest((k + 1) / bodies);
@@ -40,9 +44,9 @@ export async function hullsOf(model: Model, wanted: (k: number) => boolean, pace
   };
 }
 
-function addHull({ positions, vertexStarts, origins }: Model, k: number, toPositions: number[], toIndices: number[]): void {
+function addHull({ positions, vertexStarts, origins }: Model, k: number, end: number, toPositions: number[], toIndices: number[]): void {
   const points = Float64Array.from(
-    positions.subarray(3 * vertexStarts[k]!, 3 * vertexStarts[k + 1]!),
+    positions.subarray(3 * vertexStarts[k]!, 3 * vertexStarts[end]!),
     (value, i) => value - origins[3 * k + (i % 3)]!,
   );
   const hull = hullOf(points, MOST_VERTICES, MARGIN);

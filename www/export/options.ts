@@ -48,7 +48,7 @@ export const OPTIONS = /* @__PURE__ */ rows({
     kind: 'choice',
     choices: ['one', 'rocks', 'kit', 'points'],
     default: 'rocks',
-    doc: '`one` mesh for each layer; `rocks`: an object for each rock, whose origin is on the ground; `kit`: `kinds` meshes for each layer, and every rock an instance of the nearest; `points`: where the rocks of a kit lie, without their meshes.',
+    doc: '`one` mesh for each layer; `rocks`: an object for each rock or wood ear, whose origin is on the ground or on the log; `kit`: `kinds` meshes for each layer, and every rock an instance of the nearest; `points`: where the rocks of a kit lie, without their meshes.',
   },
   kinds: { kind: 'integer', min: 1, max: 256, default: 12, doc: 'How many meshes of a layer a `kit` has.' },
   instancing: {
@@ -56,12 +56,16 @@ export const OPTIONS = /* @__PURE__ */ rows({
     default: false,
     doc: 'A `kit` as `EXT_mesh_gpu_instancing`: far smaller, but few programs read it. Off: objects that share their meshes.',
   },
-  solid: { kind: 'switch', default: false, doc: 'Whether rocks are closed below, as printing and physics need them.' },
+  solid: {
+    kind: 'switch',
+    default: false,
+    doc: 'Whether rocks are closed below, and wood ears have a thickness, as printing and physics need them.',
+  },
   color: {
     kind: 'choice',
     choices: ['preset', 'natural', 'layer'],
     default: 'preset',
-    doc: '`natural`: the mean colour of the kind of stone; `layer`: the colour of the layer; `preset`: natural for natural grounds.',
+    doc: '`natural`: the mean colours of stone, wood and flesh; `layer`: the colour of the layer, and those of the thesis for wood ears; `preset`: natural for natural presets.',
   },
   textures: {
     kind: 'choice',
@@ -90,7 +94,7 @@ export const OPTIONS = /* @__PURE__ */ rows({
     kind: 'choice',
     choices: ['none', 'unreal', 'godot'],
     default: 'none',
-    doc: 'Convex hulls of at most 32 vertices for physics, beside each rock of a GLB, by the names that the program knows: `UCX_rock-1_00` or `rock-1-convcolonly`.',
+    doc: 'Convex hulls of at most 32 vertices for physics, beside each rock or wood ear of a GLB, by the names that the program knows: `UCX_rock-1_00` or `rock-1-convcolonly`.',
   },
   up: { kind: 'choice', choices: ['y', 'z'], default: 'y', doc: 'The axis that points up in OBJ, STL and PLY. In glTF it is always y.' },
   scale: {
@@ -100,7 +104,13 @@ export const OPTIONS = /* @__PURE__ */ rows({
     default: 1,
     doc: 'Units of the file in a metre, in OBJ, STL and PLY: 1000 for millimetres. In glTF a unit is always a metre.',
   },
-  metresPerPixel: { kind: 'real', min: 1e-6, max: 1e3, default: 0.01, doc: 'How many metres a pixel of the field is.' },
+  metresPerPixel: {
+    kind: 'real',
+    min: 1e-6,
+    max: 1e3,
+    default: 0.01,
+    doc: 'How many metres a pixel of the field is, and a centimetre of a log.',
+  },
   axes: {
     kind: 'choice',
     choices: ['gltf', 'blender', 'unreal', 'unity'],
