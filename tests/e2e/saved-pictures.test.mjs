@@ -239,3 +239,42 @@ test('a postcard is made of what is shown, with its place, and brings the scene 
   await page.waitForFunction(() => !document.querySelector('dialog[open]'));
   await closeClean(opened);
 });
+
+test('importFile shows the scene of a file as one step of undo, and refuses by name what has none, changing nothing', async () => {
+  const opened = await openPage(session, ROCKS);
+  const { page } = opened;
+  const found = await page.evaluate(async () => {
+    const element = document.querySelector('rock-field');
+    const seen = () => JSON.stringify([element.params, element.view, element.color, element.camera]);
+    const nameOf = (promise) =>
+      promise.then(
+        () => 'done',
+        ({ name }) => name,
+      );
+    const [before, picture, bare] = [seen(), await element.toBlob({ width: 30 }), await element.toBlob({ width: 30, link: false })];
+    Object.assign(element, {
+      params: { preset: 'journal-fig1', imageWidth: 100, imageHeight: 100 },
+      view: 'wireframe',
+      color: null,
+      camera: null,
+    });
+    await element.getField();
+    const other = seen();
+    const ears = new Blob(['{"preset":"fallen-log"}']);
+    const refusals = [];
+    for (const file of [bare, picture.slice(0, 60), ears, new Blob(['{"seed":-1}'])]) refusals.push(await nameOf(element.importFile(file)));
+    refusals.push(await nameOf(document.createElement('rock-field').importFile(picture)));
+    const [isUntouched, outcome] = [seen() === other, await nameOf(element.importFile(picture))];
+    const isBack = seen() === before;
+    element.undo();
+    return { refusals, isUntouched, outcome, isBack, undone: element.params.imageWidth };
+  });
+  assert.deepEqual(found, {
+    refusals: ['ImportForeign', 'ImportBroken', 'ImportOther', 'OutOfRange', 'NotConnected'],
+    isUntouched: true,
+    outcome: 'done',
+    isBack: true,
+    undone: 100,
+  });
+  await closeClean(opened);
+});
