@@ -277,7 +277,9 @@ mod tests {
         let mut content = String::from(
             "\n/** What a log is made of, in the order of its `kinds`, with mean colours in linear light. */\nexport const WOOD = [\n",
         );
-        for ((name, plain), natural) in ["bark", "end-grain", "splinter"].iter().zip([0, 1, 1].map(|k| plain[k])).zip(natural) {
+        for ((name, plain), natural) in
+            ["bark", "end-grain", "splinter"].iter().zip([0, 1, 1].map(|k| plain[k])).zip(natural)
+        {
             content += &format!("  {{ name: '{name}', plain: {}, natural: {} }},\n", written(plain), written(natural));
         }
         content + "] as const;\n"
