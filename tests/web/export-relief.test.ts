@@ -12,12 +12,21 @@ import type { Point } from './map-files.ts';
 
 const SMALL = { imageWidth: 64, imageHeight: 48 };
 
+/** Whole numbers from 0 on, below what is asked for: the same ones for a seed. */
+function randoms(seed: number): (below: number) => number {
+  let state = seed;
+  return (below) => {
+    state = (state * 48_271) % 2_147_483_647;
+    return state % below;
+  };
+}
+
 /** 2⁻⁶⁰ is 1: enough for every 32-bit float that is a coordinate here. */
 const exact = (value: number): bigint => BigInt(value * 2 ** 60);
 
 /** For each pixel all triangles that cover its middle by the rule of graphics devices, with their heights there. Slow, and without rounding. */
 function covering({ positions, indices }: Pick<Field, 'positions' | 'indices'>, { width, height, perX, perY, depth }: Grid) {
-  const found = Array.from({ length: width * height }, () => [] as { triangle: number; z: number }[]);
+  const found = Array.from({ length: width * height }, () => [] as { triangle: number; z: number; isOnEdge: boolean }[]);
   for (let t = 0; t < indices.length / 3; t++) {
     let corners = [0, 1, 2].map((corner) => {
       const [x, y, z] = positions.subarray(3 * indices[3 * t + corner]!, 3 * indices[3 * t + corner]! + 3) as unknown as Point;
@@ -43,7 +52,7 @@ function covering({ positions, indices }: Pick<Field, 'positions' | 'indices'>, 
         });
         if (weights.includes(null)) continue;
         const z = corners.reduce((sum, corner, k) => sum + (corner.z * Number(weights[k])) / Math.abs(Number(area)), 0);
-        if (z >= -1e-9) found[row * width + column]!.push({ triangle: t + 1, z });
+        if (z >= -1e-9) found[row * width + column]!.push({ triangle: t + 1, z, isOnEdge: weights.includes(0n) });
       }
     }
   }
@@ -67,14 +76,37 @@ test('every pixel shows the highest of the triangles over its middle, as arithme
   }
 });
 
+test('a middle on an edge or a corner belongs to the triangle on its right or below, as arithmetic without rounding has it', async () => {
+  const random = randoms(7);
+  // Corners on middles of pixels: edges go through many of them.
+  const corner = (): Point => [random(32) + 0.5, random(32) + 0.5, random(9)];
+  // Seven rows along the edge that is 58 columns wide and 14 rows high, 58 / 14 * 7 is more than 29.
+  const hard: Point[] = [
+    [0.5, 63.5, 1],
+    [58.5, 49.5, 1],
+    [60.5, 62.5, 1],
+  ];
+  let onEdges = 0;
+  for (let k = 0; k < 300; k++) {
+    const size = k === 0 ? ([64, 64] as const) : ([32, 32] as const);
+    const grid = gridFor(size);
+    const model = modelOf([k === 0 ? (hard as [Point, Point, Point]) : [corner(), corner(), corner()]], size);
+    const { heights, triangles } = await reliefOf(model, grid, true);
+    const over = covering(model, grid);
+    assert.deepEqual(
+      [...triangles],
+      over.map((found) => found.length),
+    );
+    over.forEach((found, at) => assert.ok(found.length === 0 || Math.abs(heights[at]! - found[0]!.z) < 1e-5));
+    onEdges += over.filter((found) => found[0]?.isOnEdge).length;
+  }
+  assert.ok(onEdges > 500, `${onEdges} middles on edges`);
+});
+
 test('triangles that meet leave no gap and share no pixel, wherever their corners are', async () => {
   const size = [24, 24] as const;
   const grid = gridFor(size);
-  let state = 1;
-  const random = (below: number): number => {
-    state = (state * 48_271) % 2_147_483_647;
-    return state % below;
-  };
+  const random = randoms(1);
   for (const step of [0.5, 0.25, 1 / 3]) {
     const drawn = new Uint8Array(grid.width * grid.height);
     // Corners of a grid of squares, moved about, many of them onto the middles of pixels.
