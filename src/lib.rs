@@ -54,6 +54,7 @@
 //! | *(none)* | the generators: no clock, no global, no DOM, no GPU |
 //! | `generator` | wasm-bindgen exports of the rocks' generator, for workers and Node |
 //! | `wood-ear` | wasm-bindgen exports of the wood ears' generator, in a separate artefact |
+//! | `ground-mesh` | the ground around rocks as a mesh, and its wasm-bindgen exports, in a separate artefact |
 //! | `renderer-webgpu`, `renderer-webgl` | a renderer for one backend; an artefact never contains both |
 //! | `bench` | the papers' loops as they are written, for `npm run bench` |
 //!
@@ -70,6 +71,8 @@
 mod bindings;
 mod cached;
 mod error;
+#[cfg(any(feature = "ground-mesh", test))]
+pub mod ground;
 mod noise;
 pub mod params;
 #[cfg(feature = "renderer")]

@@ -3,12 +3,15 @@ import { existsSync, readFileSync } from 'node:fs';
 import path from 'node:path';
 import { brotliCompressSync, constants } from 'node:zlib';
 import { dist, pkg } from '../lib/env.mjs';
-import { GENERATORS, camelCase, pageScript } from '../lib/generators.mjs';
+import { GENERATORS, TOOLS, camelCase, pageScript } from '../lib/generators.mjs';
 import { Failure, isMain, main } from '../lib/run.mjs';
 
-/** In bytes; 1 kB = 1000 bytes. Those of the generators stand in generators.mjs. */
+/** The artefacts whose budgets stand in generators.mjs. */
+const LISTED = [...GENERATORS, ...TOOLS];
+
+/** In bytes; 1 kB = 1000 bytes. */
 export const BUDGETS = {
-  ...Object.fromEntries(GENERATORS.map(({ wasm, budget }) => [camelCase(wasm), budget])),
+  ...Object.fromEntries(LISTED.map(({ wasm, budget }) => [camelCase(wasm), budget])),
   rendererWebgpu: 110_000,
   rendererWebgl: 750_000,
   page: 45_900,
@@ -19,7 +22,7 @@ const PAGE = pageScript(GENERATORS[0]);
 
 const ADVICE = {
   ...Object.fromEntries(
-    GENERATORS.map(({ wasm }) => [
+    LISTED.map(({ wasm }) => [
       camelCase(wasm),
       `look for formatting code and generic copies (twiggy top pkg/${wasm}_bg.wasm), or for a new dependency (cargo tree --features ${wasm})`,
     ]),
@@ -37,7 +40,7 @@ export async function measure() {
   const { scriptsOf } = await import('./web.mjs');
   const scripts = scriptsOf(JSON.parse(readFileSync(meta, 'utf8')), PAGE);
   return {
-    ...Object.fromEntries(await Promise.all(GENERATORS.map(async ({ wasm }) => [camelCase(wasm), await artefact(wasm)]))),
+    ...Object.fromEntries(await Promise.all(LISTED.map(async ({ wasm }) => [camelCase(wasm), await artefact(wasm)]))),
     rendererWebgpu: await artefact('renderer-webgpu'),
     rendererWebgl: await artefact('renderer-webgl'),
     page: scripts.reduce((sum, name) => sum + brotli(readFileSync(path.join(dist, name))), 0),

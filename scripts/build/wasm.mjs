@@ -1,8 +1,8 @@
-// The four wasm artefacts: cargo → wasm-bindgen → wasm-opt, into pkg/. An artefact whose sources have not changed is kept.
+// The wasm artefacts: cargo → wasm-bindgen → wasm-opt, into pkg/. An artefact whose sources have not changed is kept.
 import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from '../lib/env.mjs';
-import { GENERATORS } from '../lib/generators.mjs';
+import { GENERATORS, TOOLS } from '../lib/generators.mjs';
 import { Failure, capture, inLanes, needed, run, say, step } from '../lib/run.mjs';
 import { bindgen, bindgenProgram } from '../setup.mjs';
 import { silencePanics } from './silent-panics.mjs';
@@ -13,13 +13,13 @@ const WASM = 'wasm32-unknown-unknown';
 const RESET = ['--experimental-reset-state-function'];
 
 /**
- * `feature` is the cargo feature and the name of the files in pkg/; the generators say themselves how they are made, the renderers are made for size.
+ * `feature` is the cargo feature and the name of the files in pkg/; the generators and tools say themselves how they are made, the renderers are made for size.
  * Those that take longest come first. Each has a profile of its own, since cargo builds one thing at a time in the folder of a profile.
  */
 export const artefacts = [
   { feature: 'renderer-webgl', profile: 'renderer-webgl', optimise: ['-Oz'], expected: '2–6 min the first time', bindgen: RESET },
   { feature: 'renderer-webgpu', profile: 'renderer-webgpu', optimise: ['-Oz'], expected: '1–4 min the first time', bindgen: RESET },
-  ...GENERATORS.map(({ wasm, compile }) => ({ feature: wasm, expected: '10–60 s', bindgen: RESET, ...compile })),
+  ...[...GENERATORS, ...TOOLS].map(({ wasm, compile }) => ({ feature: wasm, expected: '10–60 s', bindgen: RESET, ...compile })),
 ];
 
 // What rustc's default wasm target uses, and SIMD (.cargo/config.toml): what every browser of the last years has.

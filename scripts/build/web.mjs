@@ -5,7 +5,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { writeDocs } from '../docs/docs.mjs';
 import { dist, hashOf, pkg, root } from '../lib/env.mjs';
-import { GENERATORS, HEADLESS, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
+import { GENERATORS, HEADLESS, TOOLS, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { loadedBefore } from './loaded-before.mjs';
 import { Failure, needed, step } from '../lib/run.mjs';
@@ -58,7 +58,7 @@ function eachAs(nameOf, fileOf) {
   return Object.fromEntries(GENERATORS.map((generator) => [nameOf(generator), fileOf(generator)]));
 }
 
-/** The artefact of a generator, which is in dist/ by this name too. */
+/** The artefact of a generator or tool, which is in dist/ by this name too. */
 function wasmFile({ wasm }) {
   return `${wasm}_bg.wasm`;
 }
@@ -110,7 +110,7 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node', minify: false });
     await bundle({ ...CDN, outdir: staging, ...marking, plugins: [hashedAddresses(names), panelByAddress] });
     // By plain names for those who import them (`rock-field/generator_bg.wasm`), and for Node.
-    for (const name of GENERATORS.map(wasmFile)) copyFileSync(path.join(pkg, name), path.join(staging, name));
+    for (const name of [...GENERATORS, ...TOOLS].map(wasmFile)) copyFileSync(path.join(pkg, name), path.join(staging, name));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
     await docs(path.join(staging, 'docs'), marking);
     const meta = relativeTo(staging, merged(browser, headless, workers, panel));

@@ -102,6 +102,20 @@ export const GENERATORS = [
   },
 ];
 
+/**
+ * What exports need beside, each fetched when it is first asked for: `src/bindings/<wasm>.rs`, with the fields of the same names as a generator has.
+ *
+ * @type {Pick<Generator, 'wasm' | 'compile' | 'budget'>[]}
+ */
+export const TOOLS = [
+  {
+    wasm: 'ground-mesh',
+    // As the wood ears'.
+    compile: { ...GENERATORS[1].compile },
+    budget: 60_000,
+  },
+];
+
 /** The generator and those that it stands on, itself first. */
 export function withGround(generator, all = GENERATORS) {
   const ground = all.find(({ name }) => name === generator.on);

@@ -133,9 +133,3 @@ impl JsWoodEar {
         [a, b, c, d, e, kept_median, kept_p10].as_slice().into()
     }
 }
-
-/// This allocator is 2.5 kB smaller (compressed) than the standard one (dlmalloc), equally fast, and uses no more
-/// memory.
-#[cfg(target_family = "wasm")]
-#[global_allocator]
-static ALLOCATOR: rlsf::SmallGlobalTlsf = rlsf::SmallGlobalTlsf::new();
