@@ -43,7 +43,7 @@ const PACKAGES = {
   react: /^typings\//,
   svelte: /^typings\//,
   vue: /^typings\//,
-  'node:': /^entries\/core\.node\.ts$/,
+  'node:': /^entries\/(core|export)\.node\.ts$/,
   'inlined:': /^entries\/variants\/inline-worker\.ts$/,
 };
 
@@ -52,6 +52,8 @@ const WASM_USERS = [
   ...GENERATORS.map(({ worker }) => `entries/${worker}.ts`),
   'entries/core.ts',
   'entries/core.node.ts',
+  'entries/export.node.ts',
+  'rocks/ground-realm.ts',
   'renderer/artefact.ts',
 ];
 const WASM = /_bg\.wasm|\bWebAssembly\.(instantiate|compile|Module|Instance)/;

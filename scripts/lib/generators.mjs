@@ -110,8 +110,8 @@ export const GENERATORS = [
 export const TOOLS = [
   {
     wasm: 'ground-mesh',
-    // As the wood ears'.
-    compile: { ...GENERATORS[1].compile },
+    // As the wood ears', which is as fast as the rocks' way, and 12 kB smaller.
+    compile: { ...GENERATORS[1].compile, profile: 'ground-mesh' },
     budget: 60_000,
   },
 ];

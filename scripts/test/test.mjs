@@ -179,7 +179,8 @@ async function rustInNode() {
 
 async function rustDocs() {
   await docs();
-  for (const feature of [...[...GENERATORS, ...TOOLS].map(({ wasm }) => wasm), 'renderer-webgpu']) await docs(...WASM, '--features', feature);
+  for (const feature of [...[...GENERATORS, ...TOOLS].map(({ wasm }) => wasm), 'renderer-webgpu'])
+    await docs(...WASM, '--features', feature);
 }
 
 async function webTests() {

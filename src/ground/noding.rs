@@ -25,12 +25,18 @@ impl Network {
     pub(super) fn new(segments: impl Iterator<Item = [Point; 2]>, only_borders: bool) -> Self {
         const NONE: u32 = u32::MAX;
         let (all, numbers) = joined(segments.flatten());
-        let directed = numbers.chunks_exact(2).map(|ends| (ends[0].min(ends[1]), ends[0].max(ends[1]), ends[0] < ends[1]));
+        let directed =
+            numbers.chunks_exact(2).map(|ends| (ends[0].min(ends[1]), ends[0].max(ends[1]), ends[0] < ends[1]));
         let mut directed: Vec<_> = directed.filter(|(a, b, _)| a != b).collect();
         directed.sort_unstable();
         let same = directed.chunk_by(|a, b| (a.0, a.1) == (b.0, b.1));
-        let kept = same.filter(|same| !only_borders || 2 * same.iter().filter(|(.., forth)| *forth).count() != same.len());
-        let mut network = Network { points: Vec::new(), segments: kept.map(|same| [same[0].0, same[0].1]).collect(), is_new: Default::default() };
+        let kept =
+            same.filter(|same| !only_borders || 2 * same.iter().filter(|(.., forth)| *forth).count() != same.len());
+        let mut network = Network {
+            points: Vec::new(),
+            segments: kept.map(|same| [same[0].0, same[0].1]).collect(),
+            is_new: Default::default(),
+        };
         // The others' points are left out.
         let mut places = vec![NONE; all.len()];
         network.segments.iter().flatten().for_each(|&point| places[point as usize] = 0);
@@ -72,15 +78,14 @@ impl Network {
 
     /// Where segments have to be cut, in ascending order of segments and along each. Looks only at what is new since the last round.
     fn cuts(&self, grid: &Grid, near: f64) -> Vec<Cut> {
-        let entries = grid.entries(self, near);
+        let Contents { points, segments } = grid.contents(self, near);
         let [new_points, new_segments] = &self.is_new;
         let mut cuts = Vec::new();
         let mut is_bent = vec![false; self.segments.len()];
-        in_cells(&entries, |segments, points| {
+        for (points, segments) in points.iter().zip(segments.iter()) {
             for &segment in segments {
                 let s = segment as usize;
-                let others = points.iter().filter(|&&point| new_segments[s] || new_points[point as usize]);
-                for &point in others {
+                for &point in points.iter().filter(|&&point| new_segments[s] || new_points[point as usize]) {
                     let at = self.points[point as usize];
                     if let Some(share) = share_near(self.ends(segment), at.map(f64::from), near) {
                         is_bent[s] = true;
@@ -88,20 +93,19 @@ impl Network {
                     }
                 }
             }
-        });
+        }
         let mut crossings = Vec::new();
-        in_cells(&entries, |segments, _| {
+        for segments in segments.iter() {
             for (k, &a) in segments.iter().enumerate() {
                 for &b in &segments[..k] {
                     let is_either = |flags: &[bool]| flags[a as usize] || flags[b as usize];
                     // What is going to be bent may not cross any more afterwards.
-                    if !is_either(new_segments) || is_either(&is_bent) {
-                        continue;
+                    if is_either(new_segments) && !is_either(&is_bent) {
+                        crossings.extend(shares_crossing(self.ends(a), self.ends(b)).map(|shares| ([a, b], shares)));
                     }
-                    crossings.extend(shares_crossing(self.ends(a), self.ends(b)).map(|shares| ([a, b], shares)));
                 }
             }
-        });
+        }
         // Two segments may share several cells.
         crossings.sort_unstable_by_key(|(segments, _)| *segments);
         crossings.dedup_by_key(|(segments, _)| *segments);
@@ -206,32 +210,34 @@ impl Grid {
         (((y - self.low[1]) / self.side).max(0.0) as u32).min(self.rows - 1)
     }
 
-    /// What is in the cells in which something is new: for each point and segment the number of the cell, then whether it
-    /// is a point, then its own number; sorted.
-    fn entries(&self, network: &Network, near: f64) -> Vec<u64> {
+    /// What is in the cells in which something is new.
+    fn contents(&self, network: &Network, near: f64) -> Contents {
         let [new_points, new_segments] = &network.is_new;
         let mut is_looked_at = vec![false; (self.columns * self.rows) as usize];
-        let mut mark = |cell: u32| is_looked_at[cell as usize] = true;
         for (&point, _) in network.points.iter().zip(new_points).filter(|(_, new)| **new) {
-            mark(self.cell_of(point));
+            is_looked_at[self.cell_of(point) as usize] = true;
         }
         for (number, _) in (0..).zip(new_segments).filter(|(_, new)| **new) {
-            self.pass(network.ends(number), near, &mut mark);
+            self.pass(network.ends(number), near, &mut |cell| is_looked_at[cell as usize] = true);
         }
-        let mut entries = Vec::with_capacity(network.points.len() + 3 * network.segments.len());
-        let mut push = |cell: u32, is_point: bool, number: u32| {
-            if is_looked_at[cell as usize] {
-                entries.push(u64::from(cell) << 32 | u64::from(is_point) << 31 | u64::from(number));
+        let points = Lists::of(is_looked_at.len(), |visit| {
+            for (&point, number) in network.points.iter().zip(0..) {
+                let cell = self.cell_of(point);
+                if is_looked_at[cell as usize] {
+                    visit(cell, number);
+                }
             }
-        };
-        for (&point, number) in network.points.iter().zip(0..) {
-            push(self.cell_of(point), true, number);
-        }
-        for number in 0..network.segments.len() as u32 {
-            self.pass(network.ends(number), near, &mut |cell| push(cell, false, number));
-        }
-        entries.sort_unstable();
-        entries
+        });
+        let segments = Lists::of(is_looked_at.len(), |visit| {
+            for number in 0..network.segments.len() as u32 {
+                self.pass(network.ends(number), near, &mut |cell| {
+                    if is_looked_at[cell as usize] {
+                        visit(cell, number);
+                    }
+                });
+            }
+        });
+        Contents { points, segments }
     }
 
     fn cell_of(&self, point: Point) -> u32 {
@@ -239,8 +245,9 @@ impl Grid {
         self.row(y) * self.columns + self.column(x)
     }
 
-    /// Calls `visit` with each cell that a segment passes, or nearly.
-    fn pass(&self, [a, b]: [[f64; 2]; 2], near: f64, visit: &mut impl FnMut(u32)) {
+    /// Calls `visit` with each cell that a segment passes, or nearly. Small, it is as fast.
+    #[inline(never)]
+    fn pass(&self, [a, b]: [[f64; 2]; 2], near: f64, visit: &mut dyn FnMut(u32)) {
         let (lower, upper) = if a[1] <= b[1] { (a, b) } else { (b, a) };
         let slope = if upper[1] > lower[1] { (upper[0] - lower[0]) / (upper[1] - lower[1]) } else { 0.0 };
         let (left, right) = (a[0].min(b[0]), a[0].max(b[0]));
@@ -262,17 +269,39 @@ impl Grid {
     }
 }
 
-/// Calls `look` with the segments and the points of each cell.
-fn in_cells(entries: &[u64], mut look: impl FnMut(&[u32], &[u32])) {
-    const POINT: u32 = 1 << 31;
-    let (mut segments, mut points) = (Vec::new(), Vec::new());
-    for cell in entries.chunk_by(|a, b| a >> 32 == b >> 32) {
-        segments.clear();
-        points.clear();
-        for number in cell.iter().map(|&entry| entry as u32) {
-            if number & POINT == 0 { segments.push(number) } else { points.push(number & !POINT) }
+/// For each cell of a grid the points and the segments in it.
+struct Contents {
+    points: Lists,
+    segments: Lists,
+}
+
+/// For each cell a list of numbers, one list after the other.
+struct Lists {
+    starts: Vec<u32>,
+    numbers: Vec<u32>,
+}
+
+impl Lists {
+    /// `each` calls what it gets with every cell and number, twice in the same order.
+    fn of(cells: usize, each: impl Fn(&mut dyn FnMut(u32, u32))) -> Self {
+        let mut starts = vec![0; cells + 1];
+        each(&mut |cell, _| starts[cell as usize + 1] += 1);
+        for cell in 0..cells {
+            starts[cell + 1] += starts[cell];
         }
-        look(&segments, &points);
+        let mut numbers = vec![0; starts[cells] as usize];
+        let mut ends = starts.clone();
+        each(&mut |cell, number| {
+            let end = &mut ends[cell as usize];
+            numbers[*end as usize] = number;
+            *end += 1;
+        });
+        Lists { starts, numbers }
+    }
+
+    /// The lists in the order of cells.
+    fn iter(&self) -> impl Iterator<Item = &[u32]> {
+        self.starts.windows(2).map(|ends| &self.numbers[ends[0] as usize..ends[1] as usize])
     }
 }
 

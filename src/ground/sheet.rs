@@ -16,7 +16,7 @@ pub struct Sheet {
 }
 
 /// A vertex of the triangulation: one of the points that were given, by its number, or where two segments cross.
-pub(super) struct Vertex {
+struct Vertex {
     at: Point2<f64>,
     number: u32,
 }
@@ -32,7 +32,7 @@ impl HasPosition for Vertex {
     }
 }
 
-pub(super) type Triangles = ConstrainedDelaunayTriangulation<Vertex>;
+type Triangles = ConstrainedDelaunayTriangulation<Vertex>;
 
 pub(super) fn triangulate(outlines: &Outlines, size: Point, cut: bool) -> Sheet {
     let triangles = constrained(outlines, size, cut);
@@ -47,7 +47,7 @@ pub(super) fn triangulate(outlines: &Outlines, size: Point, cut: bool) -> Sheet 
 }
 
 /// The triangulation of the image's corners and of all ends of segments, in which every segment is a row of edges.
-pub(super) fn constrained(outlines: &Outlines, [width, height]: Point, cut: bool) -> Triangles {
+fn constrained(outlines: &Outlines, [width, height]: Point, cut: bool) -> Triangles {
     let border = [[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]];
     let sides = (0..4).map(|k| [border[k], border[(k + 1) % 4]]);
     let mut network = Network::new(sides.chain(outlines.segments.iter().copied()), cut);

@@ -203,6 +203,7 @@ pub(crate) fn packed(rgb: [u8; 3]) -> u32 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::params::{Kind, PARAMS};
 
     /// The source of a file with a copy of numbers from here.
     fn source(path: &str) -> String {
@@ -313,6 +314,25 @@ mod tests {
         content + "} as const;\n"
     }
 
+    /// The colours of `soil_albedo` in cover.wgsl, and that of the ground under layers.
+    fn grounds() -> String {
+        let mut content = String::from(
+            "\n/** What lies between rocks, by the names of the parameter `ground`, with its colour in linear light. */\nexport const GROUND_KINDS = [\n",
+        );
+        let colours = colours("src/shading/shaders/cover.wgsl", "fn soil_albedo(");
+        let names = PARAMS.iter().find_map(|row| match row.kind {
+            Kind::Choice(names) if row.key == "ground" => Some(names),
+            _ => None,
+        });
+        let names = names.expect("the parameter");
+        assert_eq!(names.len(), colours.len());
+        for (name, colour) in names.iter().zip(colours) {
+            content += &format!("  {{ name: '{name}', albedo: {} }},\n", written(colour));
+        }
+        content += "] as const;\n\n/** What lies between rocks in all other colours: bytes of sRGB. */\n";
+        content + &format!("export const SOIL = [{}] as const;\n", LIGHT.soil.map(|byte| byte.to_string()).join(", "))
+    }
+
     #[test]
     fn the_panels_swatches_have_the_colours_of_the_layers() {
         let tokens = source("www/styles/tokens.css");
@@ -343,7 +363,7 @@ mod tests {
             content += &format!("  {{ name: '{name}', albedo: [{albedo}] }},\n");
         }
         content += "] as const;\n";
-        content += &(wood() + &flesh());
+        content += &(wood() + &flesh() + &grounds());
         let path = concat!(env!("CARGO_MANIFEST_DIR"), "/www/data/palette.gen.ts");
         if std::env::var_os("UPDATE").is_some() {
             std::fs::write(path, &content).expect("the file can be written");

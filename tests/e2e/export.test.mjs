@@ -11,8 +11,8 @@ const REQUEST = { preset: 'riverbed', seed: 5, imageWidth: 200, imageHeight: 150
 /** @type {import('rock-field/export').ExportOptions[]} */
 const OPTIONS = [
   {},
-  { mesh: 'one', solid: true },
-  { mesh: 'kit', kinds: 6 },
+  { mesh: 'one', solid: true, groundMesh: 'cut' },
+  { mesh: 'kit', kinds: 6, groundMesh: 'whole' },
   { mesh: 'kit', instancing: true },
   { format: 'obj', up: 'z' },
   { target: 'print' },

@@ -15,6 +15,7 @@ import { TEXEL } from '../../www/export/textures/fill.ts';
 import { imagesOf, TILE } from '../../www/export/textures/images.ts';
 import type { Baked, Laid } from '../../www/export/textures/textured.ts';
 import { exportField, layOutField } from '../../www/rocks/export.ts';
+import { groundRealm } from '../../www/rocks/ground-realm.ts';
 import { resolveParams } from '../../www/rocks/request.ts';
 
 const REQUEST = { preset: 'riverbed', seed: 7, imageWidth: 120, imageHeight: 90 } as const;
@@ -37,7 +38,7 @@ async function exported(options: ExportOptions): Promise<{ file: ExportedFile; l
   const resolved = resolveOptions({ textures: '1k', ...options });
   const laid = layOutField(field, params, resolved);
   const baked = { atlas: laid.atlas, images: await IMAGES };
-  return { file: await exportField(field, { params, preset: 'riverbed' }, resolved, undefined, baked), laid, baked };
+  return { file: await exportField(field, { params, preset: 'riverbed' }, resolved, groundRealm, undefined, baked), laid, baked };
 }
 
 const IMAGES = imagesOf(drawn(1024), 1024);

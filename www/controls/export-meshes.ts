@@ -68,12 +68,21 @@ export function meshControls(
       value: options.solid ? 'closed' : 'open',
       action: (bottom) => choose({ solid: bottom === 'closed' }),
     })}
+    ${segments({
+      name: 'export-ground',
+      label: words('exportGround'),
+      options: OPTIONS.groundMesh.choices.map((value) => ({ value, label: words(`ground-${value}`) })),
+      value: options.groundMesh,
+      action: (groundMesh) => choose({ groundMesh }),
+    })}
   `;
 }
 
 /** What has just been chosen counts; what it cannot go with gives way. */
 export function fittingMesh(options: ResolvedOptions, change: Partial<ResolvedOptions>, { forms }: MeshWords): ResolvedOptions {
   const { format, mesh, textures, lods } = options;
+  // Copies of a few do not fit the holes of others.
+  if (change.groundMesh === 'cut' && mesh === 'kit') return { ...options, mesh: 'rocks' };
   const isHeld = mesh in forms && FORMS[format]?.includes(mesh);
   const hasLevels = lods === 1 || format === 'glb' || format === 'obj';
   if (isHeld && hasLevels && (textures === 'none' || format === 'glb')) return options;

@@ -66,6 +66,10 @@ export const LATER = {
   exportTextures: { en: 'Textures', ja: 'テクスチャ' },
   'textures-none': { en: 'None', ja: 'なし' },
   exportTexels: { en: 'The textures have {texels} texels per metre.', ja: 'テクスチャの解像度は 1 m あたり {texels} テクセルです。' },
+  exportGround: { en: 'Ground', ja: '地面' },
+  'ground-none': { en: 'None', ja: 'なし' },
+  'ground-cut': { en: 'Between the rocks', ja: '岩の間だけ' },
+  'ground-whole': { en: 'Under them too', ja: '岩の下も' },
   exportWriting: { en: 'Writing the file …', ja: 'ファイルを作成しています…' },
   exportLods: { en: 'Levels of detail', ja: '詳細度（LOD）の段数' },
   exportLevels: { en: 'Triangles of the levels: {triangles}', ja: '各詳細度の三角形：{triangles} 枚' },
@@ -129,6 +133,10 @@ export const LATER = {
   'note-no-objects': {
     en: 'This kind of file has no objects: everything is one mesh.',
     ja: 'この形式にはオブジェクトがなく、すべてが 1 つのメッシュになります。',
+  },
+  'note-ground-is-open': {
+    en: 'The ground is a sheet without a thickness. Only the rocks are closed.',
+    ja: '地面は厚みのない面です。閉じるのは岩だけです。',
   },
   'note-no-units': {
     en: 'This kind of file has no units. One unit is {unit}.',

@@ -46,3 +46,13 @@ export const FLESH = {
   plainInside: [0.2, 0.085, 0.06],
   plainOutside: [0.27, 0.21, 0.18],
 } as const;
+
+/** What lies between rocks, by the names of the parameter `ground`, with its colour in linear light. */
+export const GROUND_KINDS = [
+  { name: 'soil', albedo: [0.115, 0.092, 0.069] },
+  { name: 'sand', albedo: [0.4, 0.335, 0.245] },
+  { name: 'gravel', albedo: [0.19, 0.174, 0.148] },
+] as const;
+
+/** What lies between rocks in all other colours: bytes of sRGB. */
+export const SOIL = [92, 74, 61] as const;

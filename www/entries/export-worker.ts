@@ -4,6 +4,7 @@ import { imagesOf } from '../export/textures/images.ts';
 import { onTask } from '../generator/task-scope.ts';
 import { exportField, layOutField } from '../rocks/export.ts';
 import type { ExportAnswer, ExportTask } from '../rocks/export-client.ts';
+import { groundRealm } from '../rocks/ground-realm.ts';
 
 /** The share of the work that is done when the images are made. */
 const IMAGES_SHARE = 0.9;
@@ -17,6 +18,13 @@ onTask<ExportTask, ExportAnswer>(async ({ field, source, options, step }, onProg
   const { atlas, tiles } = step ?? {};
   const baked = atlas && tiles && { atlas, images: await imagesOf(tiles, atlas.side, (fraction) => onProgress(IMAGES_SHARE * fraction)) };
   const begin = baked ? IMAGES_SHARE : 0;
-  const result = await exportField(field, source, options, { onProgress: (fraction) => onProgress(begin + (1 - begin) * fraction) }, baked);
+  const result = await exportField(
+    field,
+    source,
+    options,
+    groundRealm,
+    { onProgress: (fraction) => onProgress(begin + (1 - begin) * fraction) },
+    baked,
+  );
   return { result, transfer: [result.bytes.buffer] };
 });

@@ -4,6 +4,7 @@ import type { ExportedFile } from '../export/file.ts';
 import { exportWith } from '../rocks/export.ts';
 import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
+import { groundRealm } from '../rocks/ground-realm.ts';
 import type { FieldRequest } from '../rocks/request.ts';
 import { exportColonyWith } from '../wood-ear/headless-export.ts';
 import type { WoodEarExportRequest, WoodEarExportRun } from '../wood-ear/headless-export.ts';
@@ -25,7 +26,7 @@ export type { WoodEarExportRequest, WoodEarExportRun } from '../wood-ear/headles
  * @throws {RockFieldError} naming the parameter or the option, its value and its bounds; `ExportTooLarge`.
  */
 export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
-  return exportWith(generate, request, options, run);
+  return exportWith({ generate, ground: groundRealm }, request, options, run);
 }
 
 /**
@@ -34,5 +35,5 @@ export function exportScene(request?: FieldRequest, options?: ExportOptions, run
  * @throws {RockFieldError} naming the parameter or the option, its value and its bounds; `ExportImpossible`; `ExportTooLarge`.
  */
 export function exportWoodEar(request?: WoodEarExportRequest, options?: ExportOptions, run?: WoodEarExportRun): Promise<ExportedFile> {
-  return exportColonyWith({ grow: growWoodEar, generate }, request, options, run);
+  return exportColonyWith({ grow: growWoodEar, generate, soil: groundRealm }, request, options, run);
 }

@@ -89,6 +89,7 @@ const NOTES = {
     '{count} objects: many programs take long to open so many. A kit shares its meshes, and `mesh: "one"` has one for each layer.',
   compressed: 'Programs that do not know EXT_meshopt_compression cannot open it.',
   'kit-differs': 'Rocks of a kit are like the rocks of the scene, not the same.',
+  'ground-is-open': 'The ground is a sheet without a thickness: `solid` closes the rocks alone.',
   thickened: 'Wood ears without a thickness are sheets: to be solid they have been made 1.5 mm thick.',
   'crosses-itself':
     '{count} of the objects pass through themselves; their `extras` have `solid: false`. Slicers join what overlaps; Boolean operations may not.',
@@ -179,13 +180,14 @@ export async function exportModel(
 }
 
 function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boolean): NoteCode[] {
-  const { format, mesh, instancing, textures, compress } = options;
+  const { format, mesh, instancing, textures, compress, solid, groundMesh } = options;
   if (isMap(options)) return mapCodesOf(options);
   if (mesh === 'points') return ['kinds-of-kit'];
   return [
     ...FORMATS[format].lost.filter((code) => code !== 'plain-colours' || (hasPatterns && textures === 'none')),
     ...(textures !== 'none' && !isTextured ? (['no-device'] as const) : []),
     ...(mesh === 'kit' ? (['kit-differs'] as const) : []),
+    ...(solid && groundMesh !== 'none' ? (['ground-is-open'] as const) : []),
     ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
     ...(compress ? (['compressed'] as const) : []),
   ];

@@ -61,6 +61,12 @@ export const OPTIONS = /* @__PURE__ */ rows({
     default: false,
     doc: 'Whether rocks are closed below, and wood ears have a thickness, as printing and physics need them.',
   },
+  groundMesh: {
+    kind: 'choice',
+    choices: ['none', 'cut', 'whole'],
+    default: 'none',
+    doc: 'The ground as an object, `ground`, with its vertices at the rims of the rocks: `cut` out where rocks stand on it, or `whole`. Maps and points have none.',
+  },
   color: {
     kind: 'choice',
     choices: ['preset', 'natural', 'layer'],
@@ -251,6 +257,12 @@ interface Conflict<Key extends OptionKey = OptionKey> {
 const upper = ({ format }: ResolvedOptions): string => format.toUpperCase();
 
 const CONFLICTS: readonly Conflict[] = [
+  {
+    key: 'groundMesh',
+    found: ({ mesh, groundMesh }) => mesh === 'kit' && groundMesh === 'cut',
+    instead: 'whole',
+    reason: () => 'rocks of a kit do not fit the holes of others: use groundMesh "whole", or mesh "rocks" or "one"',
+  },
   {
     key: 'vertexColors',
     found: ({ format, vertexColors }) => vertexColors && format !== 'glb' && format !== 'ply',

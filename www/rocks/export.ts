@@ -4,7 +4,7 @@ import type { Field } from '../data/field.ts';
 import { STONE, STONE_KINDS } from '../data/palette.gen.ts';
 import { exportModel } from '../export/file.ts';
 import type { ExportedFile } from '../export/file.ts';
-import type { Material, Model } from '../export/model.ts';
+import type { Model } from '../export/model.ts';
 import { resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import type { Waiting } from '../export/pace.ts';
@@ -13,6 +13,9 @@ import { laidOut } from '../export/textures/textured.ts';
 import type { Baked, Laid } from '../export/textures/textured.ts';
 import type { GenerateOptions } from './headless.ts';
 import { fieldHash } from './hash.ts';
+import { withGround } from './ground.ts';
+import type { GroundRealm } from './ground.ts';
+import { linearColor } from './linear.ts';
 import { encodeLink } from './link.ts';
 import type { Params, PresetName } from './params.ts';
 import { resolveParams } from './request.ts';
@@ -20,8 +23,6 @@ import type { FieldRequest } from './request.ts';
 import { stoneKinds } from './stone-kinds.ts';
 import { ROCKS } from './table.ts';
 import { presetColor } from '../table/table.ts';
-
-type Color = Material['color'];
 
 /** Where a field comes from. */
 export interface FieldSource {
@@ -33,13 +34,15 @@ export interface FieldSource {
 /**
  * A field as a file. The same field and options give the same bytes everywhere.
  *
+ * @param ground what makes the ground, if the options ask for it.
  * @param baked what a renderer has drawn, if `options` asks for textures.
  * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
  */
-export function exportField(
+export async function exportField(
   field: Field,
   { params, preset }: FieldSource,
   options: ResolvedOptions,
+  ground: GroundRealm,
   waiting?: Waiting,
   baked?: Baked,
 ): Promise<ExportedFile> {
@@ -51,7 +54,8 @@ export function exportField(
     hasPatterns: isNatural,
     extrasOf: (rock: number) => rockExtras(field, params, rock),
   };
-  return exportModel(rocksModel(field, params, options.metresPerPixel, isNatural), source, options, waiting, baked);
+  const rocks = rocksModel(field, params, options.metresPerPixel, isNatural);
+  return exportModel(await withGround(rocks, field, params, options, isNatural, ground), source, options, waiting, baked);
 }
 
 /**
@@ -63,8 +67,9 @@ export function layOutField(field: Field, params: Params, options: ResolvedOptio
   return laidOut(rocksModel(field, params, options.metresPerPixel, true), options, onProgress);
 }
 
-/** What is said of a rock beside its measures. */
+/** What is said of a body beside its measures: of a rock. The ground comes after all of them, and says itself what it is. */
 export function rockExtras({ rockLayer }: Field, { layers }: Params, rock: number): Record<string, unknown> {
+  if (rock >= rockLayer.length) return {};
   return { id: rock + 1, layer: layers[rockLayer[rock]!]!.id };
 }
 
@@ -80,11 +85,11 @@ const GENERATED = 0.6;
 /**
  * Generates and exports in one call: what `entries/export.ts` and `export.node.ts` share.
  *
- * @param generate of `rock-field/core`.
+ * @param tools `generate` of `rock-field/core`; what makes the ground.
  * @throws {RockFieldError} about a parameter, about an option, or `ExportTooLarge`.
  */
 export async function exportWith(
-  generate: (request?: FieldRequest, options?: GenerateOptions) => Promise<Field>,
+  { generate, ground }: { generate: (request?: FieldRequest, options?: GenerateOptions) => Promise<Field>; ground: GroundRealm },
   request: FieldRequest | undefined,
   options: ExportOptions | undefined,
   { onProgress, ...run }: ExportRun = {},
@@ -98,7 +103,7 @@ export async function exportWith(
     onProgress: onProgress && ((progress) => onProgress({ ...progress, fraction: GENERATED * progress.fraction })),
   });
   run.signal?.throwIfAborted();
-  return exportField(field, { params, preset }, resolved, {
+  return exportField(field, { params, preset }, resolved, ground, {
     signal: run.signal,
     onProgress: onProgress && ((fraction) => onProgress({ stage: 'file', fraction: GENERATED + (1 - GENERATED) * fraction })),
   });
@@ -131,7 +136,7 @@ export function rocksModel(field: Field, params: Params, metresPerPixel: number,
       ? STONE_KINDS.map(({ name, albedo }) => ({ name, color: albedo }))
       : field.layers.map(({ id }, index) => ({
           name: `layer-${index + 1}`,
-          color: STONE[id % STONE.length]!.map(linear) as unknown as Color,
+          color: linearColor(STONE[id % STONE.length]!),
         })),
     origins: standingPlaces(field),
     centre: [imageWidth / 2, imageHeight / 2, 0],
@@ -165,12 +170,4 @@ function standingPlaces({ positions, vertexStarts, rockLayer }: Field): Float64A
     places[3 * rock + 1] = (near + far) / 2;
   }
   return places;
-}
-
-/** The sRGB transfer function (IEC 61966-2-1), inverted. */
-function linear(byte: number): number {
-  const c = byte / 255;
-  // Rounded, since engines differ in the last digits of a power.
-  const exact = c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
-  return Math.round(exact * 1e4) / 1e4;
 }

@@ -7,6 +7,8 @@ import type { ResolvedOptions } from '../export/options.ts';
 import { Pace } from '../export/pace.ts';
 import type { Waiting } from '../export/pace.ts';
 import { rockExtras, rocksModel } from '../rocks/export.ts';
+import { withGround } from '../rocks/ground.ts';
+import type { GroundRealm } from '../rocks/ground.ts';
 import { decodeLink } from '../rocks/link.ts';
 import { presetColor } from '../table/table.ts';
 import { colonyModel } from './export-model.ts';
@@ -29,12 +31,14 @@ export type ExportedScene = Pick<WoodEarScene, 'colony' | 'ground' | 'place'>;
 /**
  * A colony as a file. The same scene and options give the same bytes everywhere.
  *
+ * @param soil what makes the ground between the rocks, if the options ask for it.
  * @throws {RockFieldError} `ExportTooLarge`.
  */
 export async function exportColony(
   { colony, ground, place }: ExportedScene,
   { params, preset }: ColonySource,
   options: ResolvedOptions,
+  soil: GroundRealm,
   { signal, onProgress }: Waiting = {},
 ): Promise<ExportedFile> {
   const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(WOOD_EARS, preset ?? '') === 'natural');
@@ -43,9 +47,10 @@ export async function exportColony(
   const pace = new Pace({ signal, onProgress: onProgress && ((fraction) => onProgress(looked * fraction)) });
   const { model, extras, notes } = await colonyModel(colony, params, options, isNatural, pace);
   const [x, y, z] = place;
-  const soil = { ...model, centre: [0, 0, -z] as const };
+  const onGround = { ...model, centre: [0, 0, -z] as const };
   const rocks = decodeLink(params.ground).params;
-  const whole = ground.stats.rocks > 0 ? joined(soil, rocksModel(ground, rocks, options.metresPerPixel, isNatural), [-x, -y, -z]) : soil;
+  const around = await withGround(rocksModel(ground, rocks, options.metresPerPixel, isNatural), ground, rocks, options, isNatural, soil);
+  const whole = around.groupOf.length > 0 ? joined(onGround, around, [-x, -y, -z]) : onGround;
   const own = model.groupOf.length;
   return exportModel(
     whole,

@@ -5,6 +5,7 @@ import type { Field } from '../data/field.ts';
 import type { Progress } from '../generator/protocol.ts';
 import type { ExportedFile } from '../export/file.ts';
 import type { ExportOptions } from '../export/options.ts';
+import type { GroundRealm } from '../rocks/ground.ts';
 import { FOOTPRINT } from '../rocks/headless.ts';
 import type { GenerateOptions, HeadlessJob } from '../rocks/headless.ts';
 import { colonyOptions } from './export-options.ts';
@@ -27,8 +28,9 @@ export interface WoodEarExportRun extends Omit<WoodEarOptions, 'onProgress' | 'o
 /** The share of the work that is done when the colony is there. */
 const GROWN = 0.5;
 
-/** The two generators of `rock-field/core`. */
+/** The two generators of `rock-field/core`, and what makes the ground between the rocks. */
 export interface Generators {
+  soil: GroundRealm;
   grow: (request: WoodEarRequest, options?: WoodEarOptions) => Promise<WoodEarColony>;
   generate: (request: HeadlessJob, options?: GenerateOptions) => Promise<Field>;
 }
@@ -39,7 +41,7 @@ export interface Generators {
  * @throws {RockFieldError} about a parameter, about an option, or `ExportTooLarge`.
  */
 export async function exportColonyWith(
-  { grow, generate }: Generators,
+  { grow, generate, soil }: Generators,
   request: WoodEarExportRequest = {},
   options?: ExportOptions,
   { onProgress, ...run }: WoodEarExportRun = {},
@@ -63,7 +65,7 @@ export async function exportColonyWith(
   };
   const ground = params.ground === '' ? bareField(side) : await rocks();
   signal?.throwIfAborted();
-  return exportColony({ colony, ground, place }, { params, preset }, resolved, {
+  return exportColony({ colony, ground, place }, { params, preset }, resolved, soil, {
     signal,
     onProgress: onProgress && ((fraction) => onProgress({ stage: 'file', fraction: GROWN + (1 - GROWN) * fraction })),
   });
