@@ -163,7 +163,8 @@ function rendererBytes() {
 function requireFiles() {
   const entries = [PAGE_ENTRIES, PUBLIC_ENTRIES, WORKERS, NODE_ENTRIES, PANELS].flatMap(Object.values);
   const files = [...entries, ...CDN.inject, ...DOCS.entryPoints, SERVICE_WORKER, ...COPIED, PAGE];
-  const missing = files.filter((file) => !existsSync(path.join(root, file)));
+  const compiled = artefacts.map(({ feature }) => path.join(path.relative(root, pkg), `${feature}_bg.wasm`));
+  const missing = [...files, ...compiled].filter((file) => !existsSync(path.join(root, file)));
   if (missing.length > 0) throw new Failure(`the page cannot be built: missing ${missing.join(', ')}`);
 }
 
