@@ -166,7 +166,14 @@ function isAround(segments: Segment[], x: number, y: number): boolean {
 test('with the ground, files of every target, mesh form and format are valid and equal from call to call', async () => {
   for (const [t, target] of (Object.keys(TARGETS) as (keyof typeof TARGETS)[]).entries()) {
     const mesh = OPTIONS.mesh.choices[t % 3]!;
-    const options: ExportOptions = { target, format: 'glb', mesh, groundMesh: mesh === 'kit' ? 'whole' : 'cut', instancing: t % 2 === 0 };
+    const options: ExportOptions = {
+      target,
+      format: 'glb',
+      mesh,
+      groundMesh: mesh === 'kit' ? 'whole' : 'cut',
+      instancing: t % 2 === 0,
+      lods: 1 + (t % 3),
+    };
     const request = { preset: 'forest-floor', seed: t, ...SIZE } as const;
     const [{ bytes }, again] = [await exportScene(request, options), await exportScene(request, options)];
     assert.deepEqual(Buffer.from(bytes), Buffer.from(again.bytes));

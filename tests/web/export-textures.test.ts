@@ -1,5 +1,6 @@
 // Textures in files: tiles as a renderer draws them become images that others read, in files that are valid; where none are drawn, the file says so.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { WebIO } from '@gltf-transform/core';
 import type { Document } from '@gltf-transform/core';
@@ -15,9 +16,14 @@ import { TEXEL } from '../../www/export/textures/fill.ts';
 import { imagesOf, TILE } from '../../www/export/textures/images.ts';
 import type { Baked, Laid } from '../../www/export/textures/textured.ts';
 import { exportField, layOutField } from '../../www/rocks/export.ts';
-import { groundRealm } from '../../www/rocks/ground-realm.ts';
+import type { GroundModule } from '../../www/rocks/ground.ts';
+import { Realm } from '../../www/generator/headless.ts';
 import { resolveParams } from '../../www/rocks/request.ts';
 
+const GROUND = new Realm<GroundModule>(
+  () => import('../../pkg/ground-mesh.js'),
+  () => readFileSync(new URL('../../pkg/ground-mesh_bg.wasm', import.meta.url)),
+);
 const REQUEST = { preset: 'riverbed', seed: 7, imageWidth: 120, imageHeight: 90 } as const;
 
 /** As a renderer would draw it: the left half of the texture red, the right half green; open, in their plane, and rough. */
@@ -38,7 +44,7 @@ async function exported(options: ExportOptions): Promise<{ file: ExportedFile; l
   const resolved = resolveOptions({ textures: '1k', ...options });
   const laid = layOutField(field, params, resolved);
   const baked = { atlas: laid.atlas, images: await IMAGES };
-  return { file: await exportField(field, { params, preset: 'riverbed' }, resolved, groundRealm, undefined, baked), laid, baked };
+  return { file: await exportField(field, { params, preset: 'riverbed' }, resolved, GROUND, undefined, baked), laid, baked };
 }
 
 const IMAGES = imagesOf(drawn(1024), 1024);
@@ -69,7 +75,8 @@ test('files with textures are valid, whatever their mesh form, closed or open', 
     { mesh: 'rocks', solid: true },
     { mesh: 'kit', kinds: 3 },
     { mesh: 'kit', instancing: true, solid: true },
-    { mesh: 'rocks', solid: true, lods: 3, hulls: 'unreal' },
+    { mesh: 'rocks', solid: true, lods: 3, hulls: 'unreal', groundMesh: 'cut' },
+    { mesh: 'one', lods: 2, groundMesh: 'whole' },
   ] as const) {
     const { file } = await exported(options);
     const { issues } = await validator.validateBytes(file.bytes);

@@ -5,7 +5,7 @@ import type { Images, Model } from '../model.ts';
 import { textureSide } from '../options.ts';
 import type { ResolvedOptions } from '../options.ts';
 import { closed } from '../solid.ts';
-import { atlasOf } from './atlas.ts';
+import { ATLAS_STRIDE, atlasOf } from './atlas.ts';
 import type { Atlas } from './atlas.ts';
 
 /** What a renderer has drawn, and where. */
@@ -35,9 +35,12 @@ export function laidOut(model: Model, options: ResolvedOptions, onProgress?: (fr
 
 /** The model whose bodies in the atlas are all made of one material, which has the images. */
 export function textured(model: Model, { atlas: { side, vertices, holds }, images }: Baked): Model {
+  // What has been added behind the rocks is the ground, which lies in no image; the tangents of its plane are as good as any.
+  const all = Float32Array.from({ length: (ATLAS_STRIDE * model.positions.length) / 3 }, (_, k) => Number(k % ATLAS_STRIDE === 2));
+  all.set(vertices);
   return {
     ...model,
-    textures: { side, vertices, images },
+    textures: { side, vertices: all, images },
     materialOf: model.materialOf.map((material, k) => (holds[k]! > 0 ? model.materials.length : material)),
     materials: [...model.materials, { name: 'stone', color: [1, 1, 1], isTextured: true }],
   };
