@@ -169,8 +169,8 @@ export const LATER = {
   },
   'note-open-log': { en: 'The log is not closed, so that it is not solid.', ja: '丸太は閉じていないため、立体ではありません。' },
   'note-log-not-in-link': {
-    en: 'The log from your file is in no link: the file has none.',
-    ja: 'ファイルの丸太はリンクに含まれないため、リンクは書き込まれません。',
+    en: 'The log from your file is in no link: that of the file shows a grown one.',
+    ja: '読み込んだ丸太はリンクに含まれません。保存されるリンクでは生成した丸太が表示されます。',
   },
   'note-kinds-of-kit': {
     en: 'Kinds are the meshes of “Copies of a few”, saved as GLB.',

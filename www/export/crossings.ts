@@ -9,11 +9,16 @@ export function crossesItself({ positions, indices }: Surface): boolean {
   const count = indices.length / 3;
   const boxes = boxesOf(positions, indices);
   const order = Uint32Array.from({ length: count }, (_, t) => t).sort((s, t) => boxes[6 * s]! - boxes[6 * t]! || s - t);
+  const sorted = new Float32Array(boxes.length);
+  order.forEach((t, i) => sorted.set(boxes.subarray(6 * t, 6 * t + 6), 6 * i));
   for (let i = 0; i < count; i++) {
-    const t = order[i]!;
-    for (let j = i + 1; j < count && boxes[6 * order[j]!]! <= boxes[6 * t + 3]!; j++) {
-      const s = order[j]!;
-      if (overlap(boxes, s, t) && !shareVertex(indices, s, t) && crossing(positions, indices, s, t)) return true;
+    const at = 6 * i;
+    const [right, front, low] = [sorted[at + 3]!, sorted[at + 1]!, sorted[at + 2]!];
+    const [back, high] = [sorted[at + 4]!, sorted[at + 5]!];
+    for (let j = i + 1, other = at + 6; j < count && sorted[other]! <= right; j++, other += 6) {
+      if (sorted[other + 1]! > back || sorted[other + 4]! < front || sorted[other + 2]! > high || sorted[other + 5]! < low) continue;
+      const [s, t] = [order[i]!, order[j]!];
+      if (!shareVertex(indices, s, t) && crossing(positions, indices, s, t)) return true;
     }
   }
   return false;
@@ -58,39 +63,44 @@ function boxesOf(positions: Float32Array, indices: Uint32Array): Float32Array {
   return boxes;
 }
 
-function overlap(boxes: Float32Array, s: number, t: number): boolean {
-  for (let axis = 0; axis < 3; axis++) {
-    if (boxes[6 * s + axis]! > boxes[6 * t + 3 + axis]! || boxes[6 * t + axis]! > boxes[6 * s + 3 + axis]!) return false;
-  }
-  return true;
-}
-
 function shareVertex(indices: Uint32Array, s: number, t: number): boolean {
   for (let i = 3 * s; i < 3 * s + 3; i++) for (let j = 3 * t; j < 3 * t + 3; j++) if (indices[i] === indices[j]) return true;
   return false;
 }
 
-/** Whether an edge of one passes through the other. */
+/** Whether an edge of one of two triangles passes through the other. */
 function crossing(positions: Float32Array, indices: Uint32Array, s: number, t: number): boolean {
-  for (const [one, other] of [
-    [3 * s, 3 * t],
-    [3 * t, 3 * s],
-  ] as const) {
-    const [a, b, c] = [3 * indices[other]!, 3 * indices[other + 1]!, 3 * indices[other + 2]!];
-    for (let k = 0; k < 3; k++) {
-      const [p, q] = [3 * indices[one + k]!, 3 * indices[one + ((k + 1) % 3)]!];
-      if (side(positions, a, b, c, p) * side(positions, a, b, c, q) >= 0) continue;
-      const [ab, bc, ca] = [side(positions, p, q, a, b), side(positions, p, q, b, c), side(positions, p, q, c, a)];
-      if ((ab > 0 && bc > 0 && ca > 0) || (ab < 0 && bc < 0 && ca < 0)) return true;
-    }
+  return passes(positions, indices, 3 * s, 3 * t) || passes(positions, indices, 3 * t, 3 * s);
+}
+
+/** Whether an edge of the triangle that begins at `one` passes through the one that begins at `other`. */
+function passes(positions: Float32Array, indices: Uint32Array, one: number, other: number): boolean {
+  const a = 3 * indices[other]!;
+  const b = 3 * indices[other + 1]!;
+  const c = 3 * indices[other + 2]!;
+  for (let k = 0; k < 3; k++) {
+    const p = 3 * indices[one + k]!;
+    const q = 3 * indices[one + (k === 2 ? 0 : k + 1)]!;
+    if (side(positions, a, b, c, p) * side(positions, a, b, c, q) >= 0) continue;
+    const ab = side(positions, p, q, a, b);
+    const bc = side(positions, p, q, b, c);
+    if (ab * bc <= 0) continue;
+    const ca = side(positions, p, q, c, a);
+    if (ab > 0 ? ca > 0 : ca < 0) return true;
   }
   return false;
 }
 
 /** Six times the volume of the tetrahedron whose corners begin at these places. */
 function side(x: Float32Array, a: number, b: number, c: number, d: number): number {
-  const [ux, uy, uz] = [x[b]! - x[a]!, x[b + 1]! - x[a + 1]!, x[b + 2]! - x[a + 2]!];
-  const [vx, vy, vz] = [x[c]! - x[a]!, x[c + 1]! - x[a + 1]!, x[c + 2]! - x[a + 2]!];
-  const [wx, wy, wz] = [x[d]! - x[a]!, x[d + 1]! - x[a + 1]!, x[d + 2]! - x[a + 2]!];
+  const ux = x[b]! - x[a]!;
+  const uy = x[b + 1]! - x[a + 1]!;
+  const uz = x[b + 2]! - x[a + 2]!;
+  const vx = x[c]! - x[a]!;
+  const vy = x[c + 1]! - x[a + 1]!;
+  const vz = x[c + 2]! - x[a + 2]!;
+  const wx = x[d]! - x[a]!;
+  const wy = x[d + 1]! - x[a + 1]!;
+  const wz = x[d + 2]! - x[a + 2]!;
   return ux * (vy * wz - vz * wy) + uy * (vz * wx - vx * wz) + uz * (vx * wy - vy * wx);
 }
