@@ -379,8 +379,18 @@ test('what is wrong with an option is an error with its key, value and bounds, b
 
 test('a file that would be too large is refused before anything is allocated, with the numbers', async () => {
   const many = { length: 3e9 };
-  const model = { positions: many, indices: many, groupOf: { length: 1000 } } as unknown as Model;
+  const model = { positions: many, indices: many, groupOf: { length: 1000 }, groups: [{}], materials: [{}] } as unknown as Model;
   const source = { title: '', link: '', hash: async () => '', hasPatterns: false, extrasOf: () => ({}) };
+  const sizes: number[] = [];
+  for (const mesh of ['rocks', 'kit'] as const) {
+    const tooLarge = (error: RockFieldError): boolean => {
+      sizes.push(error.value as number);
+      return error.name === 'ExportTooLarge';
+    };
+    const larger = { ...model, positions: { length: 3e12 }, indices: { length: 3e12 } } as unknown as Model;
+    await assert.rejects(exportModel(larger, source, resolveOptions({ mesh })), tooLarge);
+  }
+  assert.ok(sizes[1]! < 0.02 * sizes[0]!, `a kit of 13 of 1000 rocks is refused with ${sizes[1]} bytes, all with ${sizes[0]}`);
   for (const format of ['glb', 'obj', 'stl', 'ply'] as const) {
     await assert.rejects(
       exportModel(model, source, resolveOptions({ format })),

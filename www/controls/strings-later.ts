@@ -71,7 +71,7 @@ export const LATER = {
   'ground-cut': { en: 'Between the rocks', ja: '岩の間だけ' },
   'ground-whole': { en: 'Under them too', ja: '岩の下も' },
   exportWriting: { en: 'Writing the file …', ja: 'ファイルを作成しています…' },
-  exportLods: { en: 'Levels of detail', ja: '詳細度（LOD）の段数' },
+  exportLods: { en: 'LOD levels', ja: 'LOD の段数' },
   exportLevels: { en: 'Triangles of the levels: {triangles}', ja: '各詳細度の三角形：{triangles} 枚' },
   exportHulls: { en: '{n} convex hulls for physics, {triangles} triangles', ja: '物理演算用の凸包 {n} 個、三角形 {triangles} 枚' },
   exportFigures: {

@@ -4,6 +4,7 @@ import { RockFieldError } from '../base/errors.ts';
 import { filled } from '../base/filled.ts';
 import type { ByteWriter } from './byte-writer.ts';
 import { writeGlb } from './glb.ts';
+import { COLOR_BYTES } from './gltf-buffers.ts';
 import type { Written } from './glb.ts';
 import type { Counts, Told } from './gltf-json.ts';
 import type { Shapes } from './gltf-parts.ts';
@@ -264,8 +265,8 @@ function checkSize(model: Model, options: ResolvedOptions): void {
     checkMaps(model, options);
     return;
   }
-  const { format, mesh, solid, lods, hulls } = options;
-  const { positions, indices, groupOf } = model;
+  const { format, mesh, kinds, solid, lods, hulls, vertexColors } = options;
+  const { positions, indices, groupOf, groups, materials } = model;
   const side = textureSide(options);
   const bodies = groupOf.length;
   let [vertices, triangles] = [positions.length / 3, indices.length / 3];
@@ -274,12 +275,13 @@ function checkSize(model: Model, options: ResolvedOptions): void {
     vertices += rims + bodies;
     triangles += rims;
   }
-  // Of closed bodies that are small, a level has half of the one before.
-  vertices *= (lods + 1) / 2;
-  triangles *= (lods + 1) / 2;
+  // Of closed bodies that are small, a level has half of the one before. A kit has the meshes of few bodies.
+  const share = mesh === 'kit' ? Math.min(1, (groups.length * (kinds + materials.length)) / Math.max(1, bodies)) : 1;
+  vertices *= (share * (lods + 1)) / 2;
+  triangles *= (share * (lods + 1)) / 2;
   const ofMeshes: Partial<Record<typeof format, number>> = {
     glb:
-      (24 + (side > 0 ? 24 : 0)) * vertices +
+      (24 + (side > 0 ? 24 : 0) + (vertexColors ? COLOR_BYTES : 0)) * vertices +
       12 * triangles +
       9 * side * side +
       (mesh === 'one' ? 4 * vertices : (lods * BYTES_A_ROCK + (hulls === 'none' ? 0 : BYTES_A_HULL)) * bodies),
