@@ -35,8 +35,8 @@ const UNKNOWN_TO = {
 /** Packages, each with the files that may import them. A name that ends in a colon stands for all that begin so. */
 const PACKAGES = {
   lit: new RegExp(`^((${NAMES})/)?controls/`),
-  '@noble/hashes': /^export\/hash\.ts$/,
-  fflate: /^export\/(maps\/|png-rows\.ts$)/,
+  '@noble/hashes': /^export\/origin\/hash\.ts$/,
+  fflate: /^export\/(maps\/|formats\/png-rows\.ts$)/,
   'lean-qr': /^controls\/postcard\.ts$/,
   earcut: /^wood-ear\/log-file\//,
   meshoptimizer: /^(wood-ear\/log-file|export)\//,

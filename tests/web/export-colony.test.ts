@@ -8,7 +8,7 @@ import { growWoodEar, woodEarPresets } from 'rock-field/core';
 import type { WoodEarColony } from 'rock-field/core';
 import { exportScene, exportWoodEar } from 'rock-field/export';
 import type { ExportOptions, WoodEarExportRequest } from 'rock-field/export';
-import { crossesItself, isClosed } from '../../www/export/crossings.ts';
+import { crossesItself, isClosed } from '../../www/export/shapes/crossings.ts';
 import { decodeWoodEarLink } from '../../www/wood-ear/link.ts';
 
 type PresetName = keyof typeof woodEarPresets;

@@ -7,12 +7,12 @@ import { generate } from 'rock-field/core';
 import { exportScene } from 'rock-field/export';
 import type { ExportOptions, RockFieldError } from 'rock-field/export';
 import { fieldBuffers } from '../../www/data/buffers.ts';
-import { hashOf } from '../../www/export/hash.ts';
+import { hashOf } from '../../www/export/origin/hash.ts';
 import { bytesPerPixel, MOST_MEMORY, writeMaps } from '../../www/export/maps/maps.ts';
 import { Rasters } from '../../www/export/maps/rasters.ts';
 import { reliefOf } from '../../www/export/maps/relief.ts';
 import { OPTIONS, resolveOptions } from '../../www/export/options.ts';
-import { sceneInFile } from '../../www/export/scene-in-file.ts';
+import { sceneInFile } from '../../www/export/origin/scene-in-file.ts';
 import { first, gridFor, METRES_PER_PIXEL, modelOf, pyramid, read, readExr, told } from './map-files.ts';
 import type { Point } from './map-files.ts';
 

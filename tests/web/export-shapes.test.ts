@@ -7,7 +7,7 @@ import validator from 'gltf-validator';
 import { MeshoptDecoder } from 'meshoptimizer/decoder';
 import { exportScene } from 'rock-field/export';
 import type { ExportOptions, RockFieldError } from 'rock-field/export';
-import { hullOf } from '../../www/export/hull.ts';
+import { hullOf } from '../../www/export/shapes/hull.ts';
 import { resolveOptions } from '../../www/export/options.ts';
 
 type Point = [number, number, number];

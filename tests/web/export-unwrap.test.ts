@@ -10,7 +10,7 @@ import { filled, TEXEL } from '../../www/export/textures/fill.ts';
 import type { Laid } from '../../www/export/textures/textured.ts';
 import { unwrapped } from '../../www/export/textures/unwrap.ts';
 import type { Disc } from '../../www/export/textures/unwrap.ts';
-import { rimOf } from '../../www/export/solid.ts';
+import { rimOf } from '../../www/export/shapes/solid.ts';
 import type { Model } from '../../www/export/model.ts';
 import { layOutField } from '../../www/rocks/export.ts';
 import { resolveParams } from '../../www/rocks/request.ts';

@@ -4,8 +4,8 @@ import { test } from 'node:test';
 import type { TestContext } from 'node:test';
 import { exportScene } from 'rock-field/export';
 import type { ExportOptions } from 'rock-field/export';
-import { ByteWriter } from '../../www/export/byte-writer.ts';
-import { rounded } from '../../www/export/significant.ts';
+import { ByteWriter } from '../../www/export/formats/byte-writer.ts';
+import { rounded } from '../../www/export/formats/significant.ts';
 
 const REQUEST = { preset: 'journal-fig1', seed: 3, imageWidth: 150, imageHeight: 100 } as const;
 

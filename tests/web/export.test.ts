@@ -12,7 +12,7 @@ import type { ExportOptions } from 'rock-field/export';
 import { fieldBuffers } from '../../www/data/buffers.ts';
 import { VERSION } from '../../www/data/version.ts';
 import { exportModel } from '../../www/export/file.ts';
-import { hashOf } from '../../www/export/hash.ts';
+import { hashOf } from '../../www/export/origin/hash.ts';
 import type { Model } from '../../www/export/model.ts';
 import { STONE_KINDS } from '../../www/data/palette.gen.ts';
 import { FORMS, resolveOptions, TARGETS } from '../../www/export/options.ts';

@@ -1,7 +1,7 @@
 // Any bytes at all bring a scene back, or are refused, and little of them is read.
 import assert from 'node:assert/strict';
-import { Refused } from '../../www/export/refused.ts';
-import { sceneInFile } from '../../www/export/scene-in-file.ts';
+import { Refused } from '../../www/export/origin/refused.ts';
+import { sceneInFile } from '../../www/export/origin/scene-in-file.ts';
 import { fuzz } from './fuzz.ts';
 import { glb, gltf, ORIGIN, PIXELS, png, zip } from './scene-files.ts';
 

@@ -3,9 +3,9 @@ import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { crc32 as crcOfZlib } from 'node:zlib';
 import { PNG } from 'pngjs';
-import { KEYWORD, originOf } from '../../www/export/origin.ts';
-import { crc32, isPng, MOST_TEXT, textChunk, textOf, withText } from '../../www/export/png-text.ts';
-import { hashInSlices, hashOf } from '../../www/export/hash.ts';
+import { KEYWORD, originOf } from '../../www/export/origin/origin.ts';
+import { crc32, isPng, MOST_TEXT, textChunk, textOf, withText } from '../../www/export/origin/png-text.ts';
+import { hashInSlices, hashOf } from '../../www/export/origin/hash.ts';
 import { VERSION } from '../../www/data/version.ts';
 
 const TEXT = '{"link":"v=1&preset=riverbed&seed=7","words":"河原 – Æ"}';

@@ -1,9 +1,9 @@
 // Files that say which scene they show, for tests that read them.
 import { deflateRawSync } from 'node:zlib';
 import { PNG } from 'pngjs';
-import { KEYWORD, originOf } from '../../www/export/origin.ts';
-import { crc32, withText } from '../../www/export/png-text.ts';
-import type { SceneInFile } from '../../www/export/scene-in-file.ts';
+import { KEYWORD, originOf } from '../../www/export/origin/origin.ts';
+import { crc32, withText } from '../../www/export/origin/png-text.ts';
+import type { SceneInFile } from '../../www/export/origin/scene-in-file.ts';
 
 export const LINK = 'v=1&preset=riverbed&seed=7';
 export const ORIGIN = originOf({ link: LINK, hash: 'c0ffee', metresPerPixel: 0.01 });

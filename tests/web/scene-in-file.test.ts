@@ -1,7 +1,7 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { sceneInFile, sceneInText } from '../../www/export/scene-in-file.ts';
-import type { SceneInFile } from '../../www/export/scene-in-file.ts';
+import { sceneInFile, sceneInText } from '../../www/export/origin/scene-in-file.ts';
+import type { SceneInFile } from '../../www/export/origin/scene-in-file.ts';
 import { glb, gltf, LINK, ORIGIN, PIXELS, png, SCENE, zip } from './scene-files.ts';
 
 const found = (...parts: BlobPart[]): Promise<SceneInFile> => sceneInFile(new Blob(parts));

@@ -18,12 +18,13 @@ export interface MeshWords {
   solid: LaterKey;
   open: LaterKey;
   closed: LaterKey;
-  hasTextures: boolean;
+  /** Whether there is what rocks alone have: textures, and a ground between them. */
+  areRocks: boolean;
 }
 
 export function meshControls(
   { words, options, choose }: Choosing,
-  { label, forms, solid, open, closed, hasTextures }: MeshWords,
+  { label, forms, solid, open, closed, areRocks }: MeshWords,
 ): TemplateResult {
   return html`
     ${segments({
@@ -41,7 +42,7 @@ export function meshControls(
       action: (format) => choose({ format }),
     })}
     ${
-      hasTextures
+      areRocks
         ? segments({
             name: 'export-textures',
             label: words('exportTextures'),
@@ -68,13 +69,17 @@ export function meshControls(
       value: options.solid ? 'closed' : 'open',
       action: (bottom) => choose({ solid: bottom === 'closed' }),
     })}
-    ${segments({
-      name: 'export-ground',
-      label: words('exportGround'),
-      options: OPTIONS.groundMesh.choices.map((value) => ({ value, label: words(`ground-${value}`) })),
-      value: options.groundMesh,
-      action: (groundMesh) => choose({ groundMesh }),
-    })}
+    ${
+      areRocks
+        ? segments({
+            name: 'export-ground',
+            label: words('exportGround'),
+            options: OPTIONS.groundMesh.choices.map((value) => ({ value, label: words(`ground-${value}`) })),
+            value: options.groundMesh,
+            action: (groundMesh) => choose({ groundMesh }),
+          })
+        : nothing
+    }
   `;
 }
 

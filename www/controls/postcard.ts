@@ -2,8 +2,8 @@
 
 import { correction, generate } from 'lean-qr/nano';
 import type { Language } from '../base/language.ts';
-import { KEYWORD } from '../export/origin.ts';
-import { textOf, withText } from '../export/png-text.ts';
+import { KEYWORD } from '../export/origin/origin.ts';
+import { textOf, withText } from '../export/origin/png-text.ts';
 
 export const POSTCARD = { width: 1200, height: 630 } as const;
 

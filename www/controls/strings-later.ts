@@ -143,8 +143,8 @@ export const LATER = {
     ja: 'この形式には単位がありません。1 単位は {unit} です。',
   },
   'note-many-objects': {
-    en: '{count} objects: many programs take long to open so many. Copies of a few, or a mesh per layer, open faster.',
-    ja: 'オブジェクトが {count} 個あります。多くのソフトでは開くのに時間がかかります。少数の複製、または層ごとに結合した形式なら速く開けます。',
+    en: '{count} objects: many programs take long to open so many. Fewer meshes open faster.',
+    ja: 'オブジェクトが {count} 個あります。多くのソフトでは開くのに時間がかかります。メッシュを少なくまとめると速く開けます。',
   },
   'note-compressed': {
     en: 'Programs that do not know EXT_meshopt_compression cannot open it.',

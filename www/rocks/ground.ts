@@ -3,7 +3,7 @@
 import { errorInfo, RockFieldError } from '../base/errors.ts';
 import type { Field } from '../data/field.ts';
 import { GROUND_KINDS, SOIL } from '../data/palette.gen.ts';
-import { joined } from '../export/join.ts';
+import { joined } from '../export/shapes/join.ts';
 import type { Material, Model } from '../export/model.ts';
 import { isMap } from '../export/options.ts';
 import type { ResolvedOptions } from '../export/options.ts';

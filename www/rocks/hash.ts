@@ -2,7 +2,7 @@
 
 import { fieldBuffers } from '../data/buffers.ts';
 import type { Field } from '../data/field.ts';
-import { hashInSlices } from '../export/hash.ts';
+import { hashInSlices } from '../export/origin/hash.ts';
 
 const hashes = new WeakMap<Field, Promise<string>>();
 

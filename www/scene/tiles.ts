@@ -2,7 +2,7 @@
 
 import { RockFieldError } from '../base/errors.ts';
 import type { CameraState } from '../base/view.ts';
-import { PngRows } from '../export/png-rows.ts';
+import { PngRows } from '../export/formats/png-rows.ts';
 import type { SceneRenderer, Tile } from '../renderer/renderer.ts';
 
 /** Width and height of a part, device pixels: even, since some of what is drawn is worked out for four pixels together. */

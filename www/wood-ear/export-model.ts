@@ -2,9 +2,9 @@
 
 import type { WoodEarColony, WoodEarLog } from '../data/colony.ts';
 import { WOOD } from '../data/palette.gen.ts';
-import { crossesItself, isClosed } from '../export/crossings.ts';
+import { crossesItself, isClosed } from '../export/shapes/crossings.ts';
 import type { Note } from '../export/file.ts';
-import { sizeOf } from '../export/measures.ts';
+import { sizeOf } from '../export/shapes/measures.ts';
 import type { Group, Model } from '../export/model.ts';
 import type { ResolvedOptions } from '../export/options.ts';
 import type { Pace } from '../export/pace.ts';

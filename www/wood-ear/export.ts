@@ -2,7 +2,7 @@
 
 import { exportModel } from '../export/file.ts';
 import type { ExportedFile, Note } from '../export/file.ts';
-import { joined } from '../export/join.ts';
+import { joined } from '../export/shapes/join.ts';
 import type { ResolvedOptions } from '../export/options.ts';
 import { Pace } from '../export/pace.ts';
 import type { Waiting } from '../export/pace.ts';

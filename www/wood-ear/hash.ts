@@ -2,7 +2,7 @@
 
 import { colonyBuffers } from '../data/buffers.ts';
 import type { WoodEarColony } from '../data/colony.ts';
-import { hashInSlices } from '../export/hash.ts';
+import { hashInSlices } from '../export/origin/hash.ts';
 
 const hashes = new WeakMap<WoodEarColony, Promise<string>>();
 

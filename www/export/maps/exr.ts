@@ -1,6 +1,6 @@
 /** OpenEXR 2 (Academy Software Foundation): one part of scan lines, not compressed, with one channel of 32-bit floats. */
 
-import { ByteWriter } from '../byte-writer.ts';
+import { ByteWriter } from '../formats/byte-writer.ts';
 
 const MAGIC = [0x76, 0x2f, 0x31, 0x01];
 /** Version 2, none of its flags. */

@@ -1,15 +1,15 @@
 /** Maps of a model as files: height, normal, id, cover, contact and splat, seen from straight above. */
 
 import { RockFieldError } from '../../base/errors.ts';
-import type { Written } from '../glb.ts';
-import type { Counts, Told } from '../gltf-json.ts';
+import type { Written } from '../gltf/glb.ts';
+import type { Counts, Told } from '../gltf/gltf-json.ts';
 import type { Model } from '../model.ts';
-import { KEYWORD } from '../origin.ts';
+import { KEYWORD } from '../origin/origin.ts';
 import { impossible } from '../options.ts';
 import type { ResolvedOptions } from '../options.ts';
 import { Pace } from '../pace.ts';
 import type { Turn } from '../pace.ts';
-import { writeCsv } from '../points.ts';
+import { writeCsv } from '../formats/points.ts';
 import { writeExr } from './exr.ts';
 import { gridOf } from './grid.ts';
 import type { Grid } from './grid.ts';

@@ -1,9 +1,9 @@
 /** PNG (ISO/IEC 15948), compressed in JavaScript, so that all engines write the same bytes. */
 
 import { Zlib } from 'fflate';
-import { joined } from '../byte-writer.ts';
-import { chunk, header, RowFilter } from '../png-parts.ts';
-import { textChunk } from '../png-text.ts';
+import { joined } from '../formats/byte-writer.ts';
+import { chunk, header, RowFilter } from '../formats/png-parts.ts';
+import { textChunk } from '../origin/png-text.ts';
 import type { Turn } from '../pace.ts';
 import type { Raster } from './rasters.ts';
 

@@ -2,7 +2,7 @@
 
 import { RockFieldError } from '../../base/errors.ts';
 import type { Model } from '../model.ts';
-import { rimOf } from '../solid.ts';
+import { rimOf } from '../shapes/solid.ts';
 import { packed } from './pack.ts';
 import { tangentsOf } from './tangents.ts';
 import { unwrapped } from './unwrap.ts';

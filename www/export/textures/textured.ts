@@ -1,10 +1,10 @@
 /** A model with textures: what is laid out before a renderer draws it, and what becomes of it afterwards. */
 
-import { kitOf } from '../kit.ts';
+import { kitOf } from '../shapes/kit.ts';
 import type { Images, Model } from '../model.ts';
 import { textureSide } from '../options.ts';
 import type { ResolvedOptions } from '../options.ts';
-import { closed } from '../solid.ts';
+import { closed } from '../shapes/solid.ts';
 import { ATLAS_STRIDE, atlasOf } from './atlas.ts';
 import type { Atlas } from './atlas.ts';
 

@@ -1,6 +1,6 @@
 /** What a binary glTF file says of itself, out of the beginning of its JSON, or its end: a file of thousands of rocks has megabytes of it. */
 
-import { Refused } from './refused.ts';
+import { Refused } from '../origin/refused.ts';
 
 const JSON_CHUNK = 0x4e4f534a;
 /** Header of the file and of its first chunk. */

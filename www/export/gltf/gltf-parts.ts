@@ -1,9 +1,9 @@
 /** The meshes of a glTF file. */
 
-import type { Kit } from './kit.ts';
-import { thingsOf } from './model.ts';
-import type { Model } from './model.ts';
-import type { ResolvedOptions } from './options.ts';
+import type { Kit } from '../shapes/kit.ts';
+import { thingsOf } from '../model.ts';
+import type { Model } from '../model.ts';
+import type { ResolvedOptions } from '../options.ts';
 
 /** What one material covers of a mesh: a primitive of the file. */
 export interface Part {

@@ -1,18 +1,18 @@
 /** The JSON part of a glTF file. */
 
-import { ByteWriter } from './byte-writer.ts';
+import { ByteWriter } from '../formats/byte-writer.ts';
 import { BOUNDS, boundsOf, COLOR_BYTES } from './gltf-buffers.ts';
 import type { Layout, View, ViewName } from './gltf-buffers.ts';
 import { levelName } from './gltf-parts.ts';
 import type { Meshes, Part, Shapes } from './gltf-parts.ts';
 import { TEXTURED, texturesOf } from './gltf-textures.ts';
-import type { Kit } from './kit.ts';
-import { isOneThing, thingsOf } from './model.ts';
-import type { Model } from './model.ts';
+import type { Kit } from '../shapes/kit.ts';
+import { isOneThing, thingsOf } from '../model.ts';
+import type { Model } from '../model.ts';
 import { COMPRESSION, packedViews } from './packed.ts';
 import type { Packing } from './packed.ts';
-import { instancesByKind, placementOf, translationOf } from './placement.ts';
-import type { Placement } from './placement.ts';
+import { instancesByKind, placementOf, translationOf } from '../shapes/placement.ts';
+import type { Placement } from '../shapes/placement.ts';
 
 /** What a file has in it, for its report. Vertices, triangles and objects are those of the finest level, without hulls. */
 export interface Counts {

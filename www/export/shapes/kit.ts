@@ -1,7 +1,7 @@
 /** A few rocks of each group that stand for all of them: each rock becomes an instance of the one that is nearest to it in shape. */
 
-import { isOneThing } from './model.ts';
-import type { Model } from './model.ts';
+import { isOneThing } from '../model.ts';
+import type { Model } from '../model.ts';
 
 /** How a body lies: its principal axis on the ground as a direction, and its extents along that axis, across it and upwards. */
 export interface Frame {

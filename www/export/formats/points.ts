@@ -1,14 +1,14 @@
 /** Rocks as points: where each is, how it is turned and stretched, and which kind of the kit it is. For whatever scatters meshes on points. */
 
 import { ByteWriter } from './byte-writer.ts';
-import type { Written } from './glb.ts';
-import type { Told } from './gltf-json.ts';
-import { kitOf } from './kit.ts';
-import type { Frame } from './kit.ts';
-import { isOneThing } from './model.ts';
-import type { Model } from './model.ts';
-import type { ResolvedOptions } from './options.ts';
-import { placementOf } from './placement.ts';
+import type { Written } from '../gltf/glb.ts';
+import type { Told } from '../gltf/gltf-json.ts';
+import { kitOf } from '../shapes/kit.ts';
+import type { Frame } from '../shapes/kit.ts';
+import { isOneThing } from '../model.ts';
+import type { Model } from '../model.ts';
+import type { ResolvedOptions } from '../options.ts';
+import { placementOf } from '../shapes/placement.ts';
 
 type Vector = readonly [number, number, number];
 const COMMA = 44;

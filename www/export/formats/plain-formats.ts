@@ -1,13 +1,13 @@
 /** The formats that know little more than triangles: OBJ, STL and PLY. One mesh, or in OBJ an object for each body. */
 
 import { ByteWriter } from './byte-writer.ts';
-import type { Written } from './glb.ts';
-import type { Told } from './gltf-json.ts';
-import { levelName } from './gltf-parts.ts';
-import { thingsOf } from './model.ts';
-import type { Model } from './model.ts';
-import type { ResolvedOptions } from './options.ts';
-import type { Pace } from './pace.ts';
+import type { Written } from '../gltf/glb.ts';
+import type { Told } from '../gltf/gltf-json.ts';
+import { levelName } from '../gltf/gltf-parts.ts';
+import { thingsOf } from '../model.ts';
+import type { Model } from '../model.ts';
+import type { ResolvedOptions } from '../options.ts';
+import type { Pace } from '../pace.ts';
 
 type Options = Pick<ResolvedOptions, 'mesh' | 'up' | 'scale'>;
 

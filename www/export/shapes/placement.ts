@@ -1,9 +1,9 @@
 /** Where the objects of a glTF file stand. Metres from the middle of the whole, y up. */
 
 import type { Kit } from './kit.ts';
-import { isOneThing } from './model.ts';
-import type { Model } from './model.ts';
-import { rounded } from './significant.ts';
+import { isOneThing } from '../model.ts';
+import type { Model } from '../model.ts';
+import { rounded } from '../formats/significant.ts';
 
 /** As many as a 32-bit float has. */
 const DIGITS = 7;

@@ -1,6 +1,6 @@
 /** Whether a surface passes through itself, or has an edge. Only + − × ÷, so that all engines find the same. */
 
-import type { Model } from './model.ts';
+import type { Model } from '../model.ts';
 
 type Surface = Pick<Model, 'positions' | 'indices'>;
 

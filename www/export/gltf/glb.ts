@@ -5,19 +5,19 @@
  * @gltf-transform took ten times the time of generating the field. Tests read the files back with it, and with Khronos' validator.
  */
 
-import type { ByteWriter } from './byte-writer.ts';
+import type { ByteWriter } from '../formats/byte-writer.ts';
 import { fillInstances, fillMeshes, layoutOf } from './gltf-buffers.ts';
 import { GltfJson } from './gltf-json.ts';
 import type { Counts, Told } from './gltf-json.ts';
 import { allMeshes } from './gltf-parts.ts';
 import type { Shapes } from './gltf-parts.ts';
 import { fillTextures } from './gltf-textures.ts';
-import type { Kit } from './kit.ts';
-import { isOneThing } from './model.ts';
-import type { Model } from './model.ts';
-import type { ResolvedOptions } from './options.ts';
+import type { Kit } from '../shapes/kit.ts';
+import { isOneThing } from '../model.ts';
+import type { Model } from '../model.ts';
+import type { ResolvedOptions } from '../options.ts';
 import { packed } from './packed.ts';
-import type { Pace } from './pace.ts';
+import type { Pace } from '../pace.ts';
 
 const [GLTF, JSON_CHUNK, BIN_CHUNK] = [0x46546c67, 0x4e4f534a, 0x004e4942];
 

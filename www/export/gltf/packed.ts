@@ -1,9 +1,9 @@
 /** The binary part of a glTF file, compressed without a loss: EXT_meshopt_compression (Khronos, 2021), by meshoptimizer's encoder. */
 
-import { lazily } from '../base/lazy.ts';
+import { lazily } from '../../base/lazy.ts';
 import { IMAGES } from './gltf-buffers.ts';
 import type { Layout, View, ViewName } from './gltf-buffers.ts';
-import type { Pace } from './pace.ts';
+import type { Pace } from '../pace.ts';
 
 export const COMPRESSION = 'EXT_meshopt_compression';
 

@@ -1,6 +1,6 @@
 /** Rocks closed from below. */
 
-import type { Model } from './model.ts';
+import type { Model } from '../model.ts';
 
 /**
  * How many vertices the rim of a body has. They are its first ones, counter-clockwise from above.

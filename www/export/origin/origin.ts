@@ -1,6 +1,6 @@
 /** What a file says of the scene that it shows. PNG has it as text, glTF in the extras of its scene, ZIP and JSON as a file of their own. */
 
-import { VERSION } from '../data/version.ts';
+import { VERSION } from '../../data/version.ts';
 
 /** Under this name it is found in a file. */
 export const KEYWORD = 'rock-field';

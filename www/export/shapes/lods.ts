@@ -1,9 +1,9 @@
 /** Levels of detail: the same bodies of ever fewer triangles, by meshoptimizer's simplifier, whose wasm gives the same everywhere. */
 
-import { lazily } from '../base/lazy.ts';
-import type { Model } from './model.ts';
-import type { Pace } from './pace.ts';
-import { ATLAS_STRIDE } from './textures/atlas.ts';
+import { lazily } from '../../base/lazy.ts';
+import type { Model } from '../model.ts';
+import type { Pace } from '../pace.ts';
+import { ATLAS_STRIDE } from '../textures/atlas.ts';
 
 /** Each level has about this share of the triangles of the one before. */
 export const SHARE = 1 / 3;

@@ -1,6 +1,6 @@
 /** Two models as one. */
 
-import type { Model } from './model.ts';
+import type { Model } from '../model.ts';
 
 /** The bodies of `first`, then those of `second` moved by `shift`. Unit and middle are the first one's. */
 export function joined(first: Model, second: Model, shift: readonly [number, number, number]): Model {

@@ -1,11 +1,11 @@
 /** The binary part of a glTF file: where everything lies in it, and how it is filled. Metres, y up: our (x, y, z) is its (x, z, −y). */
 
 import type { Mesh, Part } from './gltf-parts.ts';
-import type { Kit } from './kit.ts';
-import { thingsOf } from './model.ts';
-import type { Images, Model } from './model.ts';
-import type { Pace } from './pace.ts';
-import { instancesByKind, placementOf } from './placement.ts';
+import type { Kit } from '../shapes/kit.ts';
+import { thingsOf } from '../model.ts';
+import type { Images, Model } from '../model.ts';
+import type { Pace } from '../pace.ts';
+import { instancesByKind, placementOf } from '../shapes/placement.ts';
 
 const [ARRAY_BUFFER, ELEMENT_ARRAY_BUFFER] = [34962, 34963];
 const [UNSIGNED_SHORT, UNSIGNED_INT] = [5123, 5125];

@@ -1,6 +1,6 @@
 /** What PNG files (ISO/IEC 15948) are made of, whether they are written in one piece or row by row. */
 
-import { crc32, SIGNATURE } from './png-text.ts';
+import { crc32, SIGNATURE } from '../origin/png-text.ts';
 
 /** Colour types by the number of channels. */
 const COLORS = { 1: 0, 3: 2, 4: 6 } as const;

@@ -1,6 +1,6 @@
 /** What is measured of a body, in metres: for whoever reads the file. */
 
-import type { Model } from './model.ts';
+import type { Model } from '../model.ts';
 import { rimOf } from './solid.ts';
 
 export interface Measures {

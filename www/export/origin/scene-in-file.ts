@@ -5,7 +5,7 @@
  * before it has been checked. What the link says is checked by whoever reads links.
  */
 
-import { gltfExtras } from './gltf-extras.ts';
+import { gltfExtras } from '../gltf/gltf-extras.ts';
 import { KEYWORD } from './origin.ts';
 import { isPng, textOf } from './png-text.ts';
 import { Refused } from './refused.ts';

@@ -3,8 +3,8 @@
 import { floatsOf, IMAGES } from './gltf-buffers.ts';
 import type { Layout } from './gltf-buffers.ts';
 import type { Mesh, Part } from './gltf-parts.ts';
-import type { Images } from './model.ts';
-import { ATLAS_STRIDE } from './textures/atlas.ts';
+import type { Images } from '../model.ts';
+import { ATLAS_STRIDE } from '../textures/atlas.ts';
 
 /** Writes the tangents of all vertices but those of hulls, their places in the textures, and the textures. Tangents are turned like normals. */
 export function fillTextures(images: Images, meshes: readonly Mesh[], { places, views }: Layout, bytes: Uint8Array<ArrayBuffer>): void {

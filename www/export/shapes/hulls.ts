@@ -1,10 +1,10 @@
 /** Hulls of bodies for physics: convex, with few vertices. */
 
 import { hullOf } from './hull.ts';
-import { thingsOf } from './model.ts';
-import type { Model } from './model.ts';
-import type { ResolvedOptions } from './options.ts';
-import type { Pace } from './pace.ts';
+import { thingsOf } from '../model.ts';
+import type { Model } from '../model.ts';
+import type { ResolvedOptions } from '../options.ts';
+import type { Pace } from '../pace.ts';
 
 /** As many vertices as physics engines like; a hull is closer to its body than this share of its extent where fewer do. */
 export const [MOST_VERTICES, MARGIN] = [32, 0.01];
