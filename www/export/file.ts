@@ -2,9 +2,9 @@
 
 import { RockFieldError } from '../base/errors.ts';
 import { filled } from '../base/filled.ts';
+import { estimateOf } from './estimate.ts';
 import type { ByteWriter } from './formats/byte-writer.ts';
 import { writeGlb } from './gltf/glb.ts';
-import { COLOR_BYTES } from './gltf/gltf-buffers.ts';
 import type { Written } from './gltf/glb.ts';
 import type { Counts, Told } from './gltf/gltf-json.ts';
 import type { Shapes } from './gltf/gltf-parts.ts';
@@ -17,8 +17,8 @@ import type { MapFacts, WrittenMaps } from './maps/maps.ts';
 import { measuresOf } from './shapes/measures.ts';
 import type { Measures } from './shapes/measures.ts';
 import { isOneThing } from './model.ts';
-import type { Model } from './model.ts';
-import { isMap, textureSide } from './options.ts';
+import type { Images, Model } from './model.ts';
+import { isMap } from './options.ts';
 import type { ResolvedOptions } from './options.ts';
 import { originOf } from './origin/origin.ts';
 import { Pace } from './pace.ts';
@@ -120,8 +120,8 @@ const FORMATS = {
 /** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
 export const MOST_BYTES = 2 ** 31 - 1;
 
-/** JSON of a rock's node, mesh and accessors; a hull with its JSON; a line of OBJ; a line of CSV. As measured, rounded up. */
-const [BYTES_A_ROCK, BYTES_A_HULL, BYTES_A_LINE, BYTES_A_POINT] = [900, 1100, 40, 200];
+/** As long as a hash, before there is one. */
+const NO_HASH = '0'.repeat(64);
 
 /** Digits of what is measured of a body: nobody measures a stone more closely. */
 const MEASURED = 4;
@@ -141,25 +141,18 @@ const SHAPES_SHARE = 0.4;
  */
 export async function exportModel(
   model: Model,
-  { title, link, hash, hasPatterns, extrasOf, notes: own = [] }: Source,
+  source: Source,
   options: ResolvedOptions,
   waiting?: Waiting,
   baked?: Baked,
 ): Promise<ExportedFile> {
   const { format } = options;
-  checkSize(model, options);
+  const { title, hash, hasPatterns, notes: own = [] } = source;
   const fineness = baked && { texelsPerMetre: Math.round(baked.atlas.density / model.unit) };
-  const told: Told = {
-    title,
-    scene: { ...originOf({ link, hash: await hash(), metresPerPixel: model.unit }), ...fineness },
-    body: (out, k) => {
-      const { noun, extras, isOpenBelow } = model.groups[model.groupOf[k]!]!;
-      if (isOpenBelow) writeMeasured(out, extrasOf(k), measuresOf(model, k));
-      else out.text(JSON.stringify({ ...(noun === undefined && extras), ...extrasOf(k) }));
-    },
-  };
+  const kit = checkSize(model, options, toldOf(model, source, NO_HASH, fineness), baked?.images);
+  const told = toldOf(model, source, await hash(), fineness);
   const pace = new Pace(waiting);
-  const { shapes, kit } = await shapesOf(model, options, pace.within(0, SHAPES_SHARE), baked);
+  const shapes = await shapesOf(model, options, kit, pace.within(0, SHAPES_SHARE), baked);
   const { bytes, counts, ending = `.${format}`, map } = await write(shapes, options, told, pace.within(SHAPES_SHARE, 1), kit);
   const notes = [
     ...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })),
@@ -176,6 +169,19 @@ export async function exportModel(
       ...(map && { map }),
       ...fineness,
       notes: notes.map((note) => ({ ...note, message: filled(NOTES[note.code], { count: note.count }) })),
+    },
+  };
+}
+
+/** @param more about the scene. */
+export function toldOf(model: Model, { title, link, extrasOf }: Omit<Source, 'hash' | 'hasPatterns'>, hash: string, more?: object): Told {
+  return {
+    title,
+    scene: { ...originOf({ link, hash, metresPerPixel: model.unit }), ...more },
+    body: (out, k) => {
+      const { noun, extras, isOpenBelow } = model.groups[model.groupOf[k]!]!;
+      if (isOpenBelow) writeMeasured(out, extrasOf(k), measuresOf(model, k));
+      else out.text(JSON.stringify({ ...(noun === undefined && extras), ...extrasOf(k) }));
     },
   };
 }
@@ -224,24 +230,23 @@ function writeMeasured(out: ByteWriter, extras: Record<string, unknown>, { area,
   out.text(']}');
 }
 
-/** What is written of the model, and the kit that it is written as. */
+/** What is written of the model. */
 async function shapesOf(
   open: Model,
   options: ResolvedOptions,
+  kit: Kit | undefined,
   pace: Pace,
   baked: Baked | undefined,
-): Promise<{ shapes: Shapes; kit: Kit | undefined }> {
-  const { mesh, kinds, solid, lods, hulls } = options;
+): Promise<Shapes> {
+  const { mesh, solid, lods, hulls } = options;
   const whole = solid && !isMap(options) && mesh !== 'points' ? closed(open) : open;
-  // Closed or open, a kit has the same kinds.
-  const kit = mesh === 'kit' && !isMap(options) ? kitOf(open, kinds) : undefined;
   const chosen = kit && new Set(kit.kinds);
   const isOne = (k: number): boolean => isOneThing(open, open.groupOf[k]!);
   const isWritten = (k: number): boolean => !chosen || chosen.has(k) || isOne(k);
   const levels = await levelsOf(baked ? textured(whole, baked) : whole, open, lods, isWritten, pace.within(0, 0.7));
-  if (hulls === 'none') return { shapes: { levels, hullName: (object) => object }, kit };
+  if (hulls === 'none') return { levels, hullName: (object) => object };
   const ofHulls = await hullsOf(open, (k) => isWritten(k) && !isOne(k), pace.within(0.7, 1));
-  return { shapes: { levels, hulls: ofHulls, hullName: HULL_NAMES[hulls] }, kit };
+  return { levels, hulls: ofHulls, hullName: HULL_NAMES[hulls] };
 }
 
 async function write(
@@ -260,43 +265,21 @@ async function write(
   return writeGlb(shapes, options, told, pace, kit);
 }
 
-function checkSize(model: Model, options: ResolvedOptions): void {
+/** Returns the kit that it is written as, which has to be known to tell how large it will be. */
+function checkSize(model: Model, options: ResolvedOptions, told: Told, images: Images | undefined): Kit | undefined {
   if (isMap(options)) {
     checkMaps(model, options);
-    return;
+    return undefined;
   }
-  const { format, mesh, kinds, solid, lods, hulls, vertexColors } = options;
-  const { positions, indices, groupOf, groups, materials } = model;
-  const side = textureSide(options);
-  const bodies = groupOf.length;
-  let [vertices, triangles] = [positions.length / 3, indices.length / 3];
-  if (solid) {
-    const rims = Math.max(0, 2 * vertices - triangles - 2 * bodies);
-    vertices += rims + bodies;
-    triangles += rims;
-  }
-  // Of closed bodies that are small, a level has half of the one before. A kit has the meshes of few bodies.
-  const share = mesh === 'kit' ? Math.min(1, (groups.length * (kinds + materials.length)) / Math.max(1, bodies)) : 1;
-  vertices *= (share * (lods + 1)) / 2;
-  triangles *= (share * (lods + 1)) / 2;
-  const ofMeshes: Partial<Record<typeof format, number>> = {
-    glb:
-      (24 + (side > 0 ? 24 : 0) + (vertexColors ? COLOR_BYTES : 0)) * vertices +
-      12 * triangles +
-      9 * side * side +
-      (mesh === 'one' ? 4 * vertices : (lods * BYTES_A_ROCK + (hulls === 'none' ? 0 : BYTES_A_HULL)) * bodies),
-    obj: BYTES_A_LINE * (2 * vertices + triangles),
-    stl: 50 * triangles,
-    ply: 27 * vertices + 13 * triangles,
-  };
-  const expected = mesh === 'points' ? BYTES_A_POINT * bodies : ofMeshes[format]!;
-  if (expected <= MOST_BYTES) return;
-  const megabytes = (bytes: number): number => Math.round(bytes / 1e6);
+  const kit = options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined;
+  const { bytes } = estimateOf(model, options, told, kit, images);
+  if (bytes <= MOST_BYTES) return kit;
+  const megabytes = (length: number): number => Math.round(length / 1e6);
   throw new RockFieldError({
     name: 'ExportTooLarge',
     key: 'format',
-    value: expected,
+    value: bytes,
     max: MOST_BYTES,
-    message: `the file would be about ${megabytes(expected)} MB; it may be at most ${megabytes(MOST_BYTES)} MB: choose mesh "kit", a smaller image, or less detail`,
+    message: `the file would be about ${megabytes(bytes)} MB; it may be at most ${megabytes(MOST_BYTES)} MB: choose mesh "kit", a smaller image, or less detail`,
   });
 }

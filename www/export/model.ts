@@ -71,6 +71,8 @@ export interface Model {
   origins: Float64Array;
   /** The middle of the whole, at which the file has its origin. */
   centre: readonly [number, number, number];
+  /** For each body the number of its thing, where the model is a part of a larger one. */
+  numbers?: Uint32Array | undefined;
   /** What maps show; absent where there is no ground that is seen from above. */
   ground?: Ground | undefined;
 }
@@ -86,13 +88,13 @@ export interface Ground {
 export interface Thing {
   name: string;
   group: number;
-  /** From 1 on, among those with the same noun. */
+  /** From 1 on, among those with the same noun in the whole. */
   number: number;
   bodies: readonly number[];
 }
 
 /** In the order of their first bodies. Those with the same noun are numbered through, whatever their groups are. */
-export function thingsOf({ groups, groupOf }: Pick<Model, 'groups' | 'groupOf'>): Thing[] {
+export function thingsOf({ groups, groupOf, numbers }: Pick<Model, 'groups' | 'groupOf' | 'numbers'>): Thing[] {
   const counts = new Map<string, number>();
   /** For each group, the bodies of the thing that lacks some. */
   const unfinished = new Map<number, number[]>();
@@ -103,7 +105,7 @@ export function thingsOf({ groups, groupOf }: Pick<Model, 'groups' | 'groupOf'>)
     if (bodies) bodies.push(k);
     else {
       bodies = [k];
-      const number = noun === undefined ? 1 : (counts.get(noun) ?? 0) + 1;
+      const number = noun === undefined ? 1 : (numbers?.[k] ?? (counts.get(noun) ?? 0) + 1);
       if (noun !== undefined) counts.set(noun, number);
       things.push({ name: noun === undefined ? name : `${noun}-${number}`, group, number, bodies });
     }
@@ -111,6 +113,13 @@ export function thingsOf({ groups, groupOf }: Pick<Model, 'groups' | 'groupOf'>)
     else unfinished.delete(group);
   });
   return things;
+}
+
+/** For each body the number of its thing. */
+export function numbersOf(model: Model): Uint32Array {
+  const numbers = new Uint32Array(model.groupOf.length);
+  for (const { number, bodies } of thingsOf(model)) for (const k of bodies) numbers[k] = number;
+  return numbers;
 }
 
 export function isOneThing({ groups }: Pick<Model, 'groups'>, group: number): boolean {

@@ -12,7 +12,10 @@ import type { Pace } from '../pace.ts';
 type Options = Pick<ResolvedOptions, 'mesh' | 'up' | 'scale'>;
 
 /** Vertex and normal buffers in the file's units and axes, about the middle of the model. */
-function inFile({ positions, normals, unit, centre }: Model, { up, scale }: Options): Pick<Model, 'positions' | 'normals'> {
+export function inFile(
+  { positions, normals, unit, centre }: Pick<Model, 'positions' | 'normals' | 'unit' | 'centre'>,
+  { up, scale }: Options,
+): Pick<Model, 'positions' | 'normals'> {
   const turned = { positions: new Float32Array(positions.length), normals: new Float32Array(normals.length) };
   const factor = unit * scale;
   // With y up (x, y, z) becomes (x, z, −y).
@@ -39,8 +42,7 @@ const [LINE, SPACE, SLASH, F] = [10, 32, 47, 102];
  */
 export async function writeObj(levels: readonly Model[], options: Options, told: Told, pace: Pace): Promise<Written> {
   const out = new ByteWriter();
-  out.text(`# ${told.title}, by rock-field\n`);
-  for (const [key, value] of Object.entries(told.scene)) out.text(`# ${key}: ${String(value)}\n`);
+  out.text(objHeader(told));
   let first = 1;
   for (const [level, model] of levels.entries()) {
     const share = pace.within(level / levels.length, (level + 1) / levels.length);
@@ -53,6 +55,11 @@ export async function writeObj(levels: readonly Model[], options: Options, told:
     bytes: out.bytes(),
     counts: { ...counts, levels: levels.map(({ indices }) => indices.length / 3), nodes: objects, meshes: objects },
   };
+}
+
+export function objHeader({ title, scene }: Told): string {
+  const comments = Object.entries(scene).map(([key, value]) => `# ${key}: ${String(value)}\n`);
+  return `# ${title}, by rock-field\n${comments.join('')}`;
 }
 
 /** `begin` is the number of its first vertex. */
@@ -109,19 +116,21 @@ async function writeTriples(out: ByteWriter, name: string, list: Float32Array, p
   }
 }
 
-const STL_HEADER = 80;
-const STL_TRIANGLE = 50;
+/** With the number of triangles; and each of them. */
+export const [STL_HEADER, STL_TRIANGLE] = [84, 50];
+/** Where that number is. */
+const STL_COUNT = 80;
 
 /** Binary STL. Its header does not begin with “solid”, by which readers know the other kind. */
 export function writeStl(model: Model, options: Options, told: Told): Written {
   const { positions } = inFile(model, options);
   const { indices } = model;
   const triangles = indices.length / 3;
-  const bytes = new Uint8Array(STL_HEADER + 4 + STL_TRIANGLE * triangles);
-  bytes.set(new TextEncoder().encode(`rock-field: ${told.title}`).subarray(0, STL_HEADER));
+  const bytes = new Uint8Array(STL_HEADER + STL_TRIANGLE * triangles);
+  bytes.set(new TextEncoder().encode(`rock-field: ${told.title}`).subarray(0, STL_COUNT));
   const view = new DataView(bytes.buffer);
-  view.setUint32(STL_HEADER, triangles, true);
-  for (let t = 0, at = STL_HEADER + 4; t < triangles; t++, at += STL_TRIANGLE) {
+  view.setUint32(STL_COUNT, triangles, true);
+  for (let t = 0, at = STL_HEADER; t < triangles; t++, at += STL_TRIANGLE) {
     const [a, b, c] = [3 * indices[3 * t]!, 3 * indices[3 * t + 1]!, 3 * indices[3 * t + 2]!];
     normalOf(positions, a, b, c).forEach((value, k) => view.setFloat32(at + 4 * k, value, true));
     for (let axis = 0; axis < 3; axis++) {
@@ -142,16 +151,11 @@ function normalOf(p: Float32Array, a: number, b: number, c: number): [number, nu
   return length > 0 ? [x / length, y / length, z / length] : [0, 0, 0];
 }
 
-const PLY_VERTEX = 27;
-const PLY_FACE = 13;
+export const [PLY_VERTEX, PLY_FACE] = [27, 13];
 
-/** Binary little-endian PLY, whose vertices have normals and the colour of their rock. */
-export function writePly(model: Model, options: Options, told: Told): Written {
-  const { positions, normals } = inFile(model, options);
-  const { indices, vertexStarts } = model;
-  const [vertices, faces] = [positions.length / 3, indices.length / 3];
-  const comments = [told.title, ...Object.entries(told.scene).map(([key, value]) => `${key}: ${String(value)}`)];
-  const header = new TextEncoder().encode(
+export function plyHeader({ title, scene }: Told, vertices: number, faces: number): Uint8Array<ArrayBuffer> {
+  const comments = [title, ...Object.entries(scene).map(([key, value]) => `${key}: ${String(value)}`)];
+  return new TextEncoder().encode(
     [
       'ply',
       'format binary_little_endian 1.0',
@@ -164,6 +168,14 @@ export function writePly(model: Model, options: Options, told: Told): Written {
       'end_header\n',
     ].join('\n'),
   );
+}
+
+/** Binary little-endian PLY, whose vertices have normals and the colour of their rock. */
+export function writePly(model: Model, options: Options, told: Told): Written {
+  const { positions, normals } = inFile(model, options);
+  const { indices, vertexStarts } = model;
+  const [vertices, faces] = [positions.length / 3, indices.length / 3];
+  const header = plyHeader(told, vertices, faces);
   const bytes = new Uint8Array(header.length + PLY_VERTEX * vertices + PLY_FACE * faces);
   bytes.set(header);
   const view = new DataView(bytes.buffer);

@@ -7,10 +7,11 @@
 
 import type { ByteWriter } from '../formats/byte-writer.ts';
 import { fillInstances, fillMeshes, layoutOf } from './gltf-buffers.ts';
+import type { Layout } from './gltf-buffers.ts';
 import { GltfJson } from './gltf-json.ts';
 import type { Counts, Told } from './gltf-json.ts';
 import { allMeshes } from './gltf-parts.ts';
-import type { Shapes } from './gltf-parts.ts';
+import type { Meshes, Shapes } from './gltf-parts.ts';
 import { fillTextures } from './gltf-textures.ts';
 import type { Kit } from '../shapes/kit.ts';
 import { isOneThing } from '../model.ts';
@@ -32,27 +33,16 @@ const JSON_SHARE = 0.7;
 const PACKED_SHARE = 0.85;
 
 /** The file. `kit` where `mesh` is so. */
-export async function writeGlb(
-  shapes: Shapes,
-  { mesh, instancing, vertexColors, compress }: ResolvedOptions,
-  told: Told,
-  pace: Pace,
-  kit?: Kit,
-): Promise<Written> {
+export async function writeGlb(shapes: Shapes, options: ResolvedOptions, told: Told, pace: Pace, kit?: Kit): Promise<Written> {
   const model = shapes.levels[0]!;
-  const meshes = allMeshes(shapes, mesh, kit);
-  const instances = kit && instancing ? instancesOf(model) : 0;
-  const layout = layoutOf(meshes.all, { withIds: mesh === 'one', withColors: vertexColors, instances, images: model.textures?.images });
-  const json = new GltfJson(model, layout, meshes, shapes.hullName, told);
-  const objects = kit ? json.addKit(kit, instancing) : mesh === 'one' ? json.addWholes() : json.addSingles();
+  const { json, steps, layout, meshes } = describe(shapes, options, told, kit);
   const expected = meshes.all.length + (kit ? model.groupOf.length : meshes.own.length);
   let done = 0;
-  for (const steps of [json.addMeshes(), objects]) {
-    for (const _ of steps) {
-      done += 1;
-      if (pace.isDue()) await pace.rest((JSON_SHARE * done) / expected);
-    }
+  for (const _ of steps) {
+    done += 1;
+    if (pace.isDue()) await pace.rest((JSON_SHARE * done) / expected);
   }
+  const { instancing, compress } = options;
   const fill = async (bin: Uint8Array<ArrayBuffer>, share: Pace): Promise<void> => {
     await fillMeshes(model, meshes.all, layout, bin, share);
     if (kit && instancing) fillInstances(model, kit, layout, bin);
@@ -72,7 +62,26 @@ export async function writeGlb(
   return { bytes, counts: json.counts };
 }
 
-function instancesOf(model: Model): number {
+/** Where everything is going to lie, and the JSON part, which is written by going through `steps`. */
+export function describe(
+  shapes: Shapes,
+  { mesh, instancing, vertexColors }: ResolvedOptions,
+  told: Told,
+  kit: Kit | undefined,
+): { json: GltfJson; steps: Iterable<void>; layout: Layout; meshes: Meshes } {
+  const model = shapes.levels[0]!;
+  const meshes = allMeshes(shapes, mesh, kit);
+  const instances = kit && instancing ? instancesOf(model) : 0;
+  const layout = layoutOf(meshes.all, { withIds: mesh === 'one', withColors: vertexColors, instances, images: model.textures?.images });
+  const json = new GltfJson(model, layout, meshes, shapes.hullName, told);
+  const steps = function* (): Generator<void> {
+    yield* json.addMeshes();
+    yield* kit ? json.addKit(kit, instancing) : mesh === 'one' ? json.addWholes() : json.addSingles();
+  };
+  return { json, steps: steps(), layout, meshes };
+}
+
+export function instancesOf(model: Model): number {
   return model.groupOf.filter((group) => !isOneThing(model, group)).length;
 }
 

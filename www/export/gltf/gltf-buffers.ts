@@ -2,7 +2,7 @@
 
 import type { Mesh, Part } from './gltf-parts.ts';
 import type { Kit } from '../shapes/kit.ts';
-import { thingsOf } from '../model.ts';
+import { numbersOf } from '../model.ts';
 import type { Images, Model } from '../model.ts';
 import type { Pace } from '../pace.ts';
 import { instancesByKind, placementOf } from '../shapes/placement.ts';
@@ -61,6 +61,9 @@ const VIEWS = [
 ] as const;
 export type ViewName = (typeof VIEWS)[number];
 
+/** Those of vertices. */
+export const VERTEX_VIEWS = ['positions', 'normals', 'colors', 'tangents', 'coordinates', 'ids'] as const satisfies readonly ViewName[];
+
 /** What is wanted beside positions, normals and indices. */
 export interface Wanted {
   /** Whether vertices tell which thing they are of. */
@@ -71,6 +74,11 @@ export interface Wanted {
   instances: number;
   /** Where a material is textured. */
   images: Images | undefined;
+}
+
+/** How many bytes an index takes, where no primitive has more vertices than this. */
+export function indexBytesFor(most: number): number {
+  return most < SHORT ? 2 : 4;
 }
 
 /**
@@ -94,7 +102,7 @@ export function layoutOf(meshes: readonly Mesh[], { withIds, withColors, instanc
       most = Math.max(most, vertices);
     }
   }
-  const indexBytes = most < SHORT ? 2 : 4;
+  const indexBytes = indexBytesFor(most);
   const { views, length } = laidOut({
     positions: { length: 12 * vertex, stride: 12, target: ARRAY_BUFFER },
     normals: { length: 12 * dressed, stride: 12, target: ARRAY_BUFFER },
@@ -239,19 +247,12 @@ function fillIndices({ model: { indices, indexStarts, vertexStarts }, bodies }: 
   }
 }
 
-/** For each body the number of the thing that it is of, from 0 on among those with the same noun. */
-function numbersOf(model: Model): Uint32Array {
-  const numbers = new Uint32Array(model.groupOf.length);
-  for (const { number, bodies } of thingsOf(model)) for (const k of bodies) numbers[k] = number - 1;
-  return numbers;
-}
-
-/** Which thing each vertex is of. */
+/** Which thing each vertex is of, from 0 on among those with the same noun. */
 function fillIds({ model: { vertexStarts }, bodies }: Part, numbers: Uint32Array, ids: Float32Array, begin: number): void {
   let v = begin;
   for (const k of bodies) {
     const end = v + vertexStarts[k + 1]! - vertexStarts[k]!;
-    ids.fill(numbers[k]!, v, end);
+    ids.fill(numbers[k]! - 1, v, end);
     v = end;
   }
 }

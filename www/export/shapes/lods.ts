@@ -172,7 +172,7 @@ function isEqual(one: Set<number>, other: Set<number> | undefined): boolean {
 const NORMAL_WEIGHTS = [0.5, 0.5, 0.5];
 
 /** Of what has no border: a tetrahedron. */
-const LEAST = 4;
+export const LEAST = 4;
 /** More than any vertex of a body has as its number. */
 const MANY = 2 ** 26;
 
