@@ -1,7 +1,8 @@
 /** PNG files that are written row by row: of a picture of a gigabyte, only some rows and what they are compressed to are in memory. */
 
-import { Zlib } from 'fflate';
+import type { Zlib } from 'fflate';
 import { chunk, header, RowFilter } from './png-parts.ts';
+import { zlibStream } from './zlib-stream.ts';
 
 /** Bytes of rows that are compressed in one go: some 20 ms. */
 const SLICE = 1 << 19;
@@ -24,7 +25,7 @@ export class PngRows {
     this.#width = width;
     this.#channels = hasAlpha ? 4 : 3;
     this.#filter = new RowFilter(width * this.#channels, this.#channels);
-    this.#zlib = new Zlib({ level: LEVEL }, (data) => data.length > 0 && this.#keep(chunk('IDAT', [data])));
+    this.#zlib = zlibStream(LEVEL, (data) => data.length > 0 && this.#keep(chunk('IDAT', [data])));
     this.#keep(header(width, height, this.#channels, 1));
   }
 

@@ -1,8 +1,8 @@
 /** PNG (ISO/IEC 15948), compressed in JavaScript, so that all engines write the same bytes. */
 
-import { Zlib } from 'fflate';
 import { joined } from '../formats/byte-writer.ts';
 import { chunk, header, RowFilter } from '../formats/png-parts.ts';
+import { zlibStream } from '../formats/zlib-stream.ts';
 import { textChunk } from '../origin/png-text.ts';
 import type { Turn } from '../pace.ts';
 import type { Raster } from './rasters.ts';
@@ -34,7 +34,7 @@ export async function writePng(
 
 async function compressed(samples: Raster['samples'], width: number, channels: number, turn: Turn | undefined): Promise<Uint8Array[]> {
   const pieces: Uint8Array[] = [];
-  const zlib = new Zlib({ level: LEVEL }, (piece) => pieces.push(piece));
+  const zlib = zlibStream(LEVEL, (piece) => pieces.push(piece));
   const rows = samples.length / (width * channels);
   const filter = new RowFilter(width * channels * samples.BYTES_PER_ELEMENT, channels * samples.BYTES_PER_ELEMENT);
   const rowsAtOnce = Math.max(1, Math.floor(STRETCH / filter.length));
