@@ -2,12 +2,13 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import validator from 'gltf-validator';
+import { unzipSync } from 'fflate';
 import { PNG } from 'pngjs';
 import { presets, woodEarPresets } from 'rock-field/core';
 import { exportScene, exportWoodEar } from 'rock-field/export';
 import type { ErrorInfo, ExportedFile, ExportOptions } from 'rock-field/export';
 import { OPTIONS, resolveOptions, TARGETS } from '../../www/export/options.ts';
-import type { OptionKey } from '../../www/export/options.ts';
+import type { OptionKey, ResolvedOptions } from '../../www/export/options.ts';
 
 type Key = OptionKey | 'target';
 type Given = Partial<Record<Key, unknown>>;
@@ -17,6 +18,7 @@ type NumberKey = { [K in OptionKey]: (typeof OPTIONS)[K] extends { kind: 'real' 
 const NUMBERS: Record<NumberKey, readonly number[]> = {
   kinds: [1, 3],
   lods: [1, 2, 4],
+  parts: [1, 4],
   scale: [0.5, 1000],
   metresPerPixel: [0.01, 2],
   side: [0, 33],
@@ -126,6 +128,17 @@ const CHECKS: Record<string, (file: ExportedFile) => unknown> = {
   zip: ({ bytes }) => assert.equal(new TextDecoder().decode(bytes.subarray(0, 2)), 'PK'),
 };
 
+/** Each part by itself has to be what its format wants; what the report counts they have together. */
+async function checkParts(file: ExportedFile, format: ResolvedOptions['format']): Promise<void> {
+  const entries = Object.entries(unzipSync(file.bytes));
+  assert.ok(entries.length > 0 && entries.length <= 4);
+  for (const [name, bytes] of entries) {
+    assert.match(name, new RegExp(`_x\\d_y\\d\\.${format}$`));
+    if (format === 'glb') await CHECKS.glb!({ ...file, bytes: Uint8Array.from(bytes) });
+    else assert.ok(bytes.length > 0);
+  }
+}
+
 /** Every preset with every request. */
 const ALL = process.env.PAIRS === 'all';
 
@@ -134,10 +147,10 @@ const { rows, refused } = coveringArray();
 async function check(write: () => Promise<ExportedFile>, options: ExportOptions, what: string): Promise<void> {
   try {
     const file = await write();
-    const { format } = resolveOptions(options);
-    await CHECKS[format]!(file);
+    const { format, parts } = resolveOptions(options);
+    await (parts > 1 ? checkParts(file, format) : CHECKS[format]!(file));
     assert.equal(file.report.bytes, file.bytes.length);
-    assert.ok(file.name.endsWith(`.${format}`), file.name);
+    assert.ok(file.name.endsWith(parts > 1 ? '.zip' : `.${format}`), file.name);
   } catch (error) {
     if ((error as ErrorInfo).name === 'ExportImpossible') throw error;
     throw new Error(`${what} with ${JSON.stringify(options)}`, { cause: error });

@@ -169,11 +169,12 @@ export const ERRORS = /* @__PURE__ */ listed({
   },
   ExportTooLarge: {
     group: 'export',
-    message: 'the file would be about {value} MB; it may be at most {max} MB: choose mesh "kit", a smaller image, or less detail',
+    message:
+      'the file would be about {value} MB; it may be at most {max} MB: choose mesh "kit", or parts 3, or a smaller image or less detail',
     cause:
       'More rocks or triangles than fit into a file of 2 GB, a map that takes more than 1.5 GiB of memory, or more rocks than have room in textures of this size.',
     remedy:
-      'Export a kit, in which rocks share meshes and only its kinds are in the textures, or generate the field in parts. Of a map, the message names the `side` that fits; of textures, larger ones have more room.',
+      'Export a kit, in which rocks share meshes and only its kinds are in the textures, or several files (`parts`); the message names how many fit. Of a map, the message names the `side` that fits; of textures, larger ones have more room.',
   },
 
   ImportForeign: {

@@ -172,6 +172,10 @@ export const LATER = {
     en: 'The log from your file is in no link: that of the file shows a grown one.',
     ja: '読み込んだ丸太はリンクに含まれません。保存されるリンクでは生成した丸太が表示されます。',
   },
+  'note-in-parts': {
+    en: 'The parts have one origin: import all of them at the same place.',
+    ja: '各ファイルの原点は共通です。すべて同じ位置に読み込んでください。',
+  },
   'note-kinds-of-kit': {
     en: 'Kinds are the meshes of “Copies of a few”, saved as GLB.',
     ja: '種類の番号は、GLB に保存した「少数の複製」のメッシュに対応します。',

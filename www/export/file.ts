@@ -1,8 +1,6 @@
 /** A model as a file, in whatever format is asked for. */
 
-import { RockFieldError } from '../base/errors.ts';
 import { filled } from '../base/filled.ts';
-import { estimateOf } from './estimate.ts';
 import type { ByteWriter } from './formats/byte-writer.ts';
 import { writeGlb } from './gltf/glb.ts';
 import type { Written } from './gltf/glb.ts';
@@ -23,6 +21,10 @@ import type { ResolvedOptions } from './options.ts';
 import { originOf } from './origin/origin.ts';
 import { Pace } from './pace.ts';
 import type { Waiting } from './pace.ts';
+import { cellsOf, together } from './parts.ts';
+import { writeZip } from './maps/zip.ts';
+import { someOf } from './shapes/some.ts';
+import { checkFits } from './too-large.ts';
 import { writeObj, writePly, writeStl } from './formats/plain-formats.ts';
 import { writeCsv, writePlyPoints } from './formats/points.ts';
 import { closed } from './shapes/solid.ts';
@@ -96,6 +98,7 @@ const NOTES = {
     '{count} of the objects pass through themselves; their `extras` have `solid: false`. Slicers join what overlaps; Boolean operations may not.',
   'open-log': 'The log is not closed, so that it is not solid; its `extras` have `solid: false`.',
   'log-not-in-link': 'The log is a mesh of your own, which is in no link: that of the file shows a grown one.',
+  'in-parts': 'The parts have one origin: import all of them at the same place.',
   'kinds-of-kit': 'The kinds are the meshes of a kit that is exported with the same `kinds`, as GLB.',
   'no-header': 'This format has no header: tell the program that opens it the width and height in pixels, 16 bits, little-endian.',
   'height-range': 'In 16 bits 0 is the ground, and 65535 the `highest` of `report.map`, in metres.',
@@ -116,9 +119,6 @@ const FORMATS = {
   exr: { type: 'image/x-exr', lost: [] },
   zip: { type: 'application/zip', lost: [] },
 } as const satisfies Record<ResolvedOptions['format'], { type: string; lost: readonly (keyof typeof NOTES)[] }>;
-
-/** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
-export const MOST_BYTES = 2 ** 31 - 1;
 
 /** As long as a hash, before there is one. */
 const NO_HASH = '0'.repeat(64);
@@ -152,8 +152,13 @@ export async function exportModel(
   const kit = checkSize(model, options, toldOf(model, source, NO_HASH, fineness), baked?.images);
   const told = toldOf(model, source, await hash(), fineness);
   const pace = new Pace(waiting);
-  const shapes = await shapesOf(model, options, kit, pace.within(0, SHAPES_SHARE), baked);
-  const { bytes, counts, ending = `.${format}`, map } = await write(shapes, options, told, pace.within(SHAPES_SHARE, 1), kit);
+  const isCut = options.parts > 1;
+  const {
+    bytes,
+    counts,
+    ending = `.${format}`,
+    map,
+  } = isCut ? await writeParts(model, options, told, pace) : await writeModel(model, options, told, pace, kit, baked);
   const notes = [
     ...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })),
     ...(options.mesh === 'rocks' && counts.objects > MANY ? [{ code: 'many-objects', count: counts.objects } as const] : []),
@@ -162,7 +167,7 @@ export async function exportModel(
   return {
     bytes,
     name: `${title}${ending}`,
-    type: FORMATS[format].type,
+    type: FORMATS[isCut ? 'zip' : format].type,
     report: {
       ...counts,
       bytes: bytes.length,
@@ -186,8 +191,11 @@ export function toldOf(model: Model, { title, link, extrasOf }: Omit<Source, 'ha
   };
 }
 
+/** A file as a format's writer has made it. */
+type Outcome = Written & Partial<WrittenMaps>;
+
 function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boolean): NoteCode[] {
-  const { format, mesh, instancing, textures, compress, solid, groundMesh } = options;
+  const { format, mesh, instancing, textures, compress, solid, groundMesh, parts } = options;
   if (isMap(options)) return mapCodesOf(options);
   if (mesh === 'points') return ['kinds-of-kit'];
   return [
@@ -197,6 +205,7 @@ function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boo
     ...(solid && groundMesh !== 'none' ? (['ground-is-open'] as const) : []),
     ...(mesh === 'kit' && instancing ? (['few-readers'] as const) : []),
     ...(compress ? (['compressed'] as const) : []),
+    ...(parts > 1 ? (['in-parts'] as const) : []),
   ];
 }
 
@@ -230,6 +239,25 @@ function writeMeasured(out: ByteWriter, extras: Record<string, unknown>, { area,
   out.text(']}');
 }
 
+/** A file for each cell of a grid, one after the other, in a ZIP. */
+async function writeParts(model: Model, options: ResolvedOptions, told: Told, pace: Pace): Promise<Outcome> {
+  const files: Record<string, Uint8Array> = {};
+  const counts: Counts[] = [];
+  const cells = cellsOf(model, options.parts);
+  for (const [c, { name, bodies }] of cells.entries()) {
+    const own: Told = { ...told, body: (out, k) => told.body(out, bodies[k]!) };
+    const part = await writeModel(someOf(model, bodies), options, own, pace.within(c / cells.length, (c + 1) / cells.length));
+    files[`${told.title}_${name}.${options.format}`] = part.bytes;
+    counts.push(part.counts);
+  }
+  return { bytes: writeZip(files), counts: together(counts), ending: '.zip' };
+}
+
+async function writeModel(model: Model, options: ResolvedOptions, told: Told, pace: Pace, kit?: Kit, baked?: Baked): Promise<Outcome> {
+  const shapes = await shapesOf(model, options, kit, pace.within(0, SHAPES_SHARE), baked);
+  return write(shapes, options, told, pace.within(SHAPES_SHARE, 1), kit);
+}
+
 /** What is written of the model. */
 async function shapesOf(
   open: Model,
@@ -249,13 +277,7 @@ async function shapesOf(
   return { levels, hulls: ofHulls, hullName: HULL_NAMES[hulls] };
 }
 
-async function write(
-  shapes: Shapes,
-  options: ResolvedOptions,
-  told: Told,
-  pace: Pace,
-  kit: Kit | undefined,
-): Promise<Written & Partial<WrittenMaps>> {
+async function write(shapes: Shapes, options: ResolvedOptions, told: Told, pace: Pace, kit: Kit | undefined): Promise<Outcome> {
   const model = shapes.levels[0]!;
   if (isMap(options)) return writeMaps(model, options, told, pace);
   if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options) : writePlyPoints(model, options, told);
@@ -272,14 +294,6 @@ function checkSize(model: Model, options: ResolvedOptions, told: Told, images: I
     return undefined;
   }
   const kit = options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined;
-  const { bytes } = estimateOf(model, options, told, kit, images);
-  if (bytes <= MOST_BYTES) return kit;
-  const megabytes = (length: number): number => Math.round(length / 1e6);
-  throw new RockFieldError({
-    name: 'ExportTooLarge',
-    key: 'format',
-    value: bytes,
-    max: MOST_BYTES,
-    message: `the file would be about ${megabytes(bytes)} MB; it may be at most ${megabytes(MOST_BYTES)} MB: choose mesh "kit", a smaller image, or less detail`,
-  });
+  checkFits(model, options, told, kit, images);
+  return kit;
 }

@@ -102,6 +102,13 @@ export const OPTIONS = /* @__PURE__ */ rows({
     default: 'none',
     doc: 'Convex hulls of at most 32 vertices for physics, beside each rock or wood ear of a GLB, by the names that the program knows: `UCX_rock-1_00` or `rock-1-convcolonly`.',
   },
+  parts: {
+    kind: 'integer',
+    min: 1,
+    max: 64,
+    default: 1,
+    doc: 'In how many files the scene is, each with what stands in a cell of a grid: a ZIP of `…_x0_y0.glb`, `…_x1_y0.glb` and so on, x from west to east and y from south to north. All have one origin, so that they fit together. Best are numbers with many divisors: 4, 6, 9, 12, 16.',
+  },
   up: { kind: 'choice', choices: ['y', 'z'], default: 'y', doc: 'The axis that points up in OBJ, STL and PLY. In glTF it is always y.' },
   scale: {
     kind: 'real',
@@ -257,6 +264,24 @@ interface Conflict<Key extends OptionKey = OptionKey> {
 const upper = ({ format }: ResolvedOptions): string => format.toUpperCase();
 
 const CONFLICTS: readonly Conflict[] = [
+  {
+    key: 'parts',
+    found: ({ format, mesh, parts }) => parts > 1 && (isMap({ format }) || mesh === 'points'),
+    instead: 1,
+    reason: ({ mesh }) => `${mesh === 'points' ? 'points' : 'maps'} are in one file: meshes alone can be in parts`,
+  },
+  {
+    key: 'parts',
+    found: ({ mesh, parts }) => parts > 1 && mesh === 'kit',
+    instead: 1,
+    reason: () => 'all rocks of a kit share its meshes, which are in one file: use mesh "rocks" or "one"',
+  },
+  {
+    key: 'parts',
+    found: ({ parts, textures }) => parts > 1 && textures !== 'none',
+    instead: 1,
+    reason: () => 'all rocks share the textures, which are in one file: leave one of the two out',
+  },
   {
     key: 'groundMesh',
     found: ({ mesh, groundMesh }) => mesh === 'kit' && groundMesh === 'cut',
