@@ -70,6 +70,24 @@ test('what is chosen is said with its figures, and saved: the same bytes as with
   await close();
 });
 
+test('of too many objects the dialog offers fewer meshes, and a press chooses them', async () => {
+  const { page, errors, close } = await openRocks(session, '#preset=conference-fig1&seed=4&w=500&h=400', {
+    viewport: { width: 360, height: 640 },
+  });
+  await page.locator('.sheet-toggle').click();
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const dialog = await written(page);
+  assert.match(await dialog.locator('.export-report').innerText(), /2,626 objects: many programs/);
+  assert.deepEqual(await violations(page), []);
+  await dialog.getByRole('button', { name: 'Copies of a few' }).click();
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('like the rocks'));
+  assert.equal(await dialog.locator('input[value="kit"]').isChecked(), true);
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('value')), 'kit');
+  assert.equal(await dialog.getByRole('button', { name: 'Copies of a few' }).count(), 0);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test('a map is shown as it is saved, and points take the axes of the program: the same bytes as without a page', async () => {
   const { page, errors, close } = await openRocks(session, LINK, { viewport: { width: 960, height: 640 } });
   await page.getByRole('button', { name: 'Export', exact: true }).click();

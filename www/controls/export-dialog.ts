@@ -13,6 +13,7 @@ import type { ExportTarget, ResolvedOptions } from '../export/options.ts';
 import type { Kind } from '../table/table.ts';
 import { showDialog } from './dialogs.ts';
 import { dropDown } from './drop-down.ts';
+import type { MeshWords } from './export-meshes.ts';
 import { icon } from './icons.ts';
 import type { Place } from './parts.ts';
 import { saveFile } from './save-file.ts';
@@ -27,6 +28,8 @@ export interface ExportKind<K extends Kind> {
   controls: (choosing: Choosing, result: K['result']) => TemplateResult;
   /** All options, of which `change` has just been chosen: it counts, and what it cannot go with gives way. */
   fitting: (options: ResolvedOptions, change: Partial<ResolvedOptions>) => ResolvedOptions;
+  /** What meshes can be, and what that is called. */
+  forms: MeshWords['forms'];
   /** The change of options for another program; its defaults unless given. */
   retarget?: (options: ResolvedOptions, target: ExportTarget) => Partial<ResolvedOptions>;
 }
@@ -59,8 +62,29 @@ export function exportDialog<K extends Kind>(kind: ExportKind<K>): (store: Store
     const content = (written: Written): TemplateResult => {
       const words = (key: LaterKey): string => later(store.language, key);
       const controls = kind.controls({ words, ...chosen, choose }, result);
-      return layout(words, chosen.target, chooseTarget, controls, report(store.language, written, chosen.options), written);
+      return layout(
+        words,
+        chosen.target,
+        chooseTarget,
+        controls,
+        report(store.language, written, chosen.options, remedies(words)),
+        written,
+      );
     };
+
+    /** Other forms of meshes, for where there are too many objects. */
+    const remedies = (words: Choosing['words']): TemplateResult[] =>
+      (['kit', 'one'] as const).flatMap((mesh) => {
+        const label = kind.forms[mesh];
+        if (!label) return [];
+        const take = ({ currentTarget }: Event): void => {
+          const dialog = (currentTarget as HTMLElement).closest('dialog');
+          choose({ mesh });
+          // The button is gone; what it has chosen is there.
+          dialog?.querySelector<HTMLElement>('input[name="export-mesh"]:checked')?.focus();
+        };
+        return [html`<button class="button" type="button" @click=${take}>${words(label)}</button>`];
+      });
 
     const show = (written: Written): HTMLDialogElement => showDialog(store, place, later(store.language, 'export'), content(written));
 
@@ -139,7 +163,12 @@ function isFile(written: Written): written is { file: File; report: ExportReport
   return typeof written !== 'number' && 'file' in written;
 }
 
-function report(language: Language, written: Written, { scale, mesh }: ResolvedOptions): TemplateResult {
+function report(
+  language: Language,
+  written: Written,
+  { scale, mesh }: ResolvedOptions,
+  remedies: readonly TemplateResult[],
+): TemplateResult {
   if (typeof written === 'number') {
     const writing = later(language, 'exportWriting');
     return html`<p class="quiet">${writing}</p>${written > 0 ? html`<progress aria-label=${writing} .value=${written}></progress>` : nothing}`;
@@ -165,9 +194,10 @@ function report(language: Language, written: Written, { scale, mesh }: ResolvedO
     ...(levels && levels.length > 1 ? [later(language, 'exportLevels', { triangles: counted(levels) })] : []),
     ...(hulls ? [later(language, 'exportHulls', { n: counted([hulls.objects]), triangles: counted([hulls.triangles]) })] : []),
     ...(found.texelsPerMetre ? [later(language, 'exportTexels', { texels: found.texelsPerMetre.toLocaleString(language) })] : []),
-    ...found.notes.map(({ code, count }) =>
-      later(language, `note-${code}`, { unit, count: count?.toLocaleString(language), highest: map && short(map.highest) }),
-    ),
+    ...found.notes.map(({ code, count }) => {
+      const text = later(language, `note-${code}`, { unit, count: count?.toLocaleString(language), highest: map && short(map.highest) });
+      return code === 'many-objects' ? html`${text}<div class="button-row">${remedies}</div>` : text;
+    }),
   ].map((note) => html`<li>${note}</li>`);
   const said = later(language, map ? 'mapFigures' : mesh === 'points' ? 'pointFigures' : 'exportFigures', figures);
   return html`

@@ -19,6 +19,7 @@ const MESHES: MeshWords = {
 
 export const showExport = /* @__PURE__ */ exportDialog<Rocks>({
   exporter: async () => (await import('../export-client.ts')).exportInWorker,
+  forms: MESHES.forms,
   controls: (choosing, { imageWidth, imageHeight }) => {
     const { words, options, target, choose } = choosing;
     const content = contentOf(options);

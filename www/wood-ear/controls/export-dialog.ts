@@ -16,6 +16,7 @@ const MESHES: MeshWords = {
 
 export const showExport = /* @__PURE__ */ exportDialog<WoodEars>({
   exporter: async () => (await import('../export-client.ts')).exportInWorker,
+  forms: MESHES.forms,
   controls: (choosing) => meshControls(choosing, MESHES),
   fitting: (options, change) => fittingMesh(options, change, MESHES),
 });
