@@ -12,8 +12,8 @@ const LISTED = [...GENERATORS, ...TOOLS];
 /** In bytes; 1 kB = 1000 bytes. */
 export const BUDGETS = {
   ...Object.fromEntries(LISTED.map(({ wasm, budget }) => [camelCase(wasm), budget])),
-  rendererWebgpu: 110_000,
-  rendererWebgl: 750_000,
+  rendererWebgpu: 100_000,
+  rendererWebgl: 700_000,
   page: 45_900,
 };
 
