@@ -23,7 +23,7 @@ interface Glue {
 
 /** The artefact's glue with the module's memory capped. */
 async function capped(artefact: string): Promise<Glue> {
-  const pkg = new URL('../../pkg', import.meta.url);
+  const pkg = new URL('../../pkg/', import.meta.url);
   const glue = (await import(new URL(`${artefact}.js`, pkg).href)) as Glue;
   await glue.default({ module_or_path: withMostPages(readFileSync(new URL(`${artefact}_bg.wasm`, pkg)), CAP / 65_536) });
   return glue;

@@ -323,7 +323,6 @@ test('what cannot be had is an error before anything is grown', async () => {
     [{ seed: -1 }, { mesh: 'points', format: 'csv' }, { name: 'ExportImpossible', key: 'mesh', value: 'points' }],
     [{ seed: -1 }, { format: 'png' }, { name: 'ExportImpossible', key: 'format', value: 'png' }],
     [{ seed: -1 }, { textures: '1k' }, { name: 'ExportImpossible', key: 'textures', value: '1k' }],
-    [{ seed: -1 }, { groundMesh: 'cut' }, { name: 'ExportImpossible', key: 'groundMesh', value: 'cut' }],
     [{ seed: -1 }, {}, { name: 'OutOfRange', key: 'seed' }],
     [{ ground: 5 as unknown as string }, {}, { name: 'WrongType', key: 'ground' }],
   ];

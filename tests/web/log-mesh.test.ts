@@ -85,7 +85,7 @@ test('a mesh that cannot be a log is refused where it is assigned, with key, val
 });
 
 test('the generator refuses the same meshes in the same words, and takes what is let through', async () => {
-  const pkg = new URL('../../pkg', import.meta.url);
+  const pkg = new URL('../../pkg/', import.meta.url);
   const glue = (await import(new URL('wood-ear.js', pkg).href)) as {
     default(options: { module_or_path: Uint8Array }): Promise<unknown>;
     WoodEarGenerator: new () => { set_log(positions: Float32Array, indices: Uint32Array): void };

@@ -18,13 +18,12 @@ export interface MeshWords {
   solid: LaterKey;
   open: LaterKey;
   closed: LaterKey;
-  /** Whether there is what rocks alone have: textures, and a ground between them. */
-  areRocks: boolean;
+  hasTextures: boolean;
 }
 
 export function meshControls(
   { words, options, choose }: Choosing,
-  { label, forms, solid, open, closed, areRocks }: MeshWords,
+  { label, forms, solid, open, closed, hasTextures }: MeshWords,
 ): TemplateResult {
   return html`
     ${segments({
@@ -42,7 +41,7 @@ export function meshControls(
       action: (format) => choose({ format }),
     })}
     ${
-      areRocks
+      hasTextures
         ? segments({
             name: 'export-textures',
             label: words('exportTextures'),
@@ -69,17 +68,13 @@ export function meshControls(
       value: options.solid ? 'closed' : 'open',
       action: (bottom) => choose({ solid: bottom === 'closed' }),
     })}
-    ${
-      areRocks
-        ? segments({
-            name: 'export-ground',
-            label: words('exportGround'),
-            options: OPTIONS.groundMesh.choices.map((value) => ({ value, label: words(`ground-${value}`) })),
-            value: options.groundMesh,
-            action: (groundMesh) => choose({ groundMesh }),
-          })
-        : nothing
-    }
+    ${segments({
+      name: 'export-ground',
+      label: words('exportGround'),
+      options: OPTIONS.groundMesh.choices.map((value) => ({ value, label: words(`ground-${value}`) })),
+      value: options.groundMesh,
+      action: (groundMesh) => choose({ groundMesh }),
+    })}
   `;
 }
 
