@@ -47,6 +47,18 @@ function borderOf(primitive: Primitive): string[] {
   return [...edges].filter((edge) => !edges.has(edge.split(' → ').reverse().join(' → '))).sort();
 }
 
+/** Six times the volume inside. */
+function volumeOf(primitive: Primitive): number {
+  const points = pointsOf(primitive);
+  const corners = cornersOf(primitive);
+  let volume = 0;
+  for (let i = 0; i < corners.length; i += 3) {
+    const [a, b, c] = [points[corners[i]!]!, points[corners[i + 1]!]!, points[corners[i + 2]!]!];
+    volume += a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  }
+  return volume;
+}
+
 /** Objects by name, each with its levels, the finest first. */
 function levelsIn(nodes: readonly Node[]): Map<string, Node[]> {
   const objects = new Map<string, Node[]>();
@@ -99,6 +111,22 @@ test('levels reach as far as the rock to all sides, and as high', async () => {
     const [finest, ...coarser] = levels.map((node) => only(node.getMesh()!).getAttribute('POSITION')!);
     for (const level of coarser) assert.equal(level.getMax([])[1], finest!.getMax([])[1], name);
   }
+});
+
+test('every triangle of a coarser level reaches off the ground, and what is closed has a volume', async () => {
+  const request = { ...REQUEST, preset: 'conference-fig10c', seed: 3, imageWidth: 200, imageHeight: 150 } as const;
+  const open = levelsIn(nodesOf(await read((await exportScene(request, { lods: 4 })).bytes)));
+  for (const [, ...coarser] of open.values()) {
+    for (const node of coarser) {
+      const primitive = only(node.getMesh()!);
+      const rim = new Set(borderOf(primitive).flatMap((edge) => edge.split(' → ')));
+      const corners = cornersOf(primitive).map((v) => rim.has(String(pointsOf(primitive)[v])));
+      const flat = corners.filter((isRim, i) => i % 3 === 0 && isRim && corners[i + 1] && corners[i + 2]);
+      assert.equal(flat.length, 0, node.getName());
+    }
+  }
+  const closed = nodesOf(await read((await exportScene(request, { lods: 4, solid: true })).bytes));
+  for (const node of closed) assert.ok(volumeOf(only(node.getMesh()!)) > 0, node.getName());
 });
 
 test('kits, layers and instances have levels too, and so does OBJ', async () => {

@@ -1,8 +1,8 @@
 /** A generator without a worker, for Node, workers and bundlers, whatever it generates. */
 
 import { RockFieldError, scriptUnavailable } from '../base/errors.ts';
-import { checkNumber, objectOf, wrongType } from '../table/param-checks.ts';
-import { defaultMaxBytes } from './budget.ts';
+import { checkRun } from './run-checks.ts';
+import type { HeadlessOptions } from './run-checks.ts';
 import type { RunOptions } from './session.ts';
 import { loadGenerator } from './wasm.ts';
 import type { Glue, WasmSource } from './wasm.ts';
@@ -78,23 +78,6 @@ interface Runs<Flat, Result, Stage extends string> {
   free(): void;
 }
 
-interface HeadlessOptions<Result, Stage extends string> extends RunOptions<Result, Stage> {
-  maxBytes?: number | undefined;
-}
-
-/** What a caller may do wrong names itself, before anything runs. */
-function checkOptions<Result, Stage extends string>(options: HeadlessOptions<Result, Stage>) {
-  const given = objectOf(options, 'options') as HeadlessOptions<Result, Stage>;
-  const { signal, maxBytes = defaultMaxBytes() } = given;
-  if (signal !== undefined && typeof (signal as AbortSignal | null)?.throwIfAborted !== 'function')
-    throw wrongType('signal', signal, 'an AbortSignal');
-  for (const key of ['onProgress', 'onPreview'] as const) {
-    if (given[key] !== undefined && typeof given[key] !== 'function') throw wrongType(key, given[key], 'a function');
-  }
-  checkNumber('maxBytes', maxBytes, { min: 0, max: Infinity }, false);
-  return { ...given, maxBytes };
-}
-
 /** What every generator without a worker does, whatever it generates. */
 export abstract class Headless<Module extends { fresh_seed(): number }, Request, Flat, Result, Stage extends string> {
   #realm: Realm<Module>;
@@ -115,7 +98,7 @@ export abstract class Headless<Module extends { fresh_seed(): number }, Request,
   protected abstract open(module: Module): Runs<Flat, Result, Stage>;
 
   async generate(request?: Request, options: HeadlessOptions<Result, Stage> = {}): Promise<Result> {
-    const { signal, onProgress, onPreview, maxBytes } = checkOptions(options);
+    const { signal, onProgress, onPreview, maxBytes } = checkRun(options, 'options');
     // Read now: what the caller does to the object afterwards is no part of the request.
     const flat = this.encode(request, maxBytes);
     signal?.throwIfAborted();

@@ -9,6 +9,7 @@ import { resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import type { Waiting } from '../export/pace.ts';
 import type { Progress, StageName } from '../generator/protocol.ts';
+import { checkRun } from '../generator/run-checks.ts';
 import { laidOut } from '../export/textures/textured.ts';
 import type { Baked, Laid } from '../export/textures/textured.ts';
 import type { GenerateOptions } from './headless.ts';
@@ -92,9 +93,10 @@ export async function exportWith(
   { generate, ground }: { generate: (request?: FieldRequest, options?: GenerateOptions) => Promise<Field>; ground: GroundRealm },
   request: FieldRequest | undefined,
   options: ExportOptions | undefined,
-  { onProgress, ...run }: ExportRun = {},
+  waiting: ExportRun = {},
 ): Promise<ExportedFile> {
   // All of it is read now: what the caller does to the objects afterwards is no part of the request.
+  const { onProgress, ...run } = checkRun(waiting, 'run');
   const resolved = resolveOptions(options);
   const params = resolveParams(request);
   const preset = request?.preset;

@@ -3,6 +3,7 @@
 import type { WoodEarColony } from '../data/colony.ts';
 import type { Field } from '../data/field.ts';
 import type { Progress } from '../generator/protocol.ts';
+import { checkRun } from '../generator/run-checks.ts';
 import type { ExportedFile } from '../export/file.ts';
 import type { ExportOptions } from '../export/options.ts';
 import type { GroundRealm } from '../rocks/ground.ts';
@@ -44,9 +45,10 @@ export async function exportColonyWith(
   { grow, generate, soil }: Generators,
   request: WoodEarExportRequest = {},
   options?: ExportOptions,
-  { onProgress, ...run }: WoodEarExportRun = {},
+  waiting: WoodEarExportRun = {},
 ): Promise<ExportedFile> {
   // All of it is read now: what the caller does to the objects afterwards is no part of the request.
+  const { onProgress, ...run } = checkRun(waiting, 'run');
   const resolved = colonyOptions(options);
   const params = WOOD_EARS.resolve(request);
   const { preset } = request;

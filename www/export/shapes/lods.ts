@@ -4,6 +4,8 @@ import { lazily } from '../../base/lazy.ts';
 import type { Model } from '../model.ts';
 import type { Pace } from '../pace.ts';
 import { ATLAS_STRIDE } from '../textures/atlas.ts';
+import { raise } from './raised.ts';
+import { rimOf } from './solid.ts';
 
 /** Each level has about this share of the triangles of the one before. */
 export const SHARE = 1 / 3;
@@ -82,14 +84,15 @@ class Level {
 
   /** Bodies are added in order. Without a simplifier nothing is. */
   add(k: number, bottomVertices: number, bottomIndices: number, simplifier: Simplifier | undefined): void {
-    const { positions, normals, indices, vertexStarts, indexStarts, textures } = this.#finer;
+    const { positions, normals, indices, vertexStarts, indexStarts, textures, groups, groupOf } = this.#finer;
     const [first, last, end] = [vertexStarts[k]!, vertexStarts[k + 1]!, indexStarts[k + 1]!];
     let vertex = this.#vertexStarts[k]!;
     let index = this.#indexStarts[k]!;
     if (simplifier) {
       const own = indices.slice(indexStarts[k], end - bottomIndices).map((v) => v - first);
       const span = [3 * first, 3 * (last - bottomVertices)] as const;
-      const kept = simplified(simplifier, own, positions.subarray(...span), normals.subarray(...span));
+      const rim = groups[groupOf[k]!]!.isOpenBelow ? rimOf(last - bottomVertices - first, own.length / 3) : 0;
+      const kept = simplified(simplifier, own, positions.subarray(...span), normals.subarray(...span), rim);
       // Each vertex that is used, in the order in which they were: those of the rim stay the first ones.
       const isUsed = new Uint8Array(last - first).fill(1, last - first - bottomVertices);
       for (const v of kept) isUsed[v] = 1;
@@ -129,8 +132,18 @@ class Level {
   }
 }
 
-/** Fewer triangles with the same border, or those that were given where that does not work out. */
-function simplified(simplifier: Simplifier, indices: Uint32Array, positions: Float32Array, normals: Float32Array): Uint32Array {
+/**
+ * Fewer triangles with the same border, or those that were given where that does not work out.
+ *
+ * @param rim how many vertices the rim of a body that stands on the ground has; 0 of another.
+ */
+function simplified(
+  simplifier: Simplifier,
+  indices: Uint32Array,
+  positions: Float32Array,
+  normals: Float32Array,
+  rim: number,
+): Uint32Array {
   const border = borderOf(indices);
   if (!border) return indices;
   // A rim with fewer triangles would be flat, with as many a pyramid.
@@ -149,6 +162,7 @@ function simplified(simplifier: Simplifier, indices: Uint32Array, positions: Flo
     1,
     ['LockBorder'],
   );
+  raise(fewer, rim, positions);
   const isSame = fewer.length < indices.length && fewer.length >= 3 * Math.max(border.size, LEAST) && isEqual(border, borderOf(fewer));
   return isSame ? fewer : indices;
 }
