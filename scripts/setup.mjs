@@ -117,13 +117,18 @@ export async function bindgen() {
   await step(`Compiling wasm-bindgen ${version}`, 'once, 30–60 s', () => cargoInstall(['--path', folder]));
 }
 
+/** Its 254 packages are compiled without optimising, but for those that read and write wasm: it works for a second on each test program. */
+const QUICKLY = ['opt-level=0', ...['walrus', 'wasmparser', 'wasm-encoder'].map((name) => `package.${name}.opt-level=2`)].flatMap(
+  (setting) => ['--config', `profile.release.${setting}`],
+);
+
 /** The program that runs the crate's tests as wasm in Node, compiled if there is none; only these tests need it. */
 export async function bindgenTestRunner() {
   const name = 'wasm-bindgen-test-runner';
   const version = lockedVersion('wasm-bindgen');
   if (!bindgenProgram(name)) {
-    await step(`Compiling ${name} ${version}`, 'once, 2–6 min', () =>
-      cargoInstall(['wasm-bindgen-cli', '--version', version, '--bin', name]),
+    await step(`Compiling ${name} ${version}`, 'once, 1–3 min', () =>
+      cargoInstall(['wasm-bindgen-cli', '--version', version, '--bin', name, ...QUICKLY]),
     );
   }
   const program = bindgenProgram(name);
