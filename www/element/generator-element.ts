@@ -79,7 +79,10 @@ export abstract class GeneratorElement<K extends Kind> extends AttributesElement
   async importFile(file: Blob): Promise<void> {
     const { importFile } = await lazily(() => import('./import-file.ts'));
     const scene = await importFile(this.#definition, this, file);
+    // A step of its own, however soon it comes after another edit.
+    this.hold(true);
     this.showLink(scene);
+    this.hold(false);
     for (const { text } of scene.notices) this.notify(text);
     this.start();
     await this.newest();
