@@ -36,7 +36,7 @@ const UNKNOWN_TO = {
 const PACKAGES = {
   lit: new RegExp(`^((${NAMES})/)?controls/`),
   '@noble/hashes': /^export\/origin\/hash\.ts$/,
-  fflate: /^export\/(maps\/|formats\/png-rows\.ts$)/,
+  fflate: /^export\/(maps|formats)\//,
   'lean-qr': /^controls\/postcard\.ts$/,
   earcut: /^wood-ear\/log-file\//,
   meshoptimizer: /^(wood-ear\/log-file|export)\//,

@@ -13,6 +13,7 @@ import type { ExportTarget, ResolvedOptions } from '../export/options.ts';
 import type { Kind } from '../table/table.ts';
 import { showDialog } from './dialogs.ts';
 import { dropDown } from './drop-down.ts';
+import type { Choosing } from './export-choosing.ts';
 import type { MeshWords } from './export-meshes.ts';
 import { icon } from './icons.ts';
 import type { Place } from './parts.ts';
@@ -32,13 +33,6 @@ export interface ExportKind<K extends Kind> {
   forms: MeshWords['forms'];
   /** The change of options for another program; its defaults unless given. */
   retarget?: (options: ResolvedOptions, target: ExportTarget) => Partial<ResolvedOptions>;
-}
-
-export interface Choosing {
-  words: (key: LaterKey) => string;
-  options: ResolvedOptions;
-  target: ExportTarget;
-  choose: (change: Partial<ResolvedOptions>) => void;
 }
 
 interface Chosen {

@@ -4,7 +4,7 @@ import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { FORMS, OPTIONS } from '../export/options.ts';
 import type { ResolvedOptions } from '../export/options.ts';
-import type { Choosing } from './export-dialog.ts';
+import type { Choosing } from './export-choosing.ts';
 import { segments } from './parts.ts';
 import type { LaterKey } from './strings-later.ts';
 

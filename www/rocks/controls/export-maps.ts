@@ -3,7 +3,7 @@
 import { html } from 'lit';
 import type { TemplateResult } from 'lit';
 import { dropDown } from '../../controls/drop-down.ts';
-import type { Choosing } from '../../controls/export-dialog.ts';
+import type { Choosing } from '../../controls/export-choosing.ts';
 import { segments } from '../../controls/parts.ts';
 import { isMap, MAPS, OPTIONS, resolveOptions } from '../../export/options.ts';
 import type { ExportTarget, ResolvedOptions } from '../../export/options.ts';
