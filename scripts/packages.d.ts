@@ -27,3 +27,9 @@ declare module 'binaryen' {
   };
   export default binaryen;
 }
+
+/** It has no types of its own. */
+declare module 'spdx-expression-parse' {
+  type Expression = { license: string; exception?: string } | { left: Expression; conjunction: 'and' | 'or'; right: Expression };
+  export default function parse(expression: string): Expression;
+}

@@ -4,7 +4,8 @@ import path from 'node:path';
 import { deflateSync } from 'node:zlib';
 import { dist, pkg, root } from '../lib/env.mjs';
 import { GENERATORS, HEADLESS, addressFunction, entriesOf, entryFile, workersOf } from '../lib/generators.mjs';
-import { Failure, needed } from '../lib/run.mjs';
+import { Failure } from '../lib/run.mjs';
+import { LICENCES_FILE, banner, packagesOf } from './licences.mjs';
 import { bundle } from './web.mjs';
 
 const ENTRIES = [...GENERATORS.flatMap(entriesOf), ...HEADLESS].map(entryFile);
@@ -21,7 +22,7 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
   rmSync(outdir, { recursive: true, force: true });
   const entryPoints = WORKERS.map(entryFile);
   // Classic scripts, since a page without an origin (`<iframe sandbox>`) starts no module from a blob in Chromium.
-  const { outputFiles } = await bundle({
+  const inside = await bundle({
     ...common,
     format: 'iife',
     entryPoints,
@@ -31,9 +32,10 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
     inject: ['www/entries/variants/inline.ts'],
     plugins: [inline()],
   });
-  const workers = new Map(needed(outputFiles, 'output').map(({ path: file, text }) => [path.basename(file, '.js'), text]));
-  await bundle({
+  const workers = new Map(inside.outputFiles.map(({ path: file, text }) => [path.basename(file, '.js'), text]));
+  const whole = await bundle({
     ...common,
+    banner: { js: banner() },
     entryPoints: ENTRIES,
     outdir,
     entryNames: '[name]',
@@ -47,6 +49,10 @@ export async function buildInline(outdir = path.join(dist, 'inline')) {
     throw new Failure(
       `addresses of other files are left in dist/inline/: ${left.join(', ')}; scripts/build/inline.mjs knows one form of them`,
     );
+  const told = readFileSync(path.join(dist, LICENCES_FILE), 'utf8');
+  const untold = packagesOf([inside, whole]).filter(({ name, version }) => !told.includes(`\n${name} ${version}\n`));
+  if (untold.length > 0)
+    throw new Failure(`${LICENCES_FILE} says nothing of ${untold.map(({ name }) => name).join(', ')}, which only dist/inline/ has in it`);
 }
 
 function inline(workers = new Map()) {

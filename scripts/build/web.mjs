@@ -7,6 +7,7 @@ import { writeDocs } from '../docs/docs.mjs';
 import { dist, hashOf, pkg, root } from '../lib/env.mjs';
 import { GENERATORS, HEADLESS, TOOLS, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
+import { LICENCES_FILE, banner, licences } from './licences.mjs';
 import { loadedBefore } from './loaded-before.mjs';
 import { Failure, needed, step } from '../lib/run.mjs';
 import { PANELS, nodeless, panelApart, panelByAddress, sheetsAsText, templatesInOneLine } from './web-plugins.mjs';
@@ -46,7 +47,7 @@ const PAGE = 'index.html';
 // What a visit needs beside its scripts. Of the two renderers it needs one: that is kept when the page has used it.
 const ALWAYS_NEEDED = ['page.css', ...COPIED.map((file) => path.basename(file))];
 /** No browser asks for them. */
-const NEVER_ASKED = /\.map$|\.node\.js$|_bg\.wasm$/;
+const NEVER_ASKED = /\.map$|\.node\.js$|_bg\.wasm$|\.txt$/;
 
 /** Entries whose files in www/entries/ are called as what is made of them. */
 function named(...names) {
@@ -70,6 +71,8 @@ const common = {
   format: 'esm',
   target: 'es2022',
   sourcemap: true,
+  metafile: true,
+  // All of them stand in one file (licences.mjs).
   legalComments: 'none',
   logLevel: 'warning',
 };
@@ -87,14 +90,14 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const staging = path.join(pkg, `.${path.basename(to)}`);
     rmSync(staging, { recursive: true, force: true });
     mkdirSync(staging, { recursive: true });
-    const marking = mark ? { banner: { js: `(globalThis.rockFieldMarks ??= new Set()).add(${JSON.stringify(mark)});` } } : {};
-    const hashed = { outdir: staging, entryNames: HASHED_NAME, metafile: true, platform: 'browser', ...marking };
+    const marks = mark ? `(globalThis.rockFieldMarks ??= new Set()).add(${JSON.stringify(mark)});` : '';
+    const marking = { banner: { js: marks } };
+    const hashed = { outdir: staging, entryNames: HASHED_NAME, platform: 'browser', ...marking };
     // In the order in which one is named in the other.
     const wasm = artefacts.map(({ feature }) => `${feature}_bg.wasm`);
     const names = new Map(wasm.map((name) => [name, copyHashed(path.join(pkg, name), staging, mark)]));
     const built = async (options) => {
-      const { metafile } = await bundle({ ...hashed, ...options, plugins: [hashedAddresses(names), ...(options.plugins ?? [])] });
-      const made = needed(metafile, 'list of what was built');
+      const made = await bundle({ ...hashed, ...options, plugins: [hashedAddresses(names), ...(options.plugins ?? [])] });
       for (const [name, own] of namesOf(made)) names.set(name, own);
       return made;
     };
@@ -107,15 +110,18 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const headless = await built({ entryPoints: HEADLESS_ENTRIES, chunkNames: 'chunk-[hash]', splitting: true });
     withPlainNames(staging, headless, HEADLESS_ENTRIES);
     // Read by people in stack traces.
-    await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node', minify: false });
-    await bundle({ ...CDN, outdir: staging, ...marking, plugins: [hashedAddresses(names), panelByAddress] });
+    const node = await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node', minify: false });
+    const cdn = { ...CDN, outdir: staging, banner: { js: banner() + marks } };
+    const classic = await bundle({ ...cdn, plugins: [hashedAddresses(names), panelByAddress] });
     // By plain names for those who import them (`rock-field/generator_bg.wasm`), and for Node.
     for (const name of [...GENERATORS, ...TOOLS].map(wasmFile)) copyFileSync(path.join(pkg, name), path.join(staging, name));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
-    await docs(path.join(staging, 'docs'), marking);
+    const guide = await docs(path.join(staging, 'docs'), marking);
     const meta = relativeTo(staging, merged(browser, headless, workers, panel));
     if (to === dist) writeFileSync(metafile, JSON.stringify(meta));
-    await finish(staging, meta, names);
+    const service = await finish(staging, meta, names);
+    const all = [workers, panel, browser, headless, node, classic, guide, service];
+    writeFileSync(path.join(staging, LICENCES_FILE), licences(all));
     writeFileSync(
       path.join(staging, '.npmignore'),
       pageAlone(meta)
@@ -127,13 +133,14 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
 }
 
 async function docs(outdir, marking) {
-  const { metafile } = await bundle({ ...DOCS, outdir, metafile: true, ...marking });
-  const names = namesOf(needed(metafile, 'list of what was built'));
+  const made = await bundle({ ...DOCS, outdir, ...marking });
+  const names = namesOf(made);
   await writeDocs(outdir);
   for (const name of readdirSync(outdir).filter((file) => file.endsWith('.html'))) {
     const file = path.join(outdir, name);
     writeFileSync(file, withHashedNames(readFileSync(file, 'utf8'), names));
   }
+  return made;
 }
 
 /** A page that asks for its script and its style sheet by their names in dist/. */
@@ -141,11 +148,13 @@ function withHashedNames(page, names) {
   return page.replace(/(?<=(?:src|href)=")[\w-]+\.(?:js|css)(?=")/g, (name) => names.get(name) ?? name);
 }
 
+/** Resolves with the list of what was built of what, and with the files themselves if they are not written. */
 export async function bundle(options) {
   try {
     const plugins = [...(options.platform === 'browser' ? [nodeless, sheetsAsText, templatesInOneLine] : []), ...(options.plugins ?? [])];
     const define = options.platform === 'browser' ? { ...rendererBytes(), ...options.define } : options.define;
-    return await esbuild.build({ ...common, ...options, define, plugins });
+    const { metafile, outputFiles = [] } = await esbuild.build({ ...common, ...options, define, plugins });
+    return { ...needed(metafile, 'list of what was built'), outputFiles };
   } catch (error) {
     throw new Failure(
       `the bundle has ${/** @type {Partial<import('esbuild').BuildFailure>} */ (error).errors?.length ?? 1} error(s), printed above`,
@@ -195,7 +204,7 @@ async function finish(staging, meta, hashedNames) {
     return [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...others])];
   };
   const pages = Object.fromEntries(GENERATORS.map((generator) => [generator.page.file, needed(generator)]));
-  await bundle({
+  return bundle({
     entryPoints: { sw: SERVICE_WORKER },
     outdir: staging,
     sourcemap: false,

@@ -1,6 +1,7 @@
 // The pieces of the documentation's HTML: the frame of a page, blocks of code, live examples.
 import hljs from 'highlight.js/lib/common';
 import { Marked } from 'marked';
+import { LICENCES_FILE } from '../build/licences.mjs';
 import { tables } from '../lib/tables.mjs';
 
 const { word } = await tables();
@@ -126,6 +127,7 @@ export function frame({ pages, current, body, contents }) {
 <noscript><p class="no-script">${word('noScript')}</p></noscript>
 ${body}
 <nav class="turns" aria-label="${word('previous')}, ${word('next')}">${before}${after}</nav>
+<footer class="foot"><a href="../${LICENCES_FILE}">${word('licences')}</a></footer>
 </main>
 </div>
 </body>

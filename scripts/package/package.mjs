@@ -4,6 +4,7 @@ import { spawnSync } from 'node:child_process';
 import os from 'node:os';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
+import { LICENCES_FILE } from '../build/licences.mjs';
 import { root } from '../lib/env.mjs';
 import { Failure, isMain, main, needed, npm, run, say, step } from '../lib/run.mjs';
 
@@ -35,6 +36,7 @@ export async function examine({ outside, tarball, folder }) {
   await types(tarball, exports);
   importEach(outside, exports);
   await graph(folder, exports);
+  if (!existsSync(path.join(folder, 'dist', LICENCES_FILE))) throw new Failure(`the package has no dist/${LICENCES_FILE}`);
   const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => statSync(path.join(folder, name)).isFile());
   say(`• ${path.basename(tarball)}: ${files.length} files, ${(statSync(tarball).size / 1000).toFixed(0)} kB`);
 }

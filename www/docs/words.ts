@@ -6,6 +6,7 @@ export const WORDS = {
   contents: 'Contents',
   skip: 'Skip to the content',
   openPage: 'Open the page',
+  licences: 'Third-party licences',
   previous: 'Previous',
   next: 'Next',
   linkTo: 'Link to {name}',
