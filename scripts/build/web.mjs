@@ -5,7 +5,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { writeDocs } from '../docs/docs.mjs';
 import { dist, hashOf, pkg, root } from '../lib/env.mjs';
-import { GENERATORS, HEADLESS, TOOLS, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
+import { GENERATORS, HEADLESS, PEERS, TOOLS, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { LICENCES_FILE, banner, licences } from './licences.mjs';
 import { loadedBefore } from './loaded-before.mjs';
@@ -74,6 +74,7 @@ const common = {
   metafile: true,
   // All of them stand in one file (licences.mjs).
   legalComments: 'none',
+  external: PEERS,
   logLevel: 'warning',
 };
 

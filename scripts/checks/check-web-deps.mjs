@@ -21,6 +21,7 @@ export const FLOORS = [
   ['element'],
   ['controls'],
   ...generatorFloors(),
+  ['three'],
   ['entries'],
   ['pages', 'typings'],
   ['docs'],
@@ -40,10 +41,11 @@ const PACKAGES = {
   'lean-qr': /^controls\/postcard\.ts$/,
   earcut: /^wood-ear\/log-file\//,
   meshoptimizer: /^(wood-ear\/log-file|export)\//,
+  three: /^three\//,
   react: /^typings\//,
   svelte: /^typings\//,
   vue: /^typings\//,
-  'node:': /^entries\/(core|export)\.node\.ts$/,
+  'node:': /^entries\/(core|export|three)\.node\.ts$/,
   'inlined:': /^entries\/variants\/inline-worker\.ts$/,
 };
 
@@ -53,6 +55,7 @@ const WASM_USERS = [
   'entries/core.ts',
   'entries/core.node.ts',
   'entries/export.node.ts',
+  'entries/three.node.ts',
   'rocks/ground-realm.ts',
   'renderer/artefact.ts',
 ];

@@ -41,6 +41,12 @@ const PAGES = [
     description: 'Rocks as GLB, OBJ, STL or PLY for Blender, Unreal, Unity, Godot, three.js and printing: options, units, names, origins.',
   },
   {
+    file: 'engines.html',
+    title: 'In your own scene',
+    prose: 'engines',
+    description: 'A field of rocks in a scene of three.js, in five lines: levels of detail, picking, disposal.',
+  },
+  {
     file: 'troubleshooting.html',
     title: 'Troubleshooting',
     make: troubleshooting,

@@ -133,7 +133,10 @@ export function workersOf({ worker, otherWorkers }) {
 }
 
 /** Entries of the package that work without a page. Each has a variant for Node, `www/entries/<name>.node.ts`. */
-export const HEADLESS = ['core', 'export'];
+export const HEADLESS = ['core', 'export', 'three'];
+
+/** Packages that whoever uses an entry has already: they are peers in package.json, and no part of what is built. */
+export const PEERS = ['three'];
 
 /** The source file of an entry. */
 export function entryFile(name) {

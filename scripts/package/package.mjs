@@ -1,11 +1,12 @@
 // `npm run package`: packs the package into a new folder and looks at it as those who install it would.
-import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, statSync } from 'node:fs';
+import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, statSync, symlinkSync } from 'node:fs';
 import { spawnSync } from 'node:child_process';
 import os from 'node:os';
 import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { LICENCES_FILE } from '../build/licences.mjs';
 import { root } from '../lib/env.mjs';
+import { PEERS } from '../lib/generators.mjs';
 import { Failure, isMain, main, needed, npm, run, say, step } from '../lib/run.mjs';
 
 /** Files that a browser asks for beside those it imports. */
@@ -26,6 +27,8 @@ export async function pack() {
   await run('tar', ['-xzf', `../${path.basename(tarball)}`], { cwd: modules });
   const folder = path.join(modules, 'rock-field');
   renameSync(path.join(modules, 'package'), folder);
+  // Whoever uses the entries that need them has these.
+  for (const peer of PEERS) symlinkSync(path.join(root, 'node_modules', peer), path.join(modules, peer), 'junction');
   return { outside, tarball, folder };
 }
 
@@ -90,6 +93,7 @@ async function graph(folder, exports) {
         metafile: true,
         format: 'esm',
         outdir: 'out',
+        external: PEERS,
         logLevel: 'error',
         ...options,
       });

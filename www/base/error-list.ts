@@ -265,6 +265,13 @@ export const ERRORS = /* @__PURE__ */ listed({
     remedy: 'Please report it with the link.',
   },
 
+  ThreeUnsuitable: {
+    group: 'loading',
+    message: 'three.js is r{value}; rock-field/three needs r169 or newer',
+    cause:
+      'An older revision of three.js, whose `BatchedMesh` cannot do what is needed. `build()` rejects with it before anything is made.',
+    remedy: 'Install a newer `three`. `npm ls three` says which one a project has, and who asked for it.',
+  },
   WasmUnavailable: {
     group: 'loading',
     message: 'the generator could not be loaded: {reason}',

@@ -1,9 +1,10 @@
-/** The module worker that writes one file of rocks, or lays them out for its textures. It is started when somebody exports, and ended when that is done. */
+/** The module worker that writes one file of rocks, lays them out for its textures, or makes arrays of them for a scene graph. It is started when somebody exports, and ended when that is done. */
 
+import { buffersOf } from '../export/scene.ts';
 import { imagesOf } from '../export/textures/images.ts';
 import { onTask } from '../generator/task-scope.ts';
-import { exportField, layOutField } from '../rocks/export.ts';
-import type { ExportAnswer, ExportTask } from '../rocks/export-client.ts';
+import { exportField, fieldScene, layOutField } from '../rocks/export.ts';
+import type { ExportAnswer, ExportTask } from '../rocks/export-task.ts';
 import { groundRealm } from '../rocks/ground-realm.ts';
 
 /** The share of the work that is done when the images are made. */
@@ -14,6 +15,10 @@ onTask<ExportTask, ExportAnswer>(async ({ field, source, options, step }, onProg
     const result = layOutField(field, source.params, options, onProgress);
     const arrays = [...Object.values(result.mesh), result.atlas.vertices, result.atlas.holds];
     return { result, transfer: [...new Set(arrays.map(({ buffer }) => buffer))] };
+  }
+  if (step === 'scene') {
+    const result = await fieldScene(field, source, options, groundRealm, { onProgress });
+    return { result, transfer: buffersOf(result) };
   }
   const { atlas, tiles } = step ?? {};
   const baked = atlas && tiles && { atlas, images: await imagesOf(tiles, atlas.side, (fraction) => onProgress(IMAGES_SHARE * fraction)) };

@@ -1,38 +1,17 @@
 /** The page's side of the export worker. */
 
 import { lazily } from '../base/lazy.ts';
-import type { Field } from '../data/field.ts';
 import { asFile } from '../element/export-client.ts';
 import type { ExportInWorker } from '../element/export-client.ts';
 import type { ExportedFile } from '../export/file.ts';
 import { resolveOptions } from '../export/options.ts';
-import type { ResolvedOptions } from '../export/options.ts';
 import type { Laid } from '../export/textures/textured.ts';
-import { inWorker, taskWorker } from '../generator/one-task.ts';
-import type { TaskKind, TaskOptions } from '../generator/one-task.ts';
+import { inWorker } from '../generator/one-task.ts';
+import type { TaskOptions } from '../generator/one-task.ts';
 import { backendsOf, wantedBackend } from '../renderer/load.ts';
 import type { Drawn } from './bake-textures.ts';
-import type { FieldSource } from './export.ts';
+import { EXPORTER } from './export-task.ts';
 import type { Rocks } from './table.ts';
-
-/** What the page asks for: a file, for which textures may have been drawn, or that the rocks are laid out for textures. */
-export interface ExportTask {
-  field: Field;
-  source: FieldSource;
-  options: ResolvedOptions;
-  step?: Drawn | 'lay-out' | undefined;
-}
-
-/** A file, or what was laid out. */
-export type ExportAnswer = ExportedFile | Laid;
-
-/** What answers a task. */
-const EXPORTER: TaskKind<ExportTask, ExportAnswer> = {
-  what: 'that writes files',
-  file: 'export-worker.js',
-  // This literal form is the one that bundlers recognise.
-  spawn: () => taskWorker(() => new Worker(new URL('./export-worker.js', import.meta.url), { type: 'module' })),
-};
 
 /** The share of the work that is done when textures are drawn. */
 const DRAWN = 0.6;

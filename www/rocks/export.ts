@@ -3,12 +3,14 @@
 import type { Field } from '../data/field.ts';
 import { STONE, STONE_KINDS } from '../data/palette.gen.ts';
 import { exportModel } from '../export/file.ts';
-import type { ExportedFile } from '../export/file.ts';
+import type { ExportedFile, Source } from '../export/file.ts';
 import type { Model } from '../export/model.ts';
 import { resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import type { Waiting } from '../export/pace.ts';
 import type { Progress, StageName } from '../generator/protocol.ts';
+import { sceneOf } from '../export/scene.ts';
+import type { SceneParts } from '../export/scene.ts';
 import { checkRun } from '../generator/run-checks.ts';
 import { laidOut } from '../export/textures/textured.ts';
 import type { Baked, Laid } from '../export/textures/textured.ts';
@@ -41,14 +43,41 @@ export interface FieldSource {
  */
 export async function exportField(
   field: Field,
-  { params, preset }: FieldSource,
+  source: FieldSource,
   options: ResolvedOptions,
   ground: GroundRealm,
   waiting?: Waiting,
   baked?: Baked,
 ): Promise<ExportedFile> {
+  const { model, about } = await modelOf(field, source, options, ground);
+  return exportModel(model, about, options, waiting, baked);
+}
+
+/**
+ * A field as arrays for a scene graph, of which an export with the same options has the same numbers.
+ *
+ * @throws {RockFieldError} `ExportTooLarge`, before anything is allocated.
+ */
+export async function fieldScene(
+  field: Field,
+  source: FieldSource,
+  options: ResolvedOptions,
+  ground: GroundRealm,
+  waiting?: Waiting,
+): Promise<SceneParts> {
+  const { model, about } = await modelOf(field, source, options, ground);
+  return sceneOf(model, about, options, waiting);
+}
+
+/** The rocks, with the ground if the options ask for it, and what a file says about them. */
+async function modelOf(
+  field: Field,
+  { params, preset }: FieldSource,
+  options: ResolvedOptions,
+  ground: GroundRealm,
+): Promise<{ model: Model; about: Source }> {
   const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(ROCKS, preset ?? '') === 'natural');
-  const source = {
+  const about = {
     title: `${preset ?? 'rock-field'}-${params.seed}`,
     link: encodeLink({ params, ...(preset !== undefined && { preset }) }),
     hash: () => fieldHash(field),
@@ -56,7 +85,7 @@ export async function exportField(
     extrasOf: (rock: number) => rockExtras(field, params, rock),
   };
   const rocks = rocksModel(field, params, options.metresPerPixel, isNatural);
-  return exportModel(await withGround(rocks, field, params, options, isNatural, ground), source, options, waiting, baked);
+  return { model: await withGround(rocks, field, params, options, isNatural, ground), about };
 }
 
 /**

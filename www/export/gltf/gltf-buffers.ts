@@ -184,7 +184,7 @@ export function floatsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined)
   return new Float32Array(bytes.buffer, bytes.byteOffset + (view?.offset ?? 0), (view?.length ?? 0) / 4);
 }
 
-function shortsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined): Uint16Array {
+export function shortsOf(bytes: Uint8Array<ArrayBuffer>, view: View | undefined): Uint16Array {
   return new Uint16Array(bytes.buffer, bytes.byteOffset + (view?.offset ?? 0), (view?.length ?? 0) / 2);
 }
 

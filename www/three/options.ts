@@ -1,0 +1,67 @@
+/** What a `RockField` of three.js can be asked for: the parameters of a field, and some of the options of exports by their names. */
+
+import type { Material } from 'three';
+import { objectOf } from '../table/param-checks.ts';
+import { impossible, resolveOptions } from '../export/options.ts';
+import type { ResolvedOptions } from '../export/options.ts';
+import { FIELD_ROWS, resolveParams } from '../rocks/request.ts';
+import type { FieldRequest } from '../rocks/request.ts';
+import type { FieldSource } from '../rocks/export.ts';
+import type { PresetName } from '../rocks/params.ts';
+
+/** The options of exports that mean something in a scene. */
+const SCENE_KEYS = ['mesh', 'kinds', 'lods', 'groundMesh', 'solid', 'color', 'metresPerPixel'] as const satisfies (keyof ResolvedOptions)[];
+
+type SceneKey = (typeof SCENE_KEYS)[number];
+
+/** Levels of detail of rocks that are drawn one by one, unless others are asked for. */
+const LEVELS = 3;
+
+/** A preset fills every parameter, each parameter given then replaces its value; the options are those of exports. */
+export type RockFieldOptions = FieldRequest & { [Key in Exclude<SceneKey, 'mesh'>]?: ResolvedOptions[Key] | undefined } & {
+  /**
+   * `one` mesh for each layer (the default); `rocks`: a `BatchedMesh` in which every rock has levels of detail and can be moved and coloured; `kit`: the
+   * same with `kinds` shapes for each layer, of which every rock is an instance.
+   */
+  mesh?: Exclude<ResolvedOptions['mesh'], 'points'> | undefined;
+  /** What rocks and ground are drawn with instead of a `MeshStandardMaterial`. It stays yours: `dispose()` leaves it alone. */
+  material?: Material | undefined;
+};
+
+/** Every key that the options may have. */
+export const OPTION_KEYS: readonly (keyof RockFieldOptions)[] = [
+  'preset',
+  'layers',
+  ...FIELD_ROWS.map(({ key }) => key as keyof FieldRequest),
+  ...SCENE_KEYS,
+  'material',
+];
+
+/** What is to be made, checked. */
+export interface Wanted {
+  source: FieldSource;
+  options: ResolvedOptions;
+  material: Material | undefined;
+}
+
+/**
+ * @throws {RockFieldError} naming the parameter or the option, its value and its bounds; `ExportImpossible` where two options contradict each other.
+ */
+export function resolve(given: RockFieldOptions): Wanted {
+  const { material, ...rest } = objectOf(given, 'options') as RockFieldOptions;
+  const request: Record<string, unknown> = {};
+  const chosen: Record<string, unknown> = {};
+  for (const [key, value] of Object.entries(rest)) (isSceneKey(key) ? chosen : request)[key] = value;
+  const params = resolveParams(request as FieldRequest);
+  const asked = chosen as { [Key in SceneKey]?: ResolvedOptions[Key] };
+  const { mesh = (asked.lods ?? 1) > 1 ? 'rocks' : 'one' } = asked;
+  const options = resolveOptions({ target: 'three', ...asked, mesh, lods: asked.lods ?? (mesh === 'one' ? 1 : LEVELS) });
+  if (mesh === 'points') throw impossible('mesh', mesh, 'a scene has no points: use mesh "one", "rocks" or "kit"');
+  if (mesh === 'one' && options.lods > 1)
+    throw impossible('lods', options.lods, 'levels of detail belong to single rocks: use mesh "rocks" or "kit"');
+  return { source: { params, preset: request.preset as PresetName | undefined }, options, material };
+}
+
+function isSceneKey(key: string): key is SceneKey {
+  return (SCENE_KEYS as readonly string[]).includes(key);
+}
