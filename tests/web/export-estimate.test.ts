@@ -28,8 +28,8 @@ const source = {
 async function ratioOf(model: Model, given: ExportOptions, what: string): Promise<{ ratio: number; file: ExportedFile }> {
   const options = resolveOptions(given);
   const file = await exportModel(model, source, options);
-  const kit = options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined;
-  const { bytes, triangles, objects } = estimateOf(model, options, toldOf(model, source, 'f'.repeat(64)), kit);
+  const kit = options.mesh === 'kit' ? await kitOf(model, options.kinds) : undefined;
+  const { bytes, triangles, objects } = estimateOf({ model, options, told: toldOf(model, source, 'f'.repeat(64)), kit });
   if (options.mesh !== 'points') assert.deepEqual([triangles, objects], [file.report.triangles, file.report.objects], what);
   return { ratio: bytes / file.bytes.length, file };
 }

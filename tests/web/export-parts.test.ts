@@ -144,7 +144,7 @@ test('what is too large for a file is offered as a kit, or in as many parts as f
     ground: { size: [100, 100], gravel: [false] },
   } as unknown as Model;
   const told = { title: '', scene: {}, body: () => undefined };
-  const check = (parts: number): void => checkFits(model, resolveOptions({ format: 'stl', parts }), told);
+  const check = (parts: number): void => checkFits({ model, options: resolveOptions({ format: 'stl', parts }), told });
   let parts = 0;
   assert.throws(
     () => check(1),
@@ -157,11 +157,11 @@ test('what is too large for a file is offered as a kit, or in as many parts as f
   );
   const half = { ...model, indexStarts: starts(1.5 * each) };
   assert.throws(
-    () => checkFits(half, resolveOptions({ format: 'stl' }), told),
+    () => checkFits({ model: half, options: resolveOptions({ format: 'stl' }), told }),
     (error: unknown) => {
       parts = Number(/or parts (\d+),/.exec((error as Error).message)?.[1]);
       return parts > 1;
     },
   );
-  checkFits(half, resolveOptions({ format: 'stl', parts }), told);
+  checkFits({ model: half, options: resolveOptions({ format: 'stl', parts }), told });
 });

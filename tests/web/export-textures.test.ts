@@ -42,7 +42,7 @@ async function exported(options: ExportOptions): Promise<{ file: ExportedFile; l
   const params = resolveParams(REQUEST);
   const field = await generate(params);
   const resolved = resolveOptions({ textures: '1k', ...options });
-  const laid = layOutField(field, params, resolved);
+  const laid = await layOutField(field, params, resolved);
   const baked = { atlas: laid.atlas, images: await IMAGES };
   return { file: await exportField(field, { params, preset: 'riverbed' }, resolved, GROUND, undefined, baked), laid, baked };
 }

@@ -86,7 +86,7 @@ test('of no rock of any preset do two triangles overlap in its patch, which is c
 async function laidOut(options: ExportOptions, preset: PresetName = 'riverbed'): Promise<Laid & { field: Field }> {
   const params = resolveParams({ preset, ...SMALL });
   const field = await generate(params);
-  return { field, ...layOutField(field, params, resolveOptions(options)) };
+  return { field, ...(await layOutField(field, params, resolveOptions(options))) };
 }
 
 /** For each body the box around its places, of its undersides apart; texels. */

@@ -74,7 +74,18 @@ function hurry({ mock }: TestContext): void {
   mock.method(performance, 'now', () => (now += 100));
 }
 
-const WRITTEN_IN_SLICES: ExportOptions[] = [{}, { mesh: 'kit' }, { mesh: 'one' }, { format: 'obj' }];
+const WRITTEN_IN_SLICES: ExportOptions[] = [
+  {},
+  { mesh: 'kit' },
+  { mesh: 'one' },
+  { format: 'obj' },
+  { format: 'obj', lods: 2 },
+  { format: 'stl' },
+  { format: 'ply' },
+  { format: 'csv' },
+  { format: 'ply', mesh: 'points' },
+  { format: 'zip', side: 64 },
+];
 
 test('progress goes on while a file is written, and the file is the same', async (context) => {
   for (const options of WRITTEN_IN_SLICES) {

@@ -12,7 +12,7 @@ const IMAGES_SHARE = 0.9;
 
 onTask<ExportTask, ExportAnswer>(async ({ field, source, options, step }, onProgress) => {
   if (step === 'lay-out') {
-    const result = layOutField(field, source.params, options, onProgress);
+    const result = await layOutField(field, source.params, options, onProgress);
     const arrays = [...Object.values(result.mesh), result.atlas.vertices, result.atlas.holds];
     return { result, transfer: [...new Set(arrays.map(({ buffer }) => buffer))] };
   }

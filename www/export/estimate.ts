@@ -38,32 +38,47 @@ const GLB_HEADS = 28;
 /** Of a vertex: position and normal; tangent and place in the textures; number of its thing. Of an instance: where it is, turn and scale. */
 const [PLAIN_BYTES, TEXTURED_BYTES, ID_BYTES, INSTANCE_BYTES] = [24, 24, 4, 40];
 
+/** A file that has not been written yet. */
+export interface Planned {
+  /** Open below, with everything that is to be written. */
+  model: Model;
+  /** Any format but those of maps. */
+  options: ResolvedOptions;
+  told: Told;
+  /** Where `mesh` is so. */
+  kit?: Kit | undefined;
+  /** Where the file has textures. */
+  images?: Images | undefined;
+}
+
+/** Its things, and how large its bodies are at each level of detail. */
+interface Measured extends Planned {
+  things: readonly Thing[];
+  levels: readonly Sizes[];
+}
+
 /** How large bodies are: vertices and triangles of each, of one level of detail. */
 interface Sizes {
   vertices: Uint32Array;
   triangles: Uint32Array;
 }
 
-/**
- * What a file will be. It takes a small part of the time of writing it, and no memory to speak of.
- *
- * @param model open below, with everything that is to be written; any format but those of maps.
- * @param kit where `mesh` is so.
- * @param images where the file has textures.
- */
-export function estimateOf(model: Model, options: ResolvedOptions, told: Told, kit?: Kit, images?: Images): Estimate {
+/** What a file will be. It takes a small part of the time of writing it, and no memory to speak of. */
+export function estimateOf(planned: Planned): Estimate {
+  const { model, options, told, kit } = planned;
   const { format, mesh } = options;
   const things = thingsOf(model);
   if (mesh === 'points') return { triangles: 0, objects: things.length, bytes: BYTES_A_POINT * things.length + BYTES_AROUND };
   const levels = levelSizes(model, options);
+  const measured: Measured = { ...planned, things, levels };
   const [finest] = levels as [Sizes];
   const triangles = sum(kit ? things.flatMap((thing) => kindBodies(model, thing, kit)) : allBodies(model), finest.triangles);
   const apart = mesh === 'rocks' || mesh === 'kit';
   const objects = apart ? things.length : new Set(model.groupOf).size;
   const vertices = sum(allBodies(model), finest.vertices);
   const bytes = {
-    glb: () => glbBytes(model, options, told, things, levels, kit, images),
-    obj: () => objBytes(model, options, told, things, levels),
+    glb: () => glbBytes(measured),
+    obj: () => objBytes(measured),
     stl: () => STL_HEADER + STL_TRIANGLE * triangles,
     ply: () => plyHeader(told, vertices, triangles).length + PLY_VERTEX * vertices + PLY_FACE * triangles,
   }[format as 'glb' | 'obj' | 'stl' | 'ply']();
@@ -110,15 +125,8 @@ function levelSizes(model: Model, { solid, lods }: ResolvedOptions): Sizes[] {
   return levels;
 }
 
-function glbBytes(
-  model: Model,
-  options: ResolvedOptions,
-  told: Told,
-  things: readonly Thing[],
-  levels: readonly Sizes[],
-  kit: Kit | undefined,
-  images: Images | undefined,
-): number {
+function glbBytes(measured: Measured): number {
+  const { model, options, things, levels, kit, images } = measured;
   const { mesh, instancing, vertexColors, hulls, compress } = options;
   const chosen = kit && new Set(kit.kinds);
   const isOne = (k: number): boolean => isOneThing(model, model.groupOf[k]!);
@@ -138,7 +146,7 @@ function glbBytes(
     (kit && instancing ? INSTANCE_BYTES * instancesOf(model) : 0) +
     Object.values(images ?? {}).reduce((length, { length: own }) => length + padded(own), 0) +
     hullCount * (12 * MOST_VERTICES + 6 * indexBytes * (MOST_VERTICES - 2));
-  const json = jsonBytes(model, options, told, things, kit, images, vertices);
+  const json = jsonBytes(measured, vertices);
   return GLB_HEADS + padded(Math.round(json)) + binary + (compress ? BYTES_AROUND : 0);
 }
 
@@ -175,16 +183,9 @@ const COUNTED = ['length', 'nodes', 'meshes', 'accessors'] as const;
  * The JSON part is written of some of the things twice: of what there is one of, and one of each kind; and of others too, evenly chosen among
  * all. What has been added is what all others add.
  */
-function jsonBytes(
-  model: Model,
-  options: ResolvedOptions,
-  told: Told,
-  things: readonly Thing[],
-  kit: Kit | undefined,
-  images: Images | undefined,
-  vertices: number,
-): number {
-  const written = (chosen: readonly Thing[]): JsonFacts => jsonOf(model, options, told, chosen, kit, images);
+function jsonBytes(measured: Measured, vertices: number): number {
+  const { model, options, things, kit } = measured;
+  const written = (chosen: readonly Thing[]): JsonFacts => jsonOf(measured, chosen);
   if (options.mesh === 'one') return written(things).length;
   const kinds = new Set(kit?.kinds);
   const seen = new Set<number>();
@@ -224,14 +225,7 @@ function meanDigits(end: number): number {
 }
 
 /** The JSON part of a file of some of the things, whose coarser levels and hulls are taken to be as they are. */
-function jsonOf(
-  model: Model,
-  options: ResolvedOptions,
-  told: Told,
-  things: readonly Thing[],
-  kit: Kit | undefined,
-  images: Images | undefined,
-): JsonFacts {
+function jsonOf({ model, options, told, kit, images }: Planned, things: readonly Thing[]): JsonFacts {
   const { solid, lods, hulls } = options;
   const bodies = things.flatMap((thing) => thing.bodies).sort((a, b) => a - b);
   const isWhole = bodies.length === model.groupOf.length;
@@ -279,7 +273,7 @@ const DOWN_LETTERS = 4;
 /** Of a vertex, its normal and a triangle of an OBJ, what is no number. */
 const [VERTEX_LETTERS, FACE_LETTERS, FACE_NUMBERS] = [11, 11, 6];
 
-function objBytes(model: Model, options: ResolvedOptions, told: Told, things: readonly Thing[], levels: readonly Sizes[]): number {
+function objBytes({ model, options, told, things, levels }: Measured): number {
   const { groupOf, groups, materialOf, materials, vertexStarts } = model;
   const [own, normal] = lettersOf(model, options, evenly(model.positions.length / 3, VERTICES));
   // What closes rocks from below has the places of their rims.

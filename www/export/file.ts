@@ -129,7 +129,9 @@ const MEASURED = 4;
 /** From so many objects on, programs take minutes to open a file. */
 const MANY = 2000;
 
-/** The share of the work that is done when levels and hulls are there. */
+/** The share of the work that is done when a kit is chosen. */
+const KIT_SHARE = 0.1;
+/** That of the rest when levels and hulls are there. */
 const SHAPES_SHARE = 0.4;
 
 /**
@@ -149,16 +151,19 @@ export async function exportModel(
   const { format } = options;
   const { title, hash, hasPatterns, notes: own = [] } = source;
   const fineness = baked && { texelsPerMetre: Math.round(baked.atlas.density / model.unit) };
-  const kit = checkSize(model, options, toldOf(model, source, NO_HASH, fineness), baked?.images);
-  const told = toldOf(model, source, await hash(), fineness);
   const pace = new Pace(waiting);
+  const kit = !isMap(options) && options.mesh === 'kit' ? await kitOf(model, options.kinds, pace.within(0, KIT_SHARE)) : undefined;
+  if (isMap(options)) checkMaps(model, options);
+  else checkFits({ model, options, told: toldOf(model, source, NO_HASH, fineness), kit, images: baked?.images });
+  const told = toldOf(model, source, await hash(), fineness);
+  const writing = kit ? pace.within(KIT_SHARE, 1) : pace;
   const isCut = options.parts > 1;
   const {
     bytes,
     counts,
     ending = `.${format}`,
     map,
-  } = isCut ? await writeParts(model, options, told, pace) : await writeModel(model, options, told, pace, kit, baked);
+  } = isCut ? await writeParts(model, options, told, writing) : await writeModel(model, options, told, writing, kit, baked);
   const notes = [
     ...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })),
     ...(options.mesh === 'rocks' && counts.objects > MANY ? [{ code: 'many-objects', count: counts.objects } as const] : []),
@@ -280,20 +285,9 @@ async function shapesOf(
 async function write(shapes: Shapes, options: ResolvedOptions, told: Told, pace: Pace, kit: Kit | undefined): Promise<Outcome> {
   const model = shapes.levels[0]!;
   if (isMap(options)) return writeMaps(model, options, told, pace);
-  if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options) : writePlyPoints(model, options, told);
+  if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options, pace) : writePlyPoints(model, options, told, pace);
   if (options.format === 'obj') return writeObj(shapes.levels, options, told, pace);
-  if (options.format === 'stl') return writeStl(model, options, told);
-  if (options.format === 'ply') return writePly(model, options, told);
+  if (options.format === 'stl') return writeStl(model, options, told, pace);
+  if (options.format === 'ply') return writePly(model, options, told, pace);
   return writeGlb(shapes, options, told, pace, kit);
-}
-
-/** Returns the kit that it is written as, which has to be known to tell how large it will be. */
-function checkSize(model: Model, options: ResolvedOptions, told: Told, images: Images | undefined): Kit | undefined {
-  if (isMap(options)) {
-    checkMaps(model, options);
-    return undefined;
-  }
-  const kit = options.mesh === 'kit' ? kitOf(model, options.kinds) : undefined;
-  checkFits(model, options, told, kit, images);
-  return kit;
 }

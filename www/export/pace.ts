@@ -4,6 +4,8 @@ import { nextTask } from '../base/next-task.ts';
 
 /** After this much work others have their turn, ms. */
 const SLICE_MS = 16;
+/** So many small things are done before the time is looked at. */
+const MANY = 1024;
 
 /** Whoever waits for a file. */
 export interface Waiting {
@@ -45,6 +47,15 @@ export class Pace {
   /** Whether the slice is over: call `rest` then. */
   isDue(): boolean {
     return performance.now() - this.#begin >= SLICE_MS;
+  }
+
+  /** Does something with `count` small things, from `begin` to `end` of them at a time; all of it is this pace's work. */
+  async each(count: number, work: (begin: number, end: number) => void): Promise<void> {
+    for (let begin = 0; begin < count; begin += MANY) {
+      const end = Math.min(begin + MANY, count);
+      work(begin, end);
+      if (this.isDue()) await this.rest(end / count);
+    }
   }
 
   /**

@@ -2,12 +2,11 @@
 
 import { RockFieldError } from '../base/errors.ts';
 import { estimateOf } from './estimate.ts';
-import type { Told } from './gltf/gltf-json.ts';
-import type { Images, Model } from './model.ts';
+import type { Planned } from './estimate.ts';
+import type { Model } from './model.ts';
 import { FORMS, OPTIONS } from './options.ts';
 import type { ResolvedOptions } from './options.ts';
 import { cellsOf } from './parts.ts';
-import type { Kit } from './shapes/kit.ts';
 
 /** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
 export const MOST_BYTES = 2 ** 31 - 1;
@@ -17,8 +16,9 @@ export const MOST_ZIP = 2 ** 32 - 2 ** 16;
 const SAFE = 0.9;
 
 /** @throws {RockFieldError} `ExportTooLarge`, which says what would fit. */
-export function checkFits(model: Model, options: ResolvedOptions, told: Told, kit?: Kit, images?: Images): void {
-  const { bytes } = estimateOf(model, options, told, kit, images);
+export function checkFits(planned: Planned): void {
+  const { model, options } = planned;
+  const { bytes } = estimateOf(planned);
   const largest = options.parts > 1 ? bytes * largestShare(model, options.parts) : bytes;
   if (largest <= MOST_BYTES && bytes <= MOST_ZIP) return;
   const [value, max] = largest > MOST_BYTES ? [largest, MOST_BYTES] : [bytes, MOST_ZIP];

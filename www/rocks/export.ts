@@ -93,7 +93,12 @@ async function modelOf(
  *
  * @throws {RockFieldError} `ExportTooLarge` where there are too many.
  */
-export function layOutField(field: Field, params: Params, options: ResolvedOptions, onProgress?: (fraction: number) => void): Laid {
+export async function layOutField(
+  field: Field,
+  params: Params,
+  options: ResolvedOptions,
+  onProgress?: (fraction: number) => void,
+): Promise<Laid> {
   return laidOut(rocksModel(field, params, options.metresPerPixel, true), options, onProgress);
 }
 

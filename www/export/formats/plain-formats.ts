@@ -11,28 +11,43 @@ import type { Pace } from '../pace.ts';
 
 type Options = Pick<ResolvedOptions, 'mesh' | 'up' | 'scale'>;
 
+type Vertices = Pick<Model, 'positions' | 'normals'>;
+type Placed = Vertices & Pick<Model, 'unit' | 'centre'>;
+
 /** Vertex and normal buffers in the file's units and axes, about the middle of the model. */
-export function inFile(
-  { positions, normals, unit, centre }: Pick<Model, 'positions' | 'normals' | 'unit' | 'centre'>,
-  { up, scale }: Options,
-): Pick<Model, 'positions' | 'normals'> {
-  const turned = { positions: new Float32Array(positions.length), normals: new Float32Array(normals.length) };
-  const factor = unit * scale;
-  // With y up (x, y, z) becomes (x, z, −y).
-  const [second, third, sign] = up === 'z' ? ([1, 2, 1] as const) : ([2, 1, -1] as const);
-  for (let v = 0; v < positions.length; v += 3) {
-    turned.positions[v] = factor * (positions[v]! - centre[0]);
-    turned.positions[v + second] = factor * sign * (positions[v + 1]! - centre[1]);
-    turned.positions[v + third] = factor * (positions[v + 2]! - centre[2]);
-    turned.normals[v] = normals[v]!;
-    turned.normals[v + second] = sign * normals[v + 1]!;
-    turned.normals[v + third] = normals[v + 2]!;
-  }
+export function inFile(model: Placed, options: Options): Vertices {
+  const turned = emptyLike(model);
+  turn(model, options, turned, 0, model.positions.length / 3);
   return turned;
 }
 
-/** Numbers after which the time is looked at. */
-const MANY = 3 * 1024;
+async function inFileSlowly(model: Placed, options: Options, pace: Pace): Promise<Vertices> {
+  const turned = emptyLike(model);
+  await pace.each(model.positions.length / 3, (begin, end) => turn(model, options, turned, begin, end));
+  return turned;
+}
+
+function emptyLike({ positions, normals }: Vertices): Vertices {
+  return { positions: new Float32Array(positions.length), normals: new Float32Array(normals.length) };
+}
+
+/** The vertices from `begin` to `end`. */
+function turn({ positions, normals, unit, centre }: Placed, { up, scale }: Options, to: Vertices, begin: number, end: number): void {
+  const factor = unit * scale;
+  // With y up (x, y, z) becomes (x, z, −y).
+  const [second, third, sign] = up === 'z' ? ([1, 2, 1] as const) : ([2, 1, -1] as const);
+  for (let v = 3 * begin; v < 3 * end; v += 3) {
+    to.positions[v] = factor * (positions[v]! - centre[0]);
+    to.positions[v + second] = factor * sign * (positions[v + 1]! - centre[1]);
+    to.positions[v + third] = factor * (positions[v + 2]! - centre[2]);
+    to.normals[v] = normals[v]!;
+    to.normals[v + second] = sign * normals[v + 1]!;
+    to.normals[v + third] = normals[v + 2]!;
+  }
+}
+
+/** The share of the work that is done when all vertices are turned. */
+const TURNED = 0.15;
 
 const [LINE, SPACE, SLASH, F] = [10, 32, 47, 102];
 
@@ -71,12 +86,14 @@ async function writeLevel(
   options: Options,
   pace: Pace,
 ): Promise<void> {
-  const { positions, normals } = inFile(model, options);
-  await writeTriples(out, 'v', positions, pace, 0);
-  await writeTriples(out, 'vn', normals, pace, 1 / 3);
+  const { positions, normals } = await inFileSlowly(model, options, pace.within(0, TURNED));
+  await writeTriples(out, 'v', positions, pace.within(TURNED, 0.4));
+  await writeTriples(out, 'vn', normals, pace.within(0.4, 0.7));
   const objects = new Map(thingsOf(model).map(({ name, bodies: [first] }) => [first!, name]));
-  let [group, material] = [-1, -1];
-  for (let k = 0; k < model.groupOf.length; k++) {
+  let [next, group, material] = [0, -1, -1];
+  /** Writes what stands before the triangles of the next body. */
+  const beginBody = (): void => {
+    const k = next++;
     const isOther = model.groupOf[k] !== group;
     group = model.groupOf[k]!;
     const { name } = model.groups[group]!;
@@ -87,33 +104,42 @@ async function writeLevel(
       material = model.materialOf[k]!;
       out.text(`usemtl ${model.materials[material]!.name}\n`);
     }
-    for (let i = model.indexStarts[k]!; i < model.indexStarts[k + 1]!; i += 3) {
-      out.codes(F);
-      for (let corner = 0; corner < 3; corner++) {
-        const vertex = model.indices[i + corner]! + begin;
+  };
+  await pace.within(0.7, 1).each(model.indices.length / 3, (from, to) => {
+    for (let i = 3 * from; i < 3 * to; i += 3) {
+      while (next < model.groupOf.length && model.indexStarts[next]! <= i) beginBody();
+      writeFace(out, model.indices, i, begin);
+    }
+  });
+  while (next < model.groupOf.length) beginBody();
+}
+
+/** The triangle whose corners stand at `i`, of vertices that are numbered from `begin` on. */
+function writeFace(out: ByteWriter, indices: Uint32Array, i: number, begin: number): void {
+  out.codes(F);
+  for (let corner = 0; corner < 3; corner++) {
+    const vertex = indices[i + corner]! + begin;
+    out.codes(SPACE);
+    out.whole(vertex);
+    out.codes(SLASH, SLASH);
+    out.whole(vertex);
+  }
+  out.codes(LINE);
+}
+
+/** A line for each three numbers. */
+async function writeTriples(out: ByteWriter, name: string, list: Float32Array, pace: Pace): Promise<void> {
+  const first = [...name].map((letter) => letter.charCodeAt(0));
+  await pace.each(list.length / 3, (begin, end) => {
+    for (let v = 3 * begin; v < 3 * end; v += 3) {
+      out.codes(...first);
+      for (let axis = 0; axis < 3; axis++) {
         out.codes(SPACE);
-        out.whole(vertex);
-        out.codes(SLASH, SLASH);
-        out.whole(vertex);
+        out.decimal(list[v + axis]!);
       }
       out.codes(LINE);
     }
-    if (pace.isDue()) await pace.rest(2 / 3 + (k + 1) / model.groupOf.length / 3);
-  }
-}
-
-/** A line for each three numbers, which is a third of the work, after `done` of it. */
-async function writeTriples(out: ByteWriter, name: string, list: Float32Array, pace: Pace, done: number): Promise<void> {
-  const begin = [...name].map((letter) => letter.charCodeAt(0));
-  for (let v = 0; v < list.length; v += 3) {
-    out.codes(...begin);
-    for (let axis = 0; axis < 3; axis++) {
-      out.codes(SPACE);
-      out.decimal(list[v + axis]!);
-    }
-    out.codes(LINE);
-    if (v % MANY === 0 && pace.isDue()) await pace.rest(done + v / list.length / 3);
-  }
+  });
 }
 
 /** With the number of triangles; and each of them. */
@@ -122,23 +148,25 @@ export const [STL_HEADER, STL_TRIANGLE] = [84, 50];
 const STL_COUNT = 80;
 
 /** Binary STL. Its header does not begin with “solid”, by which readers know the other kind. */
-export function writeStl(model: Model, options: Options, told: Told): Written {
-  const { positions } = inFile(model, options);
+export async function writeStl(model: Model, options: Options, told: Told, pace: Pace): Promise<Written> {
+  const { positions } = await inFileSlowly(model, options, pace.within(0, TURNED));
   const { indices } = model;
   const triangles = indices.length / 3;
   const bytes = new Uint8Array(STL_HEADER + STL_TRIANGLE * triangles);
   bytes.set(new TextEncoder().encode(`rock-field: ${told.title}`).subarray(0, STL_COUNT));
   const view = new DataView(bytes.buffer);
   view.setUint32(STL_COUNT, triangles, true);
-  for (let t = 0, at = STL_HEADER; t < triangles; t++, at += STL_TRIANGLE) {
-    const [a, b, c] = [3 * indices[3 * t]!, 3 * indices[3 * t + 1]!, 3 * indices[3 * t + 2]!];
-    normalOf(positions, a, b, c).forEach((value, k) => view.setFloat32(at + 4 * k, value, true));
-    for (let axis = 0; axis < 3; axis++) {
-      view.setFloat32(at + 12 + 4 * axis, positions[a + axis]!, true);
-      view.setFloat32(at + 24 + 4 * axis, positions[b + axis]!, true);
-      view.setFloat32(at + 36 + 4 * axis, positions[c + axis]!, true);
+  await pace.within(TURNED, 1).each(triangles, (begin, end) => {
+    for (let t = begin, at = STL_HEADER + STL_TRIANGLE * begin; t < end; t++, at += STL_TRIANGLE) {
+      const [a, b, c] = [3 * indices[3 * t]!, 3 * indices[3 * t + 1]!, 3 * indices[3 * t + 2]!];
+      normalOf(positions, a, b, c).forEach((value, k) => view.setFloat32(at + 4 * k, value, true));
+      for (let axis = 0; axis < 3; axis++) {
+        view.setFloat32(at + 12 + 4 * axis, positions[a + axis]!, true);
+        view.setFloat32(at + 24 + 4 * axis, positions[b + axis]!, true);
+        view.setFloat32(at + 36 + 4 * axis, positions[c + axis]!, true);
+      }
     }
-  }
+  });
   return { bytes, counts: countsOf(model, false) };
 }
 
@@ -171,29 +199,33 @@ export function plyHeader({ title, scene }: Told, vertices: number, faces: numbe
 }
 
 /** Binary little-endian PLY, whose vertices have normals and the colour of their rock. */
-export function writePly(model: Model, options: Options, told: Told): Written {
-  const { positions, normals } = inFile(model, options);
+export async function writePly(model: Model, options: Options, told: Told, pace: Pace): Promise<Written> {
+  const { positions, normals } = await inFileSlowly(model, options, pace.within(0, TURNED));
   const { indices, vertexStarts } = model;
   const [vertices, faces] = [positions.length / 3, indices.length / 3];
   const header = plyHeader(told, vertices, faces);
   const bytes = new Uint8Array(header.length + PLY_VERTEX * vertices + PLY_FACE * faces);
   bytes.set(header);
   const view = new DataView(bytes.buffer);
-  let at = header.length;
-  for (let k = 0; k < model.groupOf.length; k++) {
-    const color = model.materials[model.materialOf[k]!]!.color.map(encoded);
-    for (let v = 3 * vertexStarts[k]!; v < 3 * vertexStarts[k + 1]!; v += 3, at += PLY_VERTEX) {
+  const colors = model.materials.map(({ color }) => color.map(encoded));
+  let k = 0;
+  await pace.within(TURNED, 0.6).each(vertices, (begin, end) => {
+    for (let v = begin, at = header.length + PLY_VERTEX * begin; v < end; v++, at += PLY_VERTEX) {
+      while (vertexStarts[k + 1]! <= v) k += 1;
       for (let axis = 0; axis < 3; axis++) {
-        view.setFloat32(at + 4 * axis, positions[v + axis]!, true);
-        view.setFloat32(at + 12 + 4 * axis, normals[v + axis]!, true);
-        bytes[at + 24 + axis] = color[axis]!;
+        view.setFloat32(at + 4 * axis, positions[3 * v + axis]!, true);
+        view.setFloat32(at + 12 + 4 * axis, normals[3 * v + axis]!, true);
+        bytes[at + 24 + axis] = colors[model.materialOf[k]!]![axis]!;
       }
     }
-  }
-  for (let i = 0; i < indices.length; i += 3, at += PLY_FACE) {
-    bytes[at] = 3;
-    for (let corner = 0; corner < 3; corner++) view.setInt32(at + 1 + 4 * corner, indices[i + corner]!, true);
-  }
+  });
+  const firstFace = header.length + PLY_VERTEX * vertices;
+  await pace.within(0.6, 1).each(faces, (begin, end) => {
+    for (let face = begin, at = firstFace + PLY_FACE * begin; face < end; face++, at += PLY_FACE) {
+      bytes[at] = 3;
+      for (let corner = 0; corner < 3; corner++) view.setInt32(at + 1 + 4 * corner, indices[3 * face + corner]!, true);
+    }
+  });
   return { bytes, counts: countsOf(model, false) };
 }
 

@@ -4,14 +4,17 @@ import { ByteWriter } from './byte-writer.ts';
 import type { Written } from '../gltf/glb.ts';
 import type { Told } from '../gltf/gltf-json.ts';
 import { kitOf } from '../shapes/kit.ts';
-import type { Frame } from '../shapes/kit.ts';
+import type { Frame, Kit } from '../shapes/kit.ts';
 import { isOneThing } from '../model.ts';
 import type { Model } from '../model.ts';
 import type { ResolvedOptions } from '../options.ts';
+import type { Pace } from '../pace.ts';
 import { placementOf } from '../shapes/placement.ts';
 
 type Vector = readonly [number, number, number];
 const COMMA = 44;
+/** The share of the work that is done when it is known where all points are. */
+const FOUND = 0.6;
 
 type Options = Pick<ResolvedOptions, 'kinds' | 'axes'>;
 type Axes = ResolvedOptions['axes'];
@@ -47,28 +50,30 @@ function realsOf({ place, rotation, scale, size: [length, height, width] }: Poin
 }
 
 /** A line for each rock under a line of names. */
-export function writeCsv(model: Model, options: Options): Written {
+export async function writeCsv(model: Model, options: Options, pace: Pace): Promise<Written> {
   const out = new ByteWriter();
-  const points = pointsOf(model, options);
+  const points = await pointsOf(model, options, pace.within(0, FOUND));
   out.text(`${['id', ...REALS, ...WHOLES, 'material'].join()}\r\n`);
-  for (const point of points) {
-    out.whole(point.id);
-    for (const value of realsOf(point)) {
-      out.codes(COMMA);
-      out.decimal(value);
+  await pace.within(FOUND, 1).each(points.length, (begin, end) => {
+    for (const point of points.slice(begin, end)) {
+      out.whole(point.id);
+      for (const value of realsOf(point)) {
+        out.codes(COMMA);
+        out.decimal(value);
+      }
+      for (const name of WHOLES) {
+        out.codes(COMMA);
+        out.whole(point[name]);
+      }
+      out.text(`,${point.material}\r\n`);
     }
-    for (const name of WHOLES) {
-      out.codes(COMMA);
-      out.whole(point[name]);
-    }
-    out.text(`,${point.material}\r\n`);
-  }
+  });
   return { bytes: out.bytes(), counts: countsOf(points) };
 }
 
 /** Binary little-endian PLY of vertices alone. */
-export function writePlyPoints(model: Model, options: Options, told: Told): Written {
-  const points = pointsOf(model, options);
+export async function writePlyPoints(model: Model, options: Options, told: Told, pace: Pace): Promise<Written> {
+  const points = await pointsOf(model, options, pace.within(0, FOUND));
   const comments = [told.title, ...Object.entries(told.scene).map(([key, value]) => `${key}: ${String(value)}`), `axes: ${options.axes}`];
   const header = new TextEncoder().encode(
     [
@@ -85,10 +90,12 @@ export function writePlyPoints(model: Model, options: Options, told: Told): Writ
   const bytes = new Uint8Array(header.length + size * points.length);
   bytes.set(header);
   const view = new DataView(bytes.buffer, header.length);
-  points.forEach((point, p) => {
-    const { id, kind, layer } = point;
-    realsOf(point).forEach((value, k) => view.setFloat32(size * p + 4 * k, value, true));
-    [id, kind, layer].forEach((value, k) => view.setInt32(size * p + 4 * (REALS.length + k), value, true));
+  await pace.within(FOUND, 1).each(points.length, (begin, end) => {
+    for (let p = begin; p < end; p++) {
+      const { id, kind, layer } = points[p]!;
+      realsOf(points[p]!).forEach((value, k) => view.setFloat32(size * p + 4 * k, value, true));
+      [id, kind, layer].forEach((value, k) => view.setInt32(size * p + 4 * (REALS.length + k), value, true));
+    }
   });
   return { bytes, counts: countsOf(points) };
 }
@@ -98,27 +105,31 @@ function countsOf({ length }: readonly Point[]): Written['counts'] {
 }
 
 /** Of what is one thing, and so is no instance of anything, there is no point. */
-function pointsOf(model: Model, { kinds, axes }: Options): Point[] {
-  const kit = kitOf(model, kinds);
-  const { unit, place, axis, extents } = SPACES[axes];
+async function pointsOf(model: Model, { kinds, axes }: Options, pace: Pace): Promise<Point[]> {
+  const kit = await kitOf(model, kinds, pace.within(0, 0.5));
   const points: Point[] = [];
-  model.groupOf.forEach((group, k) => {
-    if (isOneThing(model, group)) return;
-    const { translation, rotation, scale } = placementOf(model, k, kit);
-    const { layer } = model.groups[group]!.extras;
-    const [x, y, z, w] = rotation;
-    points.push({
-      id: k + 1,
-      place: place(translation).map((part) => unit * part) as unknown as Vector,
-      rotation: [...axis([x, y, z]), w],
-      scale: extents(scale),
-      kind: kit.kindOf[k]! + 1,
-      layer: typeof layer === 'number' ? layer : group,
-      size: sizeOf(model, k, kit.frames[k]!).map((part) => unit * part) as unknown as Vector,
-      material: model.materials[model.materialOf[k]!]!.name,
-    });
+  await pace.within(0.5, 1).each(model.groupOf.length, (begin, end) => {
+    for (let k = begin; k < end; k++) if (!isOneThing(model, model.groupOf[k]!)) points.push(pointOf(model, k, kit, axes));
   });
   return points;
+}
+
+function pointOf(model: Model, k: number, kit: Kit, axes: Axes): Point {
+  const { unit, place, axis, extents } = SPACES[axes];
+  const { translation, rotation, scale } = placementOf(model, k, kit);
+  const group = model.groupOf[k]!;
+  const { layer } = model.groups[group]!.extras;
+  const [x, y, z, w] = rotation;
+  return {
+    id: k + 1,
+    place: place(translation).map((part) => unit * part) as unknown as Vector,
+    rotation: [...axis([x, y, z]), w],
+    scale: extents(scale),
+    kind: kit.kindOf[k]! + 1,
+    layer: typeof layer === 'number' ? layer : group,
+    size: sizeOf(model, k, kit.frames[k]!).map((part) => unit * part) as unknown as Vector,
+    material: model.materials[model.materialOf[k]!]!.name,
+  };
 }
 
 /** In metres: along the principal axis, upwards from the ground, and across. */

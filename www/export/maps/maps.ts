@@ -82,11 +82,12 @@ export async function writeMaps(model: Model, options: ResolvedOptions, told: To
   }
   const files = names.flatMap((name) => MAP_FORMATS[name].map((kind) => ({ name, kind })));
   const entries: Record<string, Uint8Array> = {};
+  const count = files.length + Number(map === 'all');
+  const done = (k: number): number => RELIEF + ((1 - RELIEF) * k) / count;
   for (const [k, { name, kind }] of files.entries()) {
-    const turn = pace.turns(RELIEF + ((1 - RELIEF) * k) / files.length, RELIEF + ((1 - RELIEF) * (k + 1)) / files.length);
-    entries[`${told.title}-${name}.${kind}`] = await maps.file(name, kind, turn);
+    entries[`${told.title}-${name}.${kind}`] = await maps.file(name, kind, pace.turns(done(k), done(k + 1)));
   }
-  if (map === 'all') entries[`${told.title}-points.csv`] = writeCsv(model, options).bytes;
+  if (map === 'all') entries[`${told.title}-points.csv`] = (await writeCsv(model, options, pace.within(done(files.length), 1))).bytes;
   entries[`${KEYWORD}.json`] = new TextEncoder().encode(`${JSON.stringify({ ...told.scene, ...maps.meaning(names) }, null, 2)}\n`);
   return { ...report, ending: map === 'all' ? '-maps.zip' : `-${map}.zip`, bytes: writeZip(entries) };
 }

@@ -2,6 +2,7 @@
 
 import { isOneThing } from '../model.ts';
 import type { Model } from '../model.ts';
+import { Pace } from '../pace.ts';
 
 /** How a body lies: its principal axis on the ground as a direction, and its extents along that axis, across it and upwards. */
 export interface Frame {
@@ -25,13 +26,17 @@ export interface Kit {
 const PASSES = 4;
 
 /** Chooses `count` kinds of each group that is not one thing, at least one of each material, and of the others in proportion. Only + − × ÷ √, so that all engines choose the same. */
-export function kitOf(model: Model, count: number): Kit {
+export async function kitOf(model: Model, count: number, pace: Pace = new Pace()): Promise<Kit> {
   const bodies = model.groupOf.length;
-  const frames = Array.from({ length: bodies }, (_, k) => frameOf(model, k));
+  const frames: Frame[] = [];
+  await pace.within(0, 0.5).each(bodies, (begin, end) => {
+    for (let k = begin; k < end; k++) frames.push(frameOf(model, k));
+  });
   // Shape without size: an instance is scaled.
   const shapes = frames.map(({ extents: [along, across, height] }) => [across / along, height / along] as const);
   const kinds: number[] = [];
   const kindOf = new Uint32Array(bodies);
+  let done = 0;
   for (let group = 0; group < model.groups.length; group++) {
     const members = [...model.groupOf.keys()].filter((k) => model.groupOf[k] === group);
     if (isOneThing(model, group)) {
@@ -42,10 +47,18 @@ export function kitOf(model: Model, count: number): Kit {
     for (let material = 0; material < model.materials.length; material++) {
       const alike = members.filter((k) => model.materialOf[k] === material);
       if (alike.length === 0) continue;
-      const chosen = mediansOf(alike, shapes, Math.max(1, Math.floor((count * alike.length) / members.length)));
+      const own = pace.within(0.5 + done / bodies / 2, 0.5 + (done + alike.length) / bodies / 2);
+      done += alike.length;
+      const wanted = Math.max(1, Math.floor((count * alike.length) / members.length));
+      const chosen = await mediansOf(alike, shapes, wanted, own.within(0, 0.8));
       const first = kinds.length;
       kinds.push(...chosen);
-      for (const k of alike) kindOf[k] = first + nearest(shapes[k]!, chosen, (kind) => shapes[kind]!);
+      await own.within(0.8, 1).each(alike.length, (begin, end) => {
+        for (let m = begin; m < end; m++) {
+          const k = alike[m]!;
+          kindOf[k] = first + nearest(shapes[k]!, chosen, (kind) => shapes[kind]!);
+        }
+      });
     }
   }
   return { kinds: Uint32Array.from(kinds), kindOf, frames };
@@ -54,17 +67,20 @@ export function kitOf(model: Model, count: number): Kit {
 type Shape = readonly [number, number];
 
 /** The members nearest to the middles of `count` clusters, in ascending order. */
-function mediansOf(members: readonly number[], shapes: readonly Shape[], count: number): number[] {
+async function mediansOf(members: readonly number[], shapes: readonly Shape[], count: number, pace: Pace): Promise<number[]> {
   if (members.length <= count) return [...members];
-  let middles = farthestFirst(members, shapes, count).map((k) => shapes[k]!);
-  for (let pass = 0; pass < PASSES; pass++) {
+  let middles = (await farthestFirst(members, shapes, count, pace.within(0, 1 / (PASSES + 1)))).map((k) => shapes[k]!);
+  for (let pass = 1; pass <= PASSES; pass++) {
     const sums = middles.map(() => [0, 0, 0] as [number, number, number]);
-    for (const k of members) {
-      const sum = sums[nearest(shapes[k]!, middles)]!;
-      sum[0] += shapes[k]![0];
-      sum[1] += shapes[k]![1];
-      sum[2] += 1;
-    }
+    await pace.within(pass / (PASSES + 1), (pass + 1) / (PASSES + 1)).each(members.length, (begin, end) => {
+      for (let m = begin; m < end; m++) {
+        const shape = shapes[members[m]!]!;
+        const sum = sums[nearest(shape, middles)]!;
+        sum[0] += shape[0];
+        sum[1] += shape[1];
+        sum[2] += 1;
+      }
+    });
     middles = middles.map((middle, c) => (sums[c]![2] > 0 ? [sums[c]![0] / sums[c]![2], sums[c]![1] / sums[c]![2]] : middle));
   }
   const closest = middles.map((middle) => members[nearest(middle, members, (k) => shapes[k]!)]!);
@@ -72,7 +88,7 @@ function mediansOf(members: readonly number[], shapes: readonly Shape[], count: 
 }
 
 /** Gonzalez' choice: each is the one farthest from all before. */
-function farthestFirst(members: readonly number[], shapes: readonly Shape[], count: number): number[] {
+async function farthestFirst(members: readonly number[], shapes: readonly Shape[], count: number, pace: Pace): Promise<number[]> {
   const chosen = [members[0]!];
   const apart = members.map(() => Infinity);
   while (chosen.length < count) {
@@ -83,6 +99,7 @@ function farthestFirst(members: readonly number[], shapes: readonly Shape[], cou
       if (apart[m]! > apart[far]!) far = m;
     }
     chosen.push(members[far]!);
+    if (pace.isDue()) await pace.rest(chosen.length / count);
   }
   return chosen;
 }

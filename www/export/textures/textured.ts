@@ -26,9 +26,9 @@ export interface Laid {
  * @param model open below.
  * @throws {RockFieldError} `ExportTooLarge` where there are too many.
  */
-export function laidOut(model: Model, options: ResolvedOptions, onProgress?: (fraction: number) => void): Laid {
+export async function laidOut(model: Model, options: ResolvedOptions, onProgress?: (fraction: number) => void): Promise<Laid> {
   const whole = options.solid ? closed(model) : model;
-  const bodies = options.mesh === 'kit' ? [...kitOf(whole, options.kinds).kinds] : [...model.groupOf.keys()];
+  const bodies = options.mesh === 'kit' ? [...(await kitOf(whole, options.kinds)).kinds] : [...model.groupOf.keys()];
   const { positions, normals, indices, vertexStarts } = whole;
   return { mesh: { positions, normals, indices, vertexStarts }, atlas: atlasOf(model, whole, bodies, textureSide(options), onProgress) };
 }
