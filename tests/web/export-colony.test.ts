@@ -321,6 +321,7 @@ test('what cannot be had is an error before anything is grown', async () => {
   const cases: [WoodEarExportRequest, ExportOptions, object][] = [
     [{ seed: -1 }, { mesh: 'kit' }, { name: 'ExportImpossible', key: 'mesh', value: 'kit' }],
     [{ seed: -1 }, { mesh: 'points', format: 'csv' }, { name: 'ExportImpossible', key: 'mesh', value: 'points' }],
+    [{ seed: -1 }, { format: 'csv' }, { name: 'ExportImpossible', key: 'format', value: 'csv' }],
     [{ seed: -1 }, { format: 'png' }, { name: 'ExportImpossible', key: 'format', value: 'png' }],
     [{ seed: -1 }, { textures: '1k' }, { name: 'ExportImpossible', key: 'textures', value: '1k' }],
     [{ seed: -1 }, {}, { name: 'OutOfRange', key: 'seed' }],
