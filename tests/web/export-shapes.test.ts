@@ -129,6 +129,30 @@ test('every triangle of a coarser level reaches off the ground, and what is clos
   for (const node of closed) assert.ok(volumeOf(only(node.getMesh()!)) > 0, node.getName());
 });
 
+test('a level that is as the one before it is in the file once, under both names', async () => {
+  for (const options of [{ lods: 4 }, { lods: 4, solid: true, vertexColors: true }, { lods: 4, mesh: 'kit', kinds: 4 }] as const) {
+    const { bytes } = await exportScene(REQUEST, options);
+    await assertValid(bytes, options);
+    const seen = { shared: 0, own: 0 };
+    const meshes = new Set<Mesh>();
+    for (const levels of levelsIn(nodesOf(await read(bytes))).values()) {
+      for (const [level, node] of levels.entries()) {
+        meshes.add(node.getMesh()!);
+        if (level === 0) continue;
+        const [own, before] = [only(node.getMesh()!), only(levels[level - 1]!.getMesh()!)];
+        const isSame = trianglesOf(node) === trianglesOf(levels[level - 1]!);
+        assert.equal(own.getIndices() === before.getIndices(), isSame, node.getName());
+        for (const semantic of own.listSemantics())
+          assert.equal(own.getAttribute(semantic) === before.getAttribute(semantic), isSame, `${node.getName()}: ${semantic}`);
+        seen[isSame ? 'shared' : 'own'] += 1;
+      }
+    }
+    assert.ok(seen.shared > 0 && seen.own > 0, JSON.stringify(seen));
+    const names = [...meshes].map((mesh) => mesh.getName());
+    assert.equal(new Set(names).size, names.length, 'each mesh has its name');
+  }
+});
+
 test('kits, layers and instances have levels too, and so does OBJ', async () => {
   const forms: ExportOptions[] = [
     { mesh: 'kit', kinds: 4, lods: 3 },

@@ -73,6 +73,8 @@ export interface Model {
   centre: readonly [number, number, number];
   /** For each body the number of its thing, where the model is a part of a larger one. */
   numbers?: Uint32Array | undefined;
+  /** Of a level of detail, for each body: whether it is as in the finer level. */
+  unchanged?: Uint8Array | undefined;
   /** What maps show; absent where there is no ground that is seen from above. */
   ground?: Ground | undefined;
 }

@@ -88,7 +88,11 @@ export function layoutOf(meshes: readonly Mesh[], { withIds, withColors, instanc
   const places: Place[] = [];
   let [vertex, index, most, dressed] = [0, 0, 0, 0];
   for (const { parts } of meshes) {
-    for (const { model, material, bodies } of parts) {
+    for (const { model, material, bodies, sameAs } of parts) {
+      if (sameAs !== undefined) {
+        places.push(places[sameAs]!);
+        continue;
+      }
       const { indexStarts, vertexStarts } = model;
       let [vertices, indices] = [0, 0];
       for (const k of bodies) {
@@ -156,6 +160,7 @@ export async function fillMeshes(
   for (const { parts } of meshes) {
     for (const part of parts) {
       const { vertex, index } = places[p++]!;
+      if (part.sameAs !== undefined) continue;
       fillPositions(part, positions, 3 * vertex);
       if (part.material !== undefined) fillNormals(part, normals, 3 * vertex);
       if (colors.length > 0 && part.material !== undefined) fillColors(part, part.material, colors, 4 * vertex);

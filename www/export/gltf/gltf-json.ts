@@ -74,8 +74,8 @@ export class GltfJson {
   #meshList = new ByteWriter();
   /** For each mesh. */
   #triangles: number[] = [];
-  /** How many parts have been written. */
-  #parts = 0;
+  /** The first accessor of each part that has been written; the others follow it. */
+  #firstAccessors: number[] = [];
   /** Numbers in the file of the model's materials, in the order in which they were used. */
   #materials = new Map<number, number>();
   #nodes = new ByteWriter();
@@ -115,20 +115,27 @@ export class GltfJson {
   #addPart(part: Part): number {
     const out = this.#meshList;
     const { places, views, indexType, indexBytes } = this.#layout;
-    const { vertex, vertices, index, indices } = places[this.#parts++]!;
+    const { vertex, vertices, index, indices } = places[this.#firstAccessors.length]!;
+    const isNew = part.sameAs === undefined;
+    let accessor = isNew ? this.#accessorCount : this.#firstAccessors[part.sameAs!]!;
+    this.#firstAccessors.push(accessor);
     out.text('{"attributes":');
     let before = '{"';
     for (const { view, semantic, bytes, component, type } of ATTRIBUTES) {
       if (!views[view] || (part.material === undefined && view !== 'positions')) continue;
-      const bounds = view === 'positions' ? boundsOf(part, this.#bounds) : undefined;
+      if (isNew) {
+        const bounds = view === 'positions' ? boundsOf(part, this.#bounds) : undefined;
+        this.#accessor(view, bytes * vertex, component, vertices, type, bounds);
+      }
       out.text(before);
       out.text(semantic);
       out.text('":');
-      out.whole(this.#accessor(view, bytes * vertex, component, vertices, type, bounds));
+      out.whole(accessor++);
       before = ',"';
     }
     out.text('},"indices":');
-    out.whole(this.#accessor('indices', indexBytes * index, indexType, indices, 'SCALAR'));
+    if (isNew) this.#accessor('indices', indexBytes * index, indexType, indices, 'SCALAR');
+    out.whole(accessor);
     if (part.material !== undefined) {
       out.text(',"material":');
       out.whole(this.#material(part.material));

@@ -12,6 +12,8 @@ export interface Part {
   /** None of a hull, which has no normals either. */
   material: number | undefined;
   bodies: readonly number[];
+  /** The number among all parts of the one that this is the same as, which comes before it, and is in the file for both. */
+  sameAs?: number | undefined;
   /** What becomes the origin of the mesh, in units of the model. */
   origin: readonly [number, number, number];
   /** The angle from x to what becomes the mesh's x. */
@@ -43,15 +45,8 @@ export interface Shapes {
 
 export function allMeshes({ levels, hulls, hullName }: Shapes, form: ResolvedOptions['mesh'], kit?: Kit): Meshes {
   const own = meshesOf(levels[0]!, form, kit);
-  const all = levels.flatMap((model, level) =>
-    levels.length === 1
-      ? own
-      : own.map((mesh) => ({
-          ...mesh,
-          name: levelName(mesh.name, level, levels.length),
-          parts: mesh.parts.map((part) => ({ ...part, model })),
-        })),
-  );
+  const all = [...own];
+  if (levels.length > 1) all.splice(0, all.length, ...levels.flatMap((model, level) => atLevel(own, model, level, levels.length)));
   const numbers = own.map(({ name, group, parts }) => {
     const [part] = parts;
     if (!hulls || !part || part.bodies.length > 1) return undefined;
@@ -62,6 +57,20 @@ export function allMeshes({ levels, hulls, hullName }: Shapes, form: ResolvedOpt
     );
   });
   return { all, own, levels: levels.length, hulls: numbers };
+}
+
+/** The meshes of the finest level, `own`, at another one. Those of all levels before it are in the file already. */
+function atLevel(own: readonly Mesh[], model: Model, level: number, levels: number): Mesh[] {
+  const parts = own.reduce((sum, mesh) => sum + mesh.parts.length, 0);
+  let before = (level - 1) * parts;
+  return own.map((mesh) => ({
+    ...mesh,
+    name: levelName(mesh.name, level, levels),
+    parts: mesh.parts.map((part) => {
+      const sameAs = before++;
+      return { ...part, model, ...(part.bodies.every((k) => model.unchanged?.[k]) && { sameAs }) };
+    }),
+  }));
 }
 
 /** What an object is called of which there are so many levels. */

@@ -69,6 +69,7 @@ class Level {
   #indices: Uint32Array;
   #vertexStarts: Uint32Array;
   #indexStarts: Uint32Array;
+  #unchanged: Uint8Array;
   /** What textures say of vertices, where there are any. */
   #textured: Float32Array;
 
@@ -79,6 +80,7 @@ class Level {
     this.#indices = new Uint32Array(finer.indices.length);
     this.#vertexStarts = new Uint32Array(finer.vertexStarts.length);
     this.#indexStarts = new Uint32Array(finer.indexStarts.length);
+    this.#unchanged = new Uint8Array(finer.groupOf.length);
     this.#textured = new Float32Array(finer.textures?.vertices.length ?? 0);
   }
 
@@ -93,6 +95,7 @@ class Level {
       const span = [3 * first, 3 * (last - bottomVertices)] as const;
       const rim = groups[groupOf[k]!]!.isOpenBelow ? rimOf(last - bottomVertices - first, own.length / 3) : 0;
       const kept = simplified(simplifier, own, positions.subarray(...span), normals.subarray(...span), rim);
+      this.#unchanged[k] = Number(kept === own);
       // Each vertex that is used, in the order in which they were: those of the rim stay the first ones.
       const isUsed = new Uint8Array(last - first).fill(1, last - first - bottomVertices);
       for (const v of kept) isUsed[v] = 1;
@@ -128,6 +131,7 @@ class Level {
       indices: this.#indices.slice(0, indices),
       vertexStarts: this.#vertexStarts,
       indexStarts: this.#indexStarts,
+      unchanged: this.#unchanged,
     };
   }
 }
