@@ -15,7 +15,7 @@ import type { MapFacts, WrittenMaps } from './maps/maps.ts';
 import { measuresOf } from './shapes/measures.ts';
 import type { Measures } from './shapes/measures.ts';
 import { isOneThing } from './model.ts';
-import type { Images, Model } from './model.ts';
+import type { Model } from './model.ts';
 import { isMap } from './options.ts';
 import type { ResolvedOptions } from './options.ts';
 import { originOf } from './origin/origin.ts';
@@ -285,7 +285,8 @@ async function shapesOf(
 async function write(shapes: Shapes, options: ResolvedOptions, told: Told, pace: Pace, kit: Kit | undefined): Promise<Outcome> {
   const model = shapes.levels[0]!;
   if (isMap(options)) return writeMaps(model, options, told, pace);
-  if (options.mesh === 'points') return options.format === 'csv' ? writeCsv(model, options, pace) : writePlyPoints(model, options, told, pace);
+  if (options.mesh === 'points')
+    return options.format === 'csv' ? writeCsv(model, options, pace) : writePlyPoints(model, options, told, pace);
   if (options.format === 'obj') return writeObj(shapes.levels, options, told, pace);
   if (options.format === 'stl') return writeStl(model, options, told, pace);
   if (options.format === 'ply') return writePly(model, options, told, pace);
