@@ -23,7 +23,8 @@ const PAGE_ENTRIES = { ...eachAs(({ page }) => page.script, pageScript), page: '
 const PUBLIC_ENTRIES = named(...GENERATORS.flatMap(entriesOf));
 /** Likewise. Apart from the pages: what a page shares with them would be cut out of its files. */
 const HEADLESS_ENTRIES = named(...HEADLESS);
-const NODE_ENTRIES = named(...HEADLESS.map((name) => `${name}.node`));
+/** The command and its threads, too: what several of them use is in chunks. */
+const NODE_ENTRIES = named(...HEADLESS.map((name) => `${name}.node`), 'cli', 'cli-worker');
 // One file for a classic <script>: it finds the others by its own address, since there is no import.meta in it.
 const CDN = {
   entryPoints: eachAs(
@@ -47,7 +48,7 @@ const PAGE = 'index.html';
 // What a visit needs beside its scripts. Of the two renderers it needs one: that is kept when the page has used it.
 const ALWAYS_NEEDED = ['page.css', ...COPIED.map((file) => path.basename(file))];
 /** No browser asks for them. */
-const NEVER_ASKED = /\.map$|\.node\.js$|_bg\.wasm$|\.txt$/;
+const NEVER_ASKED = /\.map$|\.node\.js$|^cli(-worker)?\.js$|_bg\.wasm$|\.txt$/;
 
 /** Entries whose files in www/entries/ are called as what is made of them. */
 function named(...names) {
@@ -111,7 +112,8 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const headless = await built({ entryPoints: HEADLESS_ENTRIES, chunkNames: 'chunk-[hash]', splitting: true });
     withPlainNames(staging, headless, HEADLESS_ENTRIES);
     // Read by people in stack traces.
-    const node = await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', platform: 'node', minify: false });
+    const chunks = { chunkNames: 'chunk-[hash].node', splitting: true };
+    const node = await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', ...chunks, platform: 'node', minify: false });
     const cdn = { ...CDN, outdir: staging, banner: { js: banner() + marks } };
     const classic = await bundle({ ...cdn, plugins: [hashedAddresses(names), panelByAddress] });
     // By plain names for those who import them (`rock-field/generator_bg.wasm`), and for Node.

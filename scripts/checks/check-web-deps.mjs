@@ -21,7 +21,8 @@ export const FLOORS = [
   ['element'],
   ['controls'],
   ...generatorFloors(),
-  ['three'],
+  // The command line, and meshes of three.js.
+  ['cli', 'three'],
   ['entries'],
   ['pages', 'typings'],
   ['docs'],
@@ -45,7 +46,7 @@ const PACKAGES = {
   react: /^typings\//,
   svelte: /^typings\//,
   vue: /^typings\//,
-  'node:': /^entries\/(core|export|three)\.node\.ts$/,
+  'node:': /^cli\/|^entries\/((core|ground)\.node|cli(-worker)?)\.ts$/,
   'inlined:': /^entries\/variants\/inline-worker\.ts$/,
 };
 
@@ -54,8 +55,7 @@ const WASM_USERS = [
   ...GENERATORS.map(({ worker }) => `entries/${worker}.ts`),
   'entries/core.ts',
   'entries/core.node.ts',
-  'entries/export.node.ts',
-  'entries/three.node.ts',
+  'entries/ground.node.ts',
   'rocks/ground-realm.ts',
   'renderer/artefact.ts',
 ];

@@ -34,11 +34,11 @@ export async function pack() {
 
 /** Looks at what `pack` has packed; throws when something is wrong with it. */
 export async function examine({ outside, tarball, folder }) {
-  const { exports } = JSON.parse(readFileSync(path.join(folder, 'package.json'), 'utf8'));
+  const { exports, bin } = JSON.parse(readFileSync(path.join(folder, 'package.json'), 'utf8'));
   await publint(folder);
   await types(tarball, exports);
   importEach(outside, exports);
-  await graph(folder, exports);
+  await graph(folder, exports, Object.values(bin));
   if (!existsSync(path.join(folder, 'dist', LICENCES_FILE))) throw new Failure(`the package has no dist/${LICENCES_FILE}`);
   const files = readdirSync(folder, { recursive: true, encoding: 'utf8' }).filter((name) => statSync(path.join(folder, name)).isFile());
   say(`• ${path.basename(tarball)}: ${files.length} files, ${(statSync(tarball).size / 1000).toFixed(0)} kB`);
@@ -79,7 +79,7 @@ function importEach(outside, exports) {
 }
 
 /** What browsers get holds no module of Node, and asks for nothing that is not there; the package holds nothing that nobody asks for. */
-async function graph(folder, exports) {
+async function graph(folder, exports, commands) {
   const workers = readdirSync(path.join(folder, 'dist'))
     .filter((name) => /worker-\w+\.js$/.test(name))
     .map((name) => `./dist/${name}`);
@@ -103,7 +103,9 @@ async function graph(folder, exports) {
     }
   };
   const browser = await bundled({ entryPoints, platform: 'browser' });
-  const server = await bundled({ entryPoints: filesFor(exports, 'node'), platform: 'node' });
+  // A command and the threads that it starts.
+  const programs = commands.flatMap((file) => [`./${file}`, `./${file.replace(/\.js$/, '-worker.js')}`]);
+  const server = await bundled({ entryPoints: [...filesFor(exports, 'node'), ...programs], platform: 'node' });
   for (const file of browser) {
     for (const [, address] of readFileSync(path.join(folder, file), 'utf8').matchAll(ADDRESSES)) {
       const target = path.posix.join(path.posix.dirname(file), address);

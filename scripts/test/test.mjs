@@ -195,7 +195,7 @@ async function webTests() {
 }
 
 async function types() {
-  for (const project of ['.', path.join('tests', 'web'), path.join('tests', 'e2e'), 'scripts'])
+  for (const project of ['.', path.join('www', 'cli'), path.join('tests', 'web'), path.join('tests', 'e2e'), 'scripts'])
     await node([path.join('node_modules', 'typescript', 'bin', 'tsc'), '--noEmit', '-p', project]);
 }
 

@@ -1,0 +1,86 @@
+/**
+ * Files that appear whole or not at all: written beside under a name of their own, flushed to the disk, then renamed.
+ *
+ * All calls are synchronous, so that a worker that is terminated ends between two of them, and leaves nothing that is still being written.
+ * A process that is killed may leave its temporary file; the next that writes into the folder removes it, once the process is gone.
+ */
+
+import { closeSync, fsyncSync, mkdirSync, openSync, readdirSync, renameSync, rmSync, writeSync } from 'node:fs';
+import { hostname } from 'node:os';
+import path from 'node:path';
+import { threadId } from 'node:worker_threads';
+
+/** A folder may be one of several machines, and a number of a process means something on its own machine alone. */
+const HOST =
+  hostname()
+    .replaceAll(/[^\w-]/g, '_')
+    .slice(0, 64) || 'localhost';
+const TEMPORARY = /^\.rock-field-(?<host>[\w-]+)\.(?<pid>\d+)\.\d+\.\d+\.tmp$/;
+
+let count = 0;
+/** Folders that this thread has looked into for what others left. */
+const cleared = new Set<string>();
+
+/**
+ * Writes a file; its folder is made where there is none. Another file of this name stays until the new one is complete.
+ *
+ * @throws the error of the file system; there is no new file then, and no temporary one.
+ */
+export function writeWhole(file: string, bytes: Uint8Array): void {
+  const folder = path.dirname(path.resolve(file));
+  mkdirSync(folder, { recursive: true });
+  if (!cleared.has(folder)) {
+    clearLeft(folder);
+    cleared.add(folder);
+  }
+  count += 1;
+  const temporary = path.join(folder, `.rock-field-${HOST}.${process.pid}.${threadId}.${count}.tmp`);
+  try {
+    // `wx`: a name that is there already is nobody's to write to.
+    const handle = openSync(temporary, 'wx');
+    try {
+      for (let at = 0; at < bytes.length; ) at += writeSync(handle, bytes, at);
+      fsyncSync(handle);
+    } finally {
+      closeSync(handle);
+    }
+    renameSync(temporary, file);
+  } catch (thrown) {
+    rmSync(temporary, { force: true });
+    throw thrown instanceof Error ? Object.assign(thrown, { path: file }) : thrown;
+  }
+}
+
+/** Removes the temporary files of processes of this machine that are gone. */
+export function clearLeft(folder: string): void {
+  clear(folder, (host, pid) => host === HOST && !isAlive(pid));
+}
+
+/** Removes those of this process: for when it is stopped, and its workers have ended. */
+export function clearOwn(folders: Iterable<string>): void {
+  for (const folder of new Set(folders)) clear(folder, (host, pid) => host === HOST && pid === process.pid);
+}
+
+function clear(folder: string, isRemoved: (host: string, pid: number) => boolean): void {
+  let names: string[];
+  try {
+    names = readdirSync(folder);
+  } catch {
+    // There is none yet, or it may not be read.
+    return;
+  }
+  for (const name of names) {
+    const { host = '', pid = '' } = TEMPORARY.exec(name)?.groups ?? {};
+    if (host !== '' && isRemoved(host, Number(pid))) rmSync(path.join(folder, name), { force: true });
+  }
+}
+
+function isAlive(pid: number): boolean {
+  try {
+    process.kill(pid, 0);
+    return true;
+  } catch (thrown) {
+    // EPERM: it is alive, and somebody else's.
+    return (thrown as NodeJS.ErrnoException).code !== 'ESRCH';
+  }
+}
