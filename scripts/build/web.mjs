@@ -113,7 +113,14 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     withPlainNames(staging, headless, HEADLESS_ENTRIES);
     // Read by people in stack traces.
     const chunks = { chunkNames: 'chunk-[hash].node', splitting: true };
-    const node = await bundle({ entryPoints: NODE_ENTRIES, outdir: staging, entryNames: '[name]', ...chunks, platform: 'node', minify: false });
+    const node = await bundle({
+      entryPoints: NODE_ENTRIES,
+      outdir: staging,
+      entryNames: '[name]',
+      ...chunks,
+      platform: 'node',
+      minify: false,
+    });
     const cdn = { ...CDN, outdir: staging, banner: { js: banner() + marks } };
     const classic = await bundle({ ...cdn, plugins: [hashedAddresses(names), panelByAddress] });
     // By plain names for those who import them (`rock-field/generator_bg.wasm`), and for Node.
