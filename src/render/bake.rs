@@ -63,6 +63,7 @@ impl Bake {
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
         groups: [&wgpu::BindGroup; 3],
+        pipeline: &wgpu::RenderPipeline,
         draw: impl Fn(&mut wgpu::RenderPass<'_>, &wgpu::RenderPipeline),
     ) {
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -82,7 +83,7 @@ impl Bake {
             pass.set_bind_group(index, group, &[]);
         }
         pass.set_vertex_buffer(3, self.atlas.slice(..));
-        draw(&mut pass, gpu.pipelines.bake(&gpu.device));
+        draw(&mut pass, pipeline);
         drop(pass);
         encoder.copy_texture_to_buffer(
             self.tile.texture().as_image_copy(),

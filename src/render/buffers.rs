@@ -18,6 +18,23 @@ impl Mesh<'_> {
     pub(crate) fn vertices(&self) -> u32 {
         self.positions.length() / 3
     }
+
+    /// Calls `see` with the position and the normal of every vertex, in their order.
+    pub(crate) fn each_vertex(&self, mut see: impl FnMut(Vec3, Vec3)) {
+        const SLICE: u32 = 3 * 4096;
+        let [mut positions, mut normals] = [(); 2].map(|()| vec![0.0; SLICE as usize]);
+        let length = 3 * self.vertices();
+        for start in (0..length).step_by(SLICE as usize) {
+            let count = SLICE.min(length - start);
+            for (all, slice) in [(self.positions, &mut positions), (self.normals, &mut normals)] {
+                slice.truncate(count as usize);
+                all.subarray(start, start + count).copy_to(slice);
+            }
+            for (position, normal) in positions.chunks_exact(3).zip(normals.chunks_exact(3)) {
+                see(Vec3::from_slice(position), Vec3::from_slice(normal));
+            }
+        }
+    }
 }
 
 /// The buffers of a [`Mesh`], with four bytes of colour or paint per vertex.

@@ -1,6 +1,9 @@
 //! The description of a pass, and the pipeline made from it.
 
+use std::cell::RefCell;
+
 use super::surface::{DEPTH_FORMAT, Kind};
+use crate::shading::Recipe;
 use crate::shading::shaders::Shader;
 
 /// f32 has enough precision for a low sun over a wide field. It is filtered through a comparison sampler on both
@@ -23,9 +26,11 @@ pub(crate) struct Pass<'a> {
     pub(crate) sides: Sides,
     pub(crate) depth: Depth,
     pub(crate) target: Target,
+    /// Of a pass in natural colours.
+    pub(crate) recipe: Option<Recipe>,
 }
 
-/// Which sides of a face are drawn. Rocks always need both, because they overhang, and c_w may turn them inside out.
+/// Which sides of a face are drawn. In the papers' style rocks need both, because c_w may turn them inside out.
 pub(crate) enum Sides {
     Both,
     Out,
@@ -54,39 +59,65 @@ pub(crate) enum Target {
     Bake,
 }
 
-/// Makes the pipeline of a pass. Group 2, the maps, is bound only if the pass is lit.
-pub(crate) fn pipeline(
+/// Makes pipelines.
+pub(crate) struct Maker {
+    /// Of the groups frame, field and maps.
+    layouts: [wgpu::BindGroupLayout; 3],
+    kind: Kind,
+    /// The shaders that were needed until now, by their passes' names: several pipelines have the same.
+    modules: RefCell<Vec<(&'static str, wgpu::ShaderModule)>>,
+}
+
+impl Maker {
+    pub(crate) fn new(layouts: [wgpu::BindGroupLayout; 3], kind: Kind) -> Self {
+        Self { layouts, kind, modules: RefCell::default() }
+    }
+
+    pub(crate) fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
+        let mut modules = self.modules.borrow_mut();
+        let known = modules.iter().find(|(name, _)| *name == pass.shader.name());
+        let module = known.map(|(_, module)| module.clone()).unwrap_or_else(|| {
+            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(&pass.shader.label()),
+                source: wgpu::ShaderSource::Wgsl(pass.shader.code().into()),
+            });
+            modules.push((pass.shader.name(), module.clone()));
+            module
+        });
+        pipeline(device, &module, &self.layouts, self.kind, pass)
+    }
+}
+
+/// Makes the pipeline of a pass, whose shader is `module`. Group 2, the maps, is bound only if the pass is lit.
+fn pipeline(
     device: &wgpu::Device,
-    [frame, field, maps]: [&wgpu::BindGroupLayout; 3],
+    module: &wgpu::ShaderModule,
+    [frame, field, maps]: &[wgpu::BindGroupLayout; 3],
     Kind { format, samples }: Kind,
     pass: Pass<'_>,
 ) -> wgpu::RenderPipeline {
     let label = pass.shader.label();
     let label = Some(label.as_str());
-    let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-        label,
-        source: wgpu::ShaderSource::Wgsl(pass.shader.code().into()),
-    });
     let groups = [Some(frame), Some(field), Some(maps)];
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label,
         bind_group_layouts: if pass.shader.is_lit() { &groups } else { &groups[..2] },
         immediate_size: 0,
     });
-    let srgb = [("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 })];
+    let recipe = pass.recipe.map(Recipe::constants);
+    let mut constants: Vec<_> = recipe.iter().flatten().copied().collect();
     let color = |format, blend, write_mask| Some(wgpu::ColorTargetState { format, blend, write_mask });
     let all = wgpu::ColorWrites::ALL;
-    let (targets, depth_format, count, constants) = match pass.target {
+    let (targets, depth_format, count) = match pass.target {
         Target::View { blend } => {
             let blend = blend.then_some(wgpu::BlendState::ALPHA_BLENDING);
-            (Some(color(format, blend, all)), Some(DEPTH_FORMAT), samples, &srgb[..])
+            constants.push(("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 }));
+            (Some(color(format, blend, all)), Some(DEPTH_FORMAT), samples)
         }
-        Target::ViewDepth => {
-            (Some(color(format, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), samples, &[][..])
-        }
-        Target::Shadow => (None, Some(SHADOW_FORMAT), 1, &[][..]),
-        Target::Height => (Some(color(HEIGHT_FORMAT, None, all)), Some(SHADOW_FORMAT), 1, &[][..]),
-        Target::Bake => (Some(color(BAKE_FORMAT, None, all)), None, 1, &[][..]),
+        Target::ViewDepth => (Some(color(format, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), samples),
+        Target::Shadow => (None, Some(SHADOW_FORMAT), 1),
+        Target::Height => (Some(color(HEIGHT_FORMAT, None, all)), Some(SHADOW_FORMAT), 1),
+        Target::Bake => (Some(color(BAKE_FORMAT, None, all)), None, 1),
     };
     let (depth_compare, depth_write, bias, slope_scale) = match pass.depth {
         Depth::Ignore => (wgpu::CompareFunction::Always, false, 0, 0.0),
@@ -94,12 +125,12 @@ pub(crate) fn pipeline(
         Depth::TestBehind => (wgpu::CompareFunction::LessEqual, true, 2, 1.5),
         Depth::TestJustBehind => (wgpu::CompareFunction::LessEqual, true, 2, 0.5),
     };
-    let compilation = wgpu::PipelineCompilationOptions { constants, ..Default::default() };
+    let compilation = wgpu::PipelineCompilationOptions { constants: &constants, ..Default::default() };
     device.create_render_pipeline(&wgpu::RenderPipelineDescriptor {
         label,
         layout: Some(&layout),
         vertex: wgpu::VertexState {
-            module: &module,
+            module,
             entry_point: Some("vs_main"),
             compilation_options: Default::default(),
             buffers: pass.buffers,
@@ -122,7 +153,7 @@ pub(crate) fn pipeline(
         }),
         multisample: wgpu::MultisampleState { count, ..Default::default() },
         fragment: targets.as_ref().map(|target| wgpu::FragmentState {
-            module: &module,
+            module,
             entry_point: Some("fs_main"),
             compilation_options: compilation,
             targets: std::slice::from_ref(target),

@@ -6,12 +6,12 @@
 //! | 1 `field` | field | 0 `FieldUniforms` |
 //! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler |
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
 
-use super::pass::{Depth, Pass, Sides, Target, pipeline};
+use super::pass::{Depth, Maker, Pass, Sides, Target};
 use super::surface::Kind;
 use crate::shading::shaders::{self, Shader};
-use crate::shading::{FieldUniforms, Globals};
+use crate::shading::{FieldUniforms, Globals, Recipe};
 
 /// Position, three f32.
 const POSITION: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -67,18 +67,15 @@ pub(crate) struct Pipelines {
     pub(crate) frame_layout: wgpu::BindGroupLayout,
     pub(crate) field_layout: wgpu::BindGroupLayout,
     pub(crate) maps_layout: wgpu::BindGroupLayout,
-    kind: Kind,
+    maker: Maker,
     pub(crate) shadow: wgpu::RenderPipeline,
     pub(crate) height: wgpu::RenderPipeline,
     pub(crate) ground: wgpu::RenderPipeline,
     floor: OnceCell<wgpu::RenderPipeline>,
     /// For outsides, then for insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
-    natural: OnceCell<[wgpu::RenderPipeline; 4]>,
-    bake: OnceCell<wgpu::RenderPipeline>,
-    log: OnceCell<wgpu::RenderPipeline>,
-    /// For single sheets, then for closed bodies.
-    ears: [OnceCell<wgpu::RenderPipeline>; 2],
+    natural_floor: OnceCell<wgpu::RenderPipeline>,
+    natural: RefCell<Vec<(Natural, Recipe, wgpu::RenderPipeline)>>,
     plain_wood: OnceCell<wgpu::RenderPipeline>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
     wood_wire: OnceCell<[wgpu::RenderPipeline; 2]>,
@@ -90,8 +87,8 @@ impl Pipelines {
         let frame_layout = uniform_layout::<Globals>(device, "rock-field/layout/frame");
         let field_layout = uniform_layout::<FieldUniforms>(device, "rock-field/layout/field");
         let maps_layout = maps_layout(device);
-        let layouts = [&frame_layout, &field_layout, &maps_layout];
-        let make = |pass| pipeline(device, layouts, kind, pass);
+        let maker = Maker::new([frame_layout.clone(), field_layout.clone(), maps_layout.clone()], kind);
+        let make = |pass| maker.make(device, pass);
         let shadow = make(Pass {
             shader: shaders::SHADOW,
             buffers: &[Some(POSITION), Some(COLOR)],
@@ -99,6 +96,7 @@ impl Pipelines {
             sides: Sides::Both,
             depth: Depth::Test,
             target: Target::Shadow,
+            recipe: None,
         });
         let height = make(Pass {
             shader: shaders::HEIGHT,
@@ -107,6 +105,7 @@ impl Pipelines {
             sides: Sides::Both,
             depth: Depth::Test,
             target: Target::Height,
+            recipe: None,
         });
         let ground = make(Pass {
             shader: shaders::GROUND,
@@ -115,6 +114,7 @@ impl Pipelines {
             sides: Sides::Both,
             depth: Depth::Ignore,
             target: Target::View { blend: false },
+            recipe: None,
         });
         // At the outline of a rock, a front face and the hidden face behind it share an edge, and with it their depth.
         // Drawn together, specks of the hidden face would show along the ridges. Insides are therefore drawn second,
@@ -124,97 +124,44 @@ impl Pipelines {
             frame_layout,
             field_layout,
             maps_layout,
-            kind,
             shadow,
             height,
             ground,
             floor: OnceCell::new(),
             rock,
-            natural: OnceCell::new(),
-            bake: OnceCell::new(),
-            log: OnceCell::new(),
-            ears: [OnceCell::new(), OnceCell::new()],
+            natural_floor: OnceCell::new(),
+            natural: RefCell::default(),
             plain_wood: OnceCell::new(),
             wire: OnceCell::new(),
             wood_wire: OnceCell::new(),
             plan: OnceCell::new(),
+            maker,
         }
     }
 
     fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
-        let layouts = [&self.frame_layout, &self.field_layout, &self.maps_layout];
-        pipeline(device, layouts, self.kind, pass)
+        self.maker.make(device, pass)
     }
 
     /// Draws the ground's depth in the papers' style, for scenes that extend below it.
     pub(crate) fn floor(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        self.floor.get_or_init(|| {
-            let floor = Pass {
-                shader: shaders::FLOOR,
-                buffers: &[],
-                topology: wgpu::PrimitiveTopology::TriangleList,
-                sides: Sides::Both,
-                depth: Depth::TestJustBehind,
-                target: Target::ViewDepth,
-            };
-            self.make(device, floor)
-        })
+        self.floor.get_or_init(|| self.make(device, floor_pass(Depth::TestJustBehind)))
     }
 
-    /// Pipelines for natural colours: outsides of the rocks; insides; both at once, for half the vertices; and the
-    /// ground, pushed back.
-    pub(crate) fn natural(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 4] {
-        self.natural.get_or_init(|| {
-            let rock = |sides, depth| Pass {
-                shader: shaders::NATURAL_ROCK,
-                buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL)],
-                topology: wgpu::PrimitiveTopology::TriangleList,
-                sides,
-                depth,
-                target: Target::View { blend: false },
-            };
-            // Pushed behind the rims of the rocks, many of which lie exactly in the ground's plane.
-            let ground = Pass {
-                shader: shaders::NATURAL_GROUND,
-                buffers: &[],
-                topology: wgpu::PrimitiveTopology::TriangleList,
-                sides: Sides::Both,
-                depth: Depth::TestBehind,
-                target: Target::View { blend: false },
-            };
-            let passes = [
-                rock(Sides::Out, Depth::Test),
-                rock(Sides::In, Depth::TestBehind),
-                rock(Sides::Both, Depth::Test),
-                ground,
-            ];
-            passes.map(|pass| self.make(device, pass))
-        })
+    /// Draws the ground's depth before anything else in natural colours: what it hides is not shaded.
+    pub(crate) fn natural_floor(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
+        self.natural_floor.get_or_init(|| self.make(device, floor_pass(NATURAL_FLOOR)))
     }
 
-    /// Pipeline for the rocks' surface, spread out as an atlas has it.
-    pub(crate) fn bake(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        self.bake.get_or_init(|| {
-            let bake = Pass {
-                shader: shaders::BAKE,
-                buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL), Some(ATLAS)],
-                topology: wgpu::PrimitiveTopology::TriangleList,
-                sides: Sides::Both,
-                depth: Depth::Ignore,
-                target: Target::Bake,
-            };
-            self.make(device, bake)
+    /// The pipeline of a pass in natural colours that is made for `recipe`.
+    pub(crate) fn natural(&self, device: &wgpu::Device, what: Natural, recipe: Recipe) -> wgpu::RenderPipeline {
+        let mut made = self.natural.borrow_mut();
+        let known = made.iter().find(|(other, its, _)| (*other, *its) == (what, recipe));
+        known.map(|(.., pipeline)| pipeline.clone()).unwrap_or_else(|| {
+            let pipeline = self.make(device, Pass { recipe: Some(recipe), ..what.pass() });
+            made.push((what, recipe, pipeline.clone()));
+            pipeline
         })
-    }
-
-    /// Pipelines for a log and for wood ears in natural colours. Wood ears are either closed bodies or single sheets.
-    pub(crate) fn wood(&self, device: &wgpu::Device, closed: bool) -> [&wgpu::RenderPipeline; 2] {
-        let make = |shader, sides| self.make(device, Pass { sides, ..wood_pass(shader, Depth::Test) });
-        let [sheets, bodies] = &self.ears;
-        let log = self.log.get_or_init(|| make(shaders::LOG, Sides::Both));
-        // The far faces of a closed body would show as specks along its rim, as those of a rock would.
-        let (ears, sides) = if closed { (bodies, Sides::Out) } else { (sheets, Sides::Both) };
-        [log, ears.get_or_init(|| make(shaders::EAR, sides))]
     }
 
     /// Pipeline for a log and wood ears in the papers' style: both alike, matte.
@@ -245,6 +192,7 @@ impl Pipelines {
                 sides: Sides::Both,
                 depth: Depth::Test,
                 target: Target::View { blend: false },
+                recipe: None,
             };
             [self.make(device, rock_pass(Sides::Both, Depth::TestBehind)), self.make(device, edges)]
         })
@@ -260,6 +208,7 @@ impl Pipelines {
                 sides: Sides::Both,
                 depth: Depth::Ignore,
                 target: Target::View { blend: false },
+                recipe: None,
             };
             let strokes = Pass {
                 shader: shaders::STROKE,
@@ -268,9 +217,62 @@ impl Pipelines {
                 sides: Sides::Both,
                 depth: Depth::Ignore,
                 target: Target::View { blend: true },
+                recipe: None,
             };
             [self.make(device, fills), self.make(device, strokes)]
         })
+    }
+}
+
+/// A pass in natural colours.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Natural {
+    /// The outsides of rocks.
+    Rocks,
+    /// Their insides, which are seen only if a rock is turned inside out. They are pushed back, as in the papers' style.
+    Insides,
+    /// The backdrop and the ground.
+    Ground,
+    Log,
+    /// Wood ears that are single sheets.
+    Sheets,
+    /// Wood ears that are closed bodies. Their far faces would show as specks along their rims, as those of a rock would.
+    Bodies,
+    /// The rocks' surface, spread out as an atlas has it.
+    Bake,
+}
+
+/// The ground is pushed behind the rims of the rocks, many of which lie exactly in its plane.
+const NATURAL_FLOOR: Depth = Depth::TestBehind;
+
+impl Natural {
+    fn pass(self) -> Pass<'static> {
+        let body = |shader, sides| Pass { sides, ..wood_pass(shader, Depth::Test) };
+        match self {
+            Self::Rocks => body(shaders::NATURAL_ROCK, Sides::Out),
+            Self::Insides => Pass { depth: Depth::TestBehind, ..body(shaders::NATURAL_ROCK, Sides::In) },
+            Self::Log => body(shaders::LOG, Sides::Both),
+            Self::Sheets => body(shaders::EAR, Sides::Both),
+            Self::Bodies => body(shaders::EAR, Sides::Out),
+            Self::Ground => Pass { buffers: &[], ..wood_pass(shaders::NATURAL_GROUND, NATURAL_FLOOR) },
+            Self::Bake => Pass {
+                buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL), Some(ATLAS)],
+                target: Target::Bake,
+                ..wood_pass(shaders::BAKE, Depth::Ignore)
+            },
+        }
+    }
+}
+
+fn floor_pass(depth: Depth) -> Pass<'static> {
+    Pass {
+        shader: shaders::FLOOR,
+        buffers: &[],
+        topology: wgpu::PrimitiveTopology::TriangleList,
+        sides: Sides::Both,
+        depth,
+        target: Target::ViewDepth,
+        recipe: None,
     }
 }
 
@@ -282,6 +284,7 @@ fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {
         sides,
         depth,
         target: Target::View { blend: false },
+        recipe: None,
     }
 }
 
@@ -294,6 +297,7 @@ fn wood_pass(shader: Shader, depth: Depth) -> Pass<'static> {
         sides: Sides::Both,
         depth,
         target: Target::View { blend: false },
+        recipe: None,
     }
 }
 

@@ -6,7 +6,7 @@ use super::buffers::{Mesh, MeshBuffers};
 use super::maps::{MapSets, Maps};
 use super::surface::depth_attachment;
 use super::{Gpu, Props, RenderError, upload};
-use crate::shading::{ColorMode, FieldUniforms, Look, Stands, palette};
+use crate::shading::{ColorMode, FieldUniforms, Look, Stands, Turned, palette};
 
 /// What distinguishes the rocks from each other. It is small, and kept so that they can be coloured again.
 pub(crate) struct Rocks {
@@ -36,6 +36,8 @@ pub(crate) struct Scene {
     /// Middle and radius of a sphere around everything.
     pub(crate) center: Vec3,
     pub(crate) radius: f32,
+    /// Whether insides of rocks are seen from above, because c_w turns some of them inside out.
+    pub(crate) is_turned: bool,
     /// Whether rocks or props extend below the ground.
     pub(crate) is_buried: bool,
     pub(crate) image: [f32; 2],
@@ -76,6 +78,9 @@ impl Scene {
             }
             vertex
         })?;
+        let mut turned = Turned::new(&rocks.vertex_starts);
+        mesh.each_vertex(|position, normal| turned.add(position, normal));
+        let is_turned = turned.found();
         if !(high - low).is_finite() {
             return Err(RenderError::Malformed("a coordinate is infinite"));
         }
@@ -105,6 +110,7 @@ impl Scene {
             high,
             center: (low + high) * 0.5,
             radius: (high - low).length() * 0.5,
+            is_turned,
             is_buried: low.z < 0.0,
             image,
             uniforms,

@@ -4,10 +4,11 @@ use glam::{Mat4, Vec3, Vec4};
 
 use super::bake::{Bake, SIDE as BAKE_SIDE};
 use super::camera::FOV_Y;
+use super::pipelines::Natural;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
 use crate::shading::palette::{self, DARK, LIGHT};
-use crate::shading::{ColorMode, Globals, Look, Mode, Quality};
+use crate::shading::{ColorMode, Globals, Look, Mode, Quality, Recipe};
 
 /// A part of a larger picture: the size of the whole and where the part's upper left corner is in it, device pixels.
 #[derive(Clone, Copy)]
@@ -196,11 +197,11 @@ impl View {
         let half = 0.5 * BAKE_SIDE as f32;
         globals.plan = [corner[0] + half, corner[1] + half, 1.0 / half, -1.0 / half];
         globals.eye = [0.0; 4];
-        globals.scene[1] = Quality::High as u8 as f32;
         // No rock sinks.
         globals.scene[2] = 0.0;
         gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
-        bake.draw(gpu, encoder, [&self.frame_group, &scene.field_group, &maps.group], |pass, pipeline| {
+        let pipeline = gpu.pipelines.natural(&gpu.device, Natural::Bake, Recipe::of_bodies(Quality::High, &self.look));
+        bake.draw(gpu, encoder, [&self.frame_group, &scene.field_group, &maps.group], &pipeline, |pass, pipeline| {
             scene.draw_rocks(pass, pipeline);
         });
     }
@@ -235,18 +236,23 @@ impl View {
     }
 
     fn draw_natural(&self, pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, scene: &Scene, props: &Props) {
-        let [outsides, insides, both, ground] = gpu.pipelines.natural(&gpu.device);
-        if self.quality == Quality::High {
-            scene.draw_rocks(pass, outsides);
-            scene.draw_rocks(pass, insides);
-        } else {
-            scene.draw_rocks(pass, both);
+        let pipeline = |what, recipe| gpu.pipelines.natural(&gpu.device, what, recipe);
+        let bodies = Recipe::of_bodies(self.quality, &self.look);
+        pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device));
+        pass.draw(0..3, 0..1);
+        scene.draw_rocks(pass, &pipeline(Natural::Rocks, bodies));
+        if scene.is_turned {
+            scene.draw_rocks(pass, &pipeline(Natural::Insides, bodies));
         }
         if !props.is_empty() {
-            props.draw(pass, gpu.pipelines.wood(&gpu.device, props.is_closed()));
+            let ears = if props.is_closed() { Natural::Bodies } else { Natural::Sheets };
+            props.draw(pass, [&pipeline(Natural::Log, bodies), &pipeline(ears, bodies)]);
         }
-        // The backdrop and the ground come last, so that only their visible parts are drawn.
-        pass.set_pipeline(ground);
+        // The backdrop and the ground come last, so that only their visible parts are shaded.
+        pass.set_pipeline(&pipeline(
+            Natural::Ground,
+            Recipe::of_ground(self.quality, &self.look, props.axis().is_some()),
+        ));
         pass.draw(0..6, 0..1);
     }
 
@@ -315,12 +321,7 @@ impl View {
             soil: Vec4::from(palette::linear(theme.soil)).truncate().extend(f32::from(self.backing)).to_array(),
             dust: palette::linear(theme.dust),
             weather: self.look.weather,
-            scene: [
-                self.look.ground,
-                self.quality as u8 as f32,
-                if natural { 1.0 } else { 0.0 },
-                f32::from(self.look.debris),
-            ],
+            scene: [self.look.ground, 0.0, if natural { 1.0 } else { 0.0 }, f32::from(self.look.debris)],
             flesh: self.look.flesh,
         }
     }

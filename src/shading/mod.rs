@@ -6,12 +6,16 @@
 mod look;
 mod order;
 pub(crate) mod palette;
+mod recipe;
 pub(crate) mod shaders;
 mod sink;
+mod turned;
 mod uniforms;
 pub(crate) mod wood;
 
 pub(crate) use look::Look;
 pub(crate) use order::{ColorMode, Mode, Quality};
+pub(crate) use recipe::Recipe;
 pub(crate) use sink::Stands;
+pub(crate) use turned::Turned;
 pub(crate) use uniforms::{FieldUniforms, Globals};

@@ -28,7 +28,7 @@ pub(crate) struct Globals {
     pub(crate) dust: [f32; 4],
     /// Variation, wetness, moss, dust.
     pub(crate) weather: [f32; 4],
-    /// x ground, y quality, z 1 in natural colours, w kind of the debris (0 mixed).
+    /// x ground, y is not used, z 1 in natural colours, w kind of the debris (0 mixed).
     pub(crate) scene: [f32; 4],
     /// Moisture, variation, translucency and velvet of wood ears.
     pub(crate) flesh: [f32; 4],

@@ -25,7 +25,7 @@ struct Globals {
   dust: vec4f,
   // Natural colours: variation, wetness, moss, dust, 0…1
   weather: vec4f,
-  // x ground: 0 soil, 1 sand, 2 gravel; y quality: 0 low, 1 medium, 2 high; z 1 in natural colours; w unused
+  // x ground: 0 soil, 1 sand, 2 gravel; y unused; z 1 in natural colours; w the kind of the debris, 0: mixed
   scene: vec4f,
   // Wood ears: moisture, variation, translucency, velvet, 0…1
   flesh: vec4f,

@@ -129,8 +129,6 @@ fn litter(at: vec2f, period: f32, axis: vec2f, here: f32, footprint: f32) {
 
 // The bare ground at a point of z = 0.
 fn ground_cover(at: vec2f, footprint: f32) {
-  let ground = globals.scene.x;
-  let quality = globals.scene.y;
   let patches = noise2(at / 71.0) + 0.5 * noise2(at / 23.0);
   let fine = noise2(at / 2.1) * shown(2.1, footprint);
   let grit = noise2(at / 0.7) * shown(0.7, footprint);
@@ -141,8 +139,8 @@ fn ground_cover(at: vec2f, footprint: f32) {
   cover_open = 0.8;
   let warm = 0.05 * noise2(at / 47.0 + 9.0);
   let hue = vec3f(1.0 + warm, 1.0, 1.0 - warm);
-  cover_albedo = soil_albedo(ground) * hue * (1.0 + 0.13 * patches + 0.16 * fine + 0.2 * grit);
-  if ground == 1.0 {
+  cover_albedo = soil_albedo(ground_kind) * hue * (1.0 + 0.13 * patches + 0.16 * fine + 0.2 * grit);
+  if ground_kind == 1.0 {
     // Wind ripples, and now and then a pebble.
     const ACROSS = vec2f(0.4, 0.29);
     let phase = dot(at, ACROSS) + 3.0 * noise2(at / 43.0) + 1.5 * noise2(at / 15.0);
@@ -152,7 +150,7 @@ fn ground_cover(at: vec2f, footprint: f32) {
     cover_open = 1.0;
     scatter(at, 1.3, vec2f(-0.5583, -0.8296), 0.1 + 0.1 * patches, 0.3, footprint);
     scatter(at, 3.7, vec2f(-0.8982, -0.4397), 0.03 + 0.05 * patches, 0.8, footprint);
-  } else if ground == 2.0 {
+  } else if ground_kind == 2.0 {
     cover_albedo *= mix(0.82, 0.85, shown(2.0, footprint));
     // The large ones at every level: they are what goes on beyond the field's border.
     if quality > 0.0 {
@@ -172,7 +170,7 @@ fn ground_cover(at: vec2f, footprint: f32) {
       scatter(at, 7.7, vec2f(0.8078, 0.5895), 0.06, 1.0, footprint);
     }
   }
-  if field.log.y > 0.0 {
+  if has_log {
     // What falls from a log, and what it stops, thickest along its foot.
     let from_log = about_log(vec3f(at, 0.0));
     let away = length(max(abs(from_log.xy) - vec2f(field.log.y, 0.45 * field.log.z), vec2f(0.0)));
@@ -189,19 +187,19 @@ fn ground_cover(at: vec2f, footprint: f32) {
 
 // How wet it is, 0…1: in patches that grow together.
 fn wet_cover(at: vec2f) -> f32 {
-  let wetness = globals.weather.y;
-  if wetness <= 0.0 {
+  if !is_wet {
     return 0.0;
   }
+  let wetness = globals.weather.y;
   return wetness * smoothstep(-0.5, 0.4, noise2(at / 37.0) + wetness);
 }
 
 // How thick moss lies, 0…1: in patches of the world, more where it is low and faces up. `upward` 0…1, `height` px.
 fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f32) -> f32 {
-  let moss = globals.weather.z;
-  if moss <= 0.0 {
+  if !has_moss {
     return 0.0;
   }
+  let moss = globals.weather.z;
   // Slanted through space: straight down the patches would run down the walls as streaks.
   let q = at.xy + vec2f(0.7, -0.6) * at.z;
   let patches = noise2(q / 83.0 + 31.0) + 0.55 * noise2(q / 29.0) + 0.3 * noise2(q / 9.0);

@@ -26,7 +26,7 @@ fn height_at(at: vec2f) -> f32 {
 // How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks. The inner turns find the
 // neighbour it touches, the outer ones the boulder beside it. `face` is the surface without its relief.
 fn sky_seen(world: vec3f, face: vec3f, pixel: vec2f) -> f32 {
-  let taps = select(select(16, 10, globals.scene.y < 1.5), 5, globals.scene.y < 0.5);
+  let taps = select(select(16, 10, quality < 1.5), 5, quality < 0.5);
   let texel = field.ground.y;
   let start = dither(pixel) * 1.2;
   let reach = max(30.0, 3.0 * texel);
@@ -63,7 +63,6 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
     return 1.0;
   }
   let depth = clip.z - 0.0003;
-  let quality = globals.scene.y;
   if quality < 0.5 {
     return textureSampleCompareLevel(shadow_map, shadow_sampler, uv, depth);
   }

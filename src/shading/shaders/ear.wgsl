@@ -92,7 +92,7 @@ fn fs_main(
   let seen_veins = shown(0.9, footprint) * (1.0 - back);
   var slope = 0.06 * broad.xyz;
   var vein = 0.0;
-  if globals.scene.y > 0.0 && seen_veins > 0.0 {
+  if quality > 0.0 && seen_veins > 0.0 {
     let net = noise3((at + 0.3 * broad.xyz) / 1.3);
     let t = clamp(net.w / 0.22, -1.0, 1.0);
     let here = seen_veins * smoothstep(-0.25, 0.3, broad.w);
@@ -100,12 +100,12 @@ fn fs_main(
     slope -= 0.3 * t * (1.0 - t * t) * here * net.xyz;
   }
   var fine = 0.0;
-  if globals.scene.y > 0.0 {
+  if quality > 0.0 {
     fine = noise3(at / 0.5).w * shown(0.5, footprint);
   }
   var down_hair = 0.0;
   let hair_seen = shown(0.12, footprint) * back;
-  if globals.scene.y > 0.0 && hair_seen > 0.0 {
+  if quality > 0.0 && hair_seen > 0.0 {
     let hair = noise3(at / 0.12) * hair_seen;
     down_hair = hair.w;
     slope += 0.25 * hair.xyz;

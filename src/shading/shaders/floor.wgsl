@@ -1,9 +1,13 @@
-// The papers' style, where something goes on below the ground: the depth of z = 0 alone, which hides it. The colour was drawn
-// by ground.wgsl.
+// The depth of z = 0 alone, which hides what is below it. In natural colours it comes before everything else, so that nothing is shaded
+// that the ground hides; its colour comes last, by natural_ground.wgsl. In the papers' style its colour was drawn before, by ground.wgsl.
+
+struct Varyings {
+  @builtin(position) @invariant clip: vec4f,
+}
 
 @vertex
-fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
-  return ground_clip(vec2f(f32((index << 1u) & 2u), f32(index & 2u)) * 2.0 - 1.0);
+fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
+  return Varyings(ground_clip(vec2f(f32((index << 1u) & 2u), f32(index & 2u)) * 2.0 - 1.0));
 }
 
 @fragment

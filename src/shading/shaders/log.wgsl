@@ -53,7 +53,7 @@ fn bark(at: vec3f, broad: vec4f, fiber: vec4f, hue: f32, footprint: f32) {
   plate = fissures(vec4f(plate.xyz * PLATE, plate.w + 0.15), 0.2);
   // Cracks within the ridges.
   var crack = vec4f(vec3f(0.0), 1.0);
-  if globals.scene.y > 0.0 {
+  if quality > 0.0 {
     crack = noise3(warped * RIDGE * 2.7 + 41.0) * shown(0.8, footprint);
     crack = fissures(vec4f(crack.xyz * RIDGE * 2.7, crack.w), 0.16);
     crack = mix(vec4f(vec3f(0.0), 1.0), crack, 0.5 * shown(0.8, footprint) * smoothstep(-0.4, 0.3, broad.w));
@@ -62,13 +62,13 @@ fn bark(at: vec3f, broad: vec4f, fiber: vec4f, hue: f32, footprint: f32) {
   var slope = 0.8 * ridge.xyz * mix(1.0, plate.w, 0.55) + (0.3 * plate.xyz + 0.22 * crack.xyz) * ridge.w;
   var value = 0.3 * broad.w;
   let scale_seen = shown(0.9, footprint);
-  if globals.scene.y > 0.0 && scale_seen > 0.0 {
+  if quality > 0.0 && scale_seen > 0.0 {
     let scales = noise3(at * vec3f(0.6, 1.0, 1.0) / 0.7 + 7.0) * scale_seen;
     slope += 0.5 * scales.xyz * vec3f(0.6, 1.0, 1.0);
     value += 1.0 * scales.w;
   }
   let micro_seen = shown(0.25, footprint);
-  if globals.scene.y > 1.0 && micro_seen > 0.0 {
+  if quality > 1.0 && micro_seen > 0.0 {
     let micro = noise3(at * vec3f(0.7, 1.0, 1.0) / 0.22) * micro_seen;
     slope += 0.4 * micro.xyz;
     value += 0.75 * micro.w;
@@ -126,7 +126,6 @@ fn fs_main(
   let world = inside + globals.eye.xyz;
   let far = length(from_eye);
   let to_eye = -from_eye / far;
-  let quality = globals.scene.y;
 
   let at = about_log(world);
   let broad = noise3(at * LONG / 7.0 + 3.0);

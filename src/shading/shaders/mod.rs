@@ -5,16 +5,17 @@ const COMMON: &str = include_str!("common.wgsl");
 /// Prepended to the passes of the papers' style.
 const LIGHTING: &[&str] = &[include_str!("lighting.wgsl")];
 
+const RECIPE: &str = include_str!("recipe.wgsl");
 const NOISE: &str = include_str!("noise.wgsl");
 const STONE: &str = include_str!("stone.wgsl");
 const COVER: &str = include_str!("cover.wgsl");
 const DAYLIGHT: &str = include_str!("daylight.wgsl");
 
 /// Prepended to the passes in natural colours.
-const NATURAL: &[&str] = &[NOISE, STONE, COVER, DAYLIGHT];
+const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, DAYLIGHT];
 
 /// Prepended to the passes that draw rocks in natural colours.
-const STONY: &[&str] = &[NOISE, STONE, COVER, DAYLIGHT, include_str!("surface.wgsl")];
+const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, DAYLIGHT, include_str!("surface.wgsl")];
 
 /// The shader of a pass.
 #[derive(Clone, Copy)]
@@ -27,6 +28,10 @@ pub(crate) struct Shader {
 }
 
 impl Shader {
+    pub(crate) fn name(self) -> &'static str {
+        self.name
+    }
+
     /// Name of the pipeline for debuggers.
     pub(crate) fn label(self) -> String {
         ["rock-field/", self.name, "/pipeline"].concat()

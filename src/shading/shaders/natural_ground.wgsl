@@ -2,7 +2,8 @@
 // z = 0 with its depth, which hides what is below it.
 
 struct Varyings {
-  @builtin(position) clip: vec4f,
+  // The depth is that of floor.wgsl, to the last bit.
+  @builtin(position) @invariant clip: vec4f,
   // 1 on the ground
   @location(0) is_ground: f32,
 }

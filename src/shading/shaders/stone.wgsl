@@ -47,7 +47,7 @@ fn individual(albedo: vec3f, own: vec3f) -> vec3f {
 
 // Interlocking grains of this size: dark mica, pale feldspar, grey quartz between them. What they add to the value and to the warmth.
 fn granite(at: vec3f, grain: f32, footprint: f32) -> vec2f {
-  let seen = shown(grain, footprint) * min(globals.scene.y, 1.0);
+  let seen = shown(grain, footprint) * min(quality, 1.0);
   if seen <= 0.0 {
     return vec2f(0.0);
   }
@@ -60,7 +60,7 @@ fn granite(at: vec3f, grain: f32, footprint: f32) -> vec2f {
 
 // Gas bubbles of this size, cut open: how much darker they are.
 fn pits(at: vec3f, size: f32, footprint: f32) -> f32 {
-  let seen = shown(size, footprint) * min(globals.scene.y, 1.0);
+  let seen = shown(size, footprint) * min(quality, 1.0);
   if seen <= 0.0 {
     return 0.0;
   }
@@ -79,7 +79,6 @@ fn veins(kind: f32, own: vec3f, at: vec3f, broad: f32, mid: f32) -> f32 {
 
 // `own` three random numbers of the rock, `at` in its own space, footprint px of the world under a pixel.
 fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
-  let quality = globals.scene.y;
   let coarse = 0.75 + 0.6 * own.z;
   var value = 0.0;
   var warm = 0.0;

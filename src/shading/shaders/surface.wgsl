@@ -41,7 +41,7 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
   // Dust and splashed soil: near the ground, and where it can lie.
   let dust = globals.weather.w;
   var loose = 0.0;
-  if globals.scene.y > 0.0 {
+  if quality > 0.0 {
     loose = noise2(world.xy / 6.3) * 0.5 + noise2(world.yz / 2.7 + 5.0) * 0.35 * shown(2.7, footprint);
   }
   let low = exp(-max(world.z, 0.0) / (2.0 + 0.1 * field.size.z)) * 1.1;

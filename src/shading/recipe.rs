@@ -1,0 +1,38 @@
+//! What a pipeline in natural colours is made for: the constants of `shaders/recipe.wgsl`.
+
+use super::{Look, Quality};
+
+/// Equal recipes share a pipeline. A pass ignores what it does not read, so that fewer have to be made.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) struct Recipe {
+    quality: Quality,
+    /// 0 soil, 1 sand, 2 gravel.
+    ground: u8,
+    has_moss: bool,
+    is_wet: bool,
+    has_log: bool,
+}
+
+impl Recipe {
+    /// For what stands on the ground: it takes the ground's kind from the uniforms.
+    pub(crate) fn of_bodies(quality: Quality, look: &Look) -> Self {
+        let [_, wetness, moss, _] = look.weather;
+        Self { quality, ground: 0, has_moss: moss > 0.0, is_wet: wetness > 0.0, has_log: false }
+    }
+
+    pub(crate) fn of_ground(quality: Quality, look: &Look, has_log: bool) -> Self {
+        Self { ground: look.ground as u8, has_log, ..Self::of_bodies(quality, look) }
+    }
+
+    /// By the names that the shaders give them.
+    pub(crate) fn constants(self) -> [(&'static str, f64); 5] {
+        let Self { quality, ground, has_moss, is_wet, has_log } = self;
+        [
+            ("quality", f64::from(quality as u8)),
+            ("ground_kind", f64::from(ground)),
+            ("has_moss", f64::from(u8::from(has_moss))),
+            ("is_wet", f64::from(u8::from(is_wet))),
+            ("has_log", f64::from(u8::from(has_log))),
+        ]
+    }
+}
