@@ -76,8 +76,8 @@ export interface SceneBodies {
 
 /** As long as a hash, before there is one. */
 const NO_HASH = '0'.repeat(64);
-/** The share of the work that is done when levels of detail are there. */
-const LEVELS_SHARE = 0.7;
+/** The share of the work that is done when a kit is chosen, and when levels of detail are there. */
+const [KIT_SHARE, LEVELS_SHARE] = [0.1, 0.7];
 
 /**
  * @param open the model, open below; `options.solid` closes it.
@@ -86,13 +86,13 @@ const LEVELS_SHARE = 0.7;
  */
 export async function sceneOf(open: Model, source: Source, options: ResolvedOptions, waiting?: Waiting): Promise<SceneParts> {
   const { mesh: form, kinds, solid, lods } = options;
-  const kit = form === 'kit' ? kitOf(open, kinds) : undefined;
-  checkFits(open, options, toldOf(open, source, NO_HASH), kit);
-  const hash = await source.hash();
   const pace = new Pace(waiting);
+  const kit = form === 'kit' ? await kitOf(open, kinds, pace.within(0, KIT_SHARE)) : undefined;
+  checkFits({ model: open, options, told: toldOf(open, source, NO_HASH), kit });
+  const hash = await source.hash();
   const chosen = kit && new Set(kit.kinds);
   const isPlaced = (k: number): boolean => !isOneThing(open, open.groupOf[k]!) && (!chosen || chosen.has(k));
-  const levels = await levelsOf(solid ? closed(open) : open, open, lods, isPlaced, pace.within(0, LEVELS_SHARE));
+  const levels = await levelsOf(solid ? closed(open) : open, open, lods, isPlaced, pace.within(KIT_SHARE, LEVELS_SHARE));
   const model = levels[0]!;
   const { own, all } = allMeshes({ levels, hullName: (name) => name }, form, kit);
   const isOne = form === 'one';

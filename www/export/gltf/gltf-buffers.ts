@@ -86,20 +86,24 @@ export function indexBytesFor(most: number): number {
  */
 export function layoutOf(meshes: readonly Mesh[], { withIds, withColors, instances, images }: Wanted): Layout {
   const places: Place[] = [];
+  const placeOf = new Map<Part, Place>();
   let [vertex, index, most, dressed] = [0, 0, 0, 0];
   for (const { parts } of meshes) {
-    for (const { model, material, bodies, sameAs } of parts) {
-      if (sameAs !== undefined) {
-        places.push(places[sameAs]!);
+    for (const part of parts) {
+      if (part.sameAs) {
+        places.push(placeOf.get(part.sameAs)!);
         continue;
       }
+      const { model, material, bodies } = part;
       const { indexStarts, vertexStarts } = model;
       let [vertices, indices] = [0, 0];
       for (const k of bodies) {
         vertices += vertexStarts[k + 1]! - vertexStarts[k]!;
         indices += indexStarts[k + 1]! - indexStarts[k]!;
       }
-      places.push({ vertex, vertices, index, indices });
+      const place = { vertex, vertices, index, indices };
+      places.push(place);
+      placeOf.set(part, place);
       vertex += vertices;
       if (material !== undefined) dressed = vertex;
       index += indices;
@@ -160,7 +164,7 @@ export async function fillMeshes(
   for (const { parts } of meshes) {
     for (const part of parts) {
       const { vertex, index } = places[p++]!;
-      if (part.sameAs !== undefined) continue;
+      if (part.sameAs) continue;
       fillPositions(part, positions, 3 * vertex);
       if (part.material !== undefined) fillNormals(part, normals, 3 * vertex);
       if (colors.length > 0 && part.material !== undefined) fillColors(part, part.material, colors, 4 * vertex);

@@ -74,8 +74,10 @@ export class GltfJson {
   #meshList = new ByteWriter();
   /** For each mesh. */
   #triangles: number[] = [];
-  /** The first accessor of each part that has been written; the others follow it. */
-  #firstAccessors: number[] = [];
+  /** How many parts have been written. */
+  #parts = 0;
+  /** The first accessor of each of them; the others follow it. */
+  #firstAccessors = new Map<Part, number>();
   /** Numbers in the file of the model's materials, in the order in which they were used. */
   #materials = new Map<number, number>();
   #nodes = new ByteWriter();
@@ -115,10 +117,10 @@ export class GltfJson {
   #addPart(part: Part): number {
     const out = this.#meshList;
     const { places, views, indexType, indexBytes } = this.#layout;
-    const { vertex, vertices, index, indices } = places[this.#firstAccessors.length]!;
-    const isNew = part.sameAs === undefined;
-    let accessor = isNew ? this.#accessorCount : this.#firstAccessors[part.sameAs!]!;
-    this.#firstAccessors.push(accessor);
+    const { vertex, vertices, index, indices } = places[this.#parts++]!;
+    const isNew = !part.sameAs;
+    let accessor = part.sameAs ? this.#firstAccessors.get(part.sameAs)! : this.#accessorCount;
+    if (isNew) this.#firstAccessors.set(part, accessor);
     out.text('{"attributes":');
     let before = '{"';
     for (const { view, semantic, bytes, component, type } of ATTRIBUTES) {

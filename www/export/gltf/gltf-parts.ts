@@ -12,8 +12,8 @@ export interface Part {
   /** None of a hull, which has no normals either. */
   material: number | undefined;
   bodies: readonly number[];
-  /** The number among all parts of the one that this is the same as, which comes before it, and is in the file for both. */
-  sameAs?: number | undefined;
+  /** The part of a finer level that has the same vertices and triangles: they are in the file once. */
+  sameAs?: Part | undefined;
   /** What becomes the origin of the mesh, in units of the model. */
   origin: readonly [number, number, number];
   /** The angle from x to what becomes the mesh's x. */
@@ -45,8 +45,7 @@ export interface Shapes {
 
 export function allMeshes({ levels, hulls, hullName }: Shapes, form: ResolvedOptions['mesh'], kit?: Kit): Meshes {
   const own = meshesOf(levels[0]!, form, kit);
-  const all = [...own];
-  if (levels.length > 1) all.splice(0, all.length, ...levels.flatMap((model, level) => atLevel(own, model, level, levels.length)));
+  const all = levels.length === 1 ? [...own] : atLevels(own, levels);
   const numbers = own.map(({ name, group, parts }) => {
     const [part] = parts;
     if (!hulls || !part || part.bodies.length > 1) return undefined;
@@ -59,18 +58,26 @@ export function allMeshes({ levels, hulls, hullName }: Shapes, form: ResolvedOpt
   return { all, own, levels: levels.length, hulls: numbers };
 }
 
-/** The meshes of the finest level, `own`, at another one. Those of all levels before it are in the file already. */
-function atLevel(own: readonly Mesh[], model: Model, level: number, levels: number): Mesh[] {
-  const parts = own.reduce((sum, mesh) => sum + mesh.parts.length, 0);
-  let before = (level - 1) * parts;
-  return own.map((mesh) => ({
-    ...mesh,
-    name: levelName(mesh.name, level, levels),
-    parts: mesh.parts.map((part) => {
-      const sameAs = before++;
-      return { ...part, model, ...(part.bodies.every((k) => model.unchanged?.[k]) && { sameAs }) };
-    }),
-  }));
+/** The meshes of the finest level, `own`, at all levels. */
+function atLevels(own: readonly Mesh[], levels: readonly Model[]): Mesh[] {
+  const all: Mesh[] = [];
+  let finer = own;
+  levels.forEach((model, level) => {
+    const meshes = finer.map((mesh, m) => ({
+      ...mesh,
+      name: levelName(own[m]!.name, level, levels.length),
+      parts: mesh.parts.map((part) => atLevel(part, model)),
+    }));
+    all.push(...meshes);
+    finer = meshes;
+  });
+  return all;
+}
+
+/** The part of the finer level at this one. */
+function atLevel(part: Part, model: Model): Part {
+  const { sameAs = part, ...own } = part;
+  return { ...own, model, ...(part.bodies.every((k) => model.unchanged?.[k]) && { sameAs }) };
 }
 
 /** What an object is called of which there are so many levels. */

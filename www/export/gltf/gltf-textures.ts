@@ -12,7 +12,7 @@ export function fillTextures(images: Images, meshes: readonly Mesh[], { places, 
   meshes
     .flatMap(({ parts }) => parts)
     .forEach((part, p) => {
-      if (part.material === undefined || part.sameAs !== undefined) return;
+      if (part.material === undefined || part.sameAs) return;
       fillPart(part, tangents.subarray(4 * places[p]!.vertex), coordinates.subarray(2 * places[p]!.vertex));
     });
   for (const name of IMAGES) bytes.set(images[name], views[name]!.offset);
