@@ -19,7 +19,7 @@ let session;
 before(async () => {
   session = await launch({
     intercept: pageOf('element.html', () =>
-      pageWith(`<rock-field id="a" ${SMALL} seed="4" controls="open"></rock-field><script>listenTo(a)</script>`),
+      pageWith(`<rock-field id="a" ${SMALL} seed="4" controls="open" metres-per-pixel="0.05"></rock-field><script>listenTo(a)</script>`),
     ),
   });
 });
@@ -84,6 +84,32 @@ test('of too many objects the dialog offers fewer meshes, and a press chooses th
   assert.equal(await dialog.locator('input[value="kit"]').isChecked(), true);
   assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('value')), 'kit');
   assert.equal(await dialog.getByRole('button', { name: 'Copies of a few' }).count(), 0);
+  assert.deepEqual(errors, []);
+  await close();
+});
+
+test('of too many objects the dialog offers several files, each with fewer', async () => {
+  const { page, errors, close } = await openRocks(session, '#preset=conference-fig1&seed=4&w=500&h=400', {
+    viewport: { width: 960, height: 640 },
+  });
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const dialog = await written(page);
+  await dialog.getByRole('button', { name: 'Split into 4 files' }).click();
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.zip'));
+  assert.equal(await dialog.locator('#export-parts').inputValue(), '4');
+  assert.equal(await page.evaluate(() => document.activeElement?.id), 'export-parts');
+  assert.doesNotMatch(await dialog.locator('.export-report').innerText(), /many programs/);
+  // All rocks of a kit share its meshes: choosing one is to be in one file again, and the other way round.
+  await dialog.locator('input[value="kit"]').check();
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('like the rocks'));
+  assert.equal(await dialog.locator('#export-parts').inputValue(), '1');
+  await dialog.locator('#export-parts').selectOption('9');
+  await page.waitForFunction(() => document.querySelector('.dialog .export-report').textContent.includes('.zip'));
+  assert.equal(await dialog.locator('input[value="rocks"]').isChecked(), true);
+  const { bytes } = await saved(page);
+  /** @type {import('rock-field/export').FieldRequest} */
+  const request = { preset: 'conference-fig1', seed: 4, imageWidth: 500, imageHeight: 400 };
+  assert.equal(sha256(bytes), sha256((await exportScene(request, { target: 'blender', parts: 9 })).bytes));
   assert.deepEqual(errors, []);
   await close();
 });
@@ -172,12 +198,44 @@ test('a file that cannot be written is said in the dialog, and the next choice t
   await close();
 });
 
-test('a panel in an element exports too', async () => {
+test('of a file that is too large the dialog says so in the page’s language, and offers what makes it smaller', async () => {
+  const error = {
+    name: 'ExportTooLarge',
+    key: 'format',
+    value: 3e9,
+    max: 2 ** 31 - 1,
+    message: 'no',
+    words: { en: 'no', ja: '大きすぎます' },
+  };
+  const worker = `onmessage = () => postMessage(${JSON.stringify({ type: 'failed', error })}); postMessage({ type: 'ready' });`;
+  const { page, close } = await openRocks(session, LINK, {
+    viewport: { width: 360, height: 640 },
+    locale: 'ja',
+    prepare: (page) => page.route('**/export-worker*', (route) => route.fulfill({ contentType: 'text/javascript', body: worker })),
+  });
+  await page.locator('.sheet-toggle').click();
+  await page.getByRole('button', { name: '書き出す', exact: true }).click();
+  const report = page.locator('.dialog .export-report');
+  await report.locator('.control-problem').waitFor();
+  assert.equal(await report.locator('.control-problem').innerText(), '大きすぎます');
+  const offered = () => report.getByRole('button').allInnerTexts();
+  assert.deepEqual(await offered(), ['少数の複製', '4 ファイルに分割']);
+  await page.locator('.dialog input[name="export-lods"][value="3"]').check();
+  await report.getByRole('button', { name: '4 ファイルに分割' }).click();
+  await report.getByRole('button', { name: '9 ファイルに分割' }).waitFor();
+  assert.deepEqual(await offered(), ['少数の複製', '9 ファイルに分割', 'LOD を 1 段に']);
+  assert.deepEqual(await violations(page), []);
+  await report.getByRole('button', { name: 'LOD を 1 段に' }).click();
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('value')), '1');
+  await close();
+});
+
+test('a panel in an element exports too, in the size that the element has', async () => {
   const { page, errors, close } = await session.open('element.html', { viewport: { width: 960, height: 640 } });
   await page.getByRole('button', { name: 'Export', exact: true }).click();
   await written(page);
   const { bytes } = await saved(page);
-  assert.equal(sha256(bytes), sha256((await exportScene(REQUEST, { target: 'blender' })).bytes));
+  assert.equal(sha256(bytes), sha256((await exportScene(REQUEST, { target: 'blender', metresPerPixel: 0.05 })).bytes));
   assert.deepEqual(errors, []);
   await close();
 });

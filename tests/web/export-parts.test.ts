@@ -5,11 +5,11 @@ import { WebIO } from '@gltf-transform/core';
 import type { Document } from '@gltf-transform/core';
 import { unzipSync } from 'fflate';
 import { exportScene, exportWoodEar } from 'rock-field/export';
-import type { ExportOptions } from 'rock-field/export';
+import type { ExportOptions, RockFieldError } from 'rock-field/export';
 import type { Model } from '../../www/export/model.ts';
 import { resolveOptions } from '../../www/export/options.ts';
 import { sceneInFile } from '../../www/export/origin/scene-in-file.ts';
-import { cellsOf } from '../../www/export/parts.ts';
+import { cellsOf, fewestParts } from '../../www/export/parts.ts';
 import { checkFits } from '../../www/export/too-large.ts';
 
 const REQUEST = { preset: 'riverbed', seed: 7, imageWidth: 160, imageHeight: 120 } as const;
@@ -150,7 +150,8 @@ test('what is too large for a file is offered as a kit, or in as many parts as f
     () => check(1),
     (error: unknown) => {
       assert.equal((error as Error).name, 'ExportTooLarge');
-      const { message } = error as Error;
+      const { message, words } = error as RockFieldError;
+      assert.match(words?.ja ?? '', /5000 MB.*2147 MB.*シーン/);
       assert.match(message, /5000 MB; it may be at most 2147 MB: choose mesh "kit" with format "glb", or a smaller image/);
       return true;
     },
@@ -164,4 +165,21 @@ test('what is too large for a file is offered as a kit, or in as many parts as f
     },
   );
   checkFits({ model: half, options: resolveOptions({ format: 'stl', parts }), told });
+});
+
+test('the number of parts that is offered is the first by which each has no more than fits', () => {
+  assert.equal(fewestParts(2001, 2000, 1), 4);
+  assert.equal(fewestParts(7000, 2000, 1), 4);
+  assert.equal(fewestParts(7300, 2000, 1), 9);
+  // Of parts that are there already, the largest is told of.
+  assert.equal(fewestParts(3000, 2000, 4), 9);
+  assert.equal(fewestParts(1e6, 2000, 1), undefined);
+});
+
+test('objects are counted by file', async () => {
+  const request = { preset: 'conference-fig1', seed: 4, imageWidth: 500, imageHeight: 400 } as const;
+  const countOf = async (parts: number): Promise<number | undefined> =>
+    (await exportScene(request, { parts })).report.notes.find(({ code }) => code === 'many-objects')?.count;
+  assert.equal(await countOf(1), 2626);
+  assert.equal(await countOf(4), undefined);
 });

@@ -59,6 +59,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       { language: owner.language(), theme },
       history,
     );
+    this.#store.metresPerPixel = () => element.metresPerPixel;
     this.#heard = couple(this.#store, element, () => owner.result(), this.#listening.signal);
     if (result) this.#store.showResult(result, !owner.isSettled());
     this.#store.setBackend(backend);

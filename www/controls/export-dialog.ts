@@ -15,12 +15,12 @@ import { showDialog } from './dialogs.ts';
 import { dropDown } from './drop-down.ts';
 import type { Choosing } from './export-choosing.ts';
 import type { MeshWords } from './export-meshes.ts';
+import { fewerBytes, fewerObjects } from './export-remedies.ts';
 import { icon } from './icons.ts';
 import type { Place } from './parts.ts';
 import { saveFile } from './save-file.ts';
 import type { Store } from './store.ts';
 import { errorText, later } from './strings-later.ts';
-import type { LaterKey } from './strings-later.ts';
 
 /** What differs from one generator to another. */
 export interface ExportKind<K extends Kind> {
@@ -54,31 +54,11 @@ export function exportDialog<K extends Kind>(kind: ExportKind<K>): (store: Store
     let picture = '';
 
     const content = (written: Written): TemplateResult => {
-      const words = (key: LaterKey): string => later(store.language, key);
-      const controls = kind.controls({ words, ...chosen, choose }, result);
-      return layout(
-        words,
-        chosen.target,
-        chooseTarget,
-        controls,
-        report(store.language, written, chosen.options, remedies(words)),
-        written,
-      );
+      const words: Choosing['words'] = (key, slots) => later(store.language, key, slots);
+      const choosing = { words, ...chosen, choose };
+      const said = report(store.language, written, choosing, kind.forms);
+      return layout(words, chosen.target, chooseTarget, kind.controls(choosing, result), said, written);
     };
-
-    /** Other forms of meshes, for where there are too many objects. */
-    const remedies = (words: Choosing['words']): TemplateResult[] =>
-      (['kit', 'one'] as const).flatMap((mesh) => {
-        const label = kind.forms[mesh];
-        if (!label) return [];
-        const take = ({ currentTarget }: Event): void => {
-          const dialog = (currentTarget as HTMLElement).closest('dialog');
-          choose({ mesh });
-          // The button is gone; what it has chosen is there.
-          dialog?.querySelector<HTMLElement>('input[name="export-mesh"]:checked')?.focus();
-        };
-        return [html`<button class="button" type="button" @click=${take}>${words(label)}</button>`];
-      });
 
     const show = (written: Written): HTMLDialogElement => showDialog(store, place, later(store.language, 'export'), content(written));
 
@@ -91,7 +71,8 @@ export function exportDialog<K extends Kind>(kind: ExportKind<K>): (store: Store
       let written: Written;
       try {
         const exportInWorker = await lazily(kind.exporter);
-        const { color: _, ...options } = chosen.options;
+        const { color: _, metresPerPixel, ...own } = chosen.options;
+        const options = { ...own, metresPerPixel: store.metresPerPixel?.() ?? metresPerPixel };
         const shown = { color: store.color, backend: null };
         const made = await exportInWorker(async () => ({ result, params, preset }), options, { signal, onProgress: show }, shown);
         picture = made.file.type === 'image/png' && !signal.aborted ? URL.createObjectURL(made.file) : '';
@@ -157,17 +138,16 @@ function isFile(written: Written): written is { file: File; report: ExportReport
   return typeof written !== 'number' && 'file' in written;
 }
 
-function report(
-  language: Language,
-  written: Written,
-  { scale, mesh }: ResolvedOptions,
-  remedies: readonly TemplateResult[],
-): TemplateResult {
+function report(language: Language, written: Written, choosing: Choosing, forms: MeshWords['forms']): TemplateResult {
+  const { scale, mesh } = choosing.options;
   if (typeof written === 'number') {
     const writing = later(language, 'exportWriting');
     return html`<p class="quiet">${writing}</p>${written > 0 ? html`<progress aria-label=${writing} .value=${written}></progress>` : nothing}`;
   }
-  if (!isFile(written)) return html`<p class="control-problem">${errorText(language, written.error)}</p>`;
+  if (!isFile(written)) {
+    const { error } = written;
+    return html`<p class="control-problem">${errorText(language, error)}</p>${fewerBytes(choosing, forms, error)}`;
+  }
   const { file, report: found, picture } = written;
   const { map } = found;
   const megabytes = (file.size / 1e6).toLocaleString(language, { maximumFractionDigits: file.size < 1e7 ? 1 : 0 });
@@ -190,7 +170,7 @@ function report(
     ...(found.texelsPerMetre ? [later(language, 'exportTexels', { texels: found.texelsPerMetre.toLocaleString(language) })] : []),
     ...found.notes.map(({ code, count }) => {
       const text = later(language, `note-${code}`, { unit, count: count?.toLocaleString(language), highest: map && short(map.highest) });
-      return code === 'many-objects' ? html`${text}<div class="button-row">${remedies}</div>` : text;
+      return code === 'many-objects' && count ? html`${text}${fewerObjects(choosing, forms, count)}` : text;
     }),
   ].map((note) => html`<li>${note}</li>`);
   const said = later(language, map ? 'mapFigures' : mesh === 'points' ? 'pointFigures' : 'exportFigures', figures);

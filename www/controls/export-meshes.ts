@@ -4,6 +4,8 @@ import { html, nothing } from 'lit';
 import type { TemplateResult } from 'lit';
 import { FORMS, OPTIONS } from '../export/options.ts';
 import type { ResolvedOptions } from '../export/options.ts';
+import { PART_NUMBERS } from '../export/parts.ts';
+import { dropDown } from './drop-down.ts';
 import type { Choosing } from './export-choosing.ts';
 import { segments } from './parts.ts';
 import type { LaterKey } from './strings-later.ts';
@@ -75,6 +77,13 @@ export function meshControls(
       value: options.groundMesh,
       action: (groundMesh) => choose({ groundMesh }),
     })}
+    ${dropDown({
+      name: 'export-parts',
+      label: words('exportParts'),
+      options: PART_NUMBERS.map((n) => ({ value: String(n), label: n === 1 ? words('parts-one') : words('parts-many', { n }) })),
+      value: String(options.parts),
+      action: (parts) => choose({ parts: Number(parts) }),
+    })}
   `;
 }
 
@@ -83,6 +92,8 @@ export function fittingMesh(options: ResolvedOptions, change: Partial<ResolvedOp
   const { format, mesh, textures, lods } = options;
   // Copies of a few do not fit the holes of others.
   if (change.groundMesh === 'cut' && mesh === 'kit') return { ...options, mesh: 'rocks' };
+  // All rocks share the meshes of a kit, and textures.
+  if (change.parts !== undefined && change.parts > 1) return { ...options, mesh: mesh === 'kit' ? 'rocks' : mesh, textures: 'none' };
   const isHeld = mesh in forms && FORMS[format]?.includes(mesh);
   const hasLevels = lods === 1 || format === 'glb' || format === 'obj';
   if (isHeld && hasLevels && (textures === 'none' || format === 'glb')) return options;

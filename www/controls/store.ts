@@ -39,6 +39,8 @@ export abstract class Store<K extends Kind> {
   /** What was edited last and is not made yet, also where a file that is missing keeps it from being made: a reload begins with it. */
   wanted: Edition<K> | null = null;
   backend: Backend | null = null;
+  /** Of the element whose panel shows this; that of a page has the default. */
+  declare metresPerPixel?: () => number;
   progress: Progress<K['stage']> | null = null;
   problem: Problem | null = null;
   messages: Line[] = [];

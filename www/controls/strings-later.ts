@@ -70,6 +70,11 @@ export const LATER = {
   'ground-none': { en: 'None', ja: 'なし' },
   'ground-cut': { en: 'Between the rocks', ja: '岩の間だけ' },
   'ground-whole': { en: 'Under them too', ja: '岩の下も' },
+  exportParts: { en: 'Split', ja: '分割' },
+  'parts-one': { en: 'No', ja: 'しない' },
+  'parts-many': { en: '{n} files in a ZIP', ja: '{n} ファイル（ZIP）' },
+  splitInto: { en: 'Split into {n} files', ja: '{n} ファイルに分割' },
+  noLevels: { en: 'One LOD level', ja: 'LOD を 1 段に' },
   exportWriting: { en: 'Writing the file …', ja: 'ファイルを作成しています…' },
   exportLods: { en: 'LOD levels', ja: 'LOD の段数' },
   exportLevels: { en: 'Triangles of the levels: {triangles}', ja: '各詳細度の三角形：{triangles} 枚' },
@@ -143,8 +148,8 @@ export const LATER = {
     ja: 'この形式には単位がありません。1 単位は {unit} です。',
   },
   'note-many-objects': {
-    en: '{count} objects: many programs take long to open so many. Fewer meshes open faster.',
-    ja: 'オブジェクトが {count} 個あります。多くのソフトでは開くのに時間がかかります。メッシュを少なくまとめると速く開けます。',
+    en: '{count} objects: many programs take long to open so many. Fewer meshes, or fewer in each file, open faster.',
+    ja: 'オブジェクトが {count} 個あります。多くのソフトでは開くのに時間がかかります。メッシュを少なくまとめるか、ファイルを分けると速く開けます。',
   },
   'note-compressed': {
     en: 'Programs that do not know EXT_meshopt_compression cannot open it.',

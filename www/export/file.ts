@@ -21,7 +21,7 @@ import type { ResolvedOptions } from './options.ts';
 import { originOf } from './origin/origin.ts';
 import { Pace } from './pace.ts';
 import type { Waiting } from './pace.ts';
-import { cellsOf, together } from './parts.ts';
+import { cellsOf, MANY_OBJECTS, together } from './parts.ts';
 import { writeZip } from './maps/zip.ts';
 import { someOf } from './shapes/some.ts';
 import { checkFits } from './too-large.ts';
@@ -89,7 +89,7 @@ const NOTES = {
   'few-readers': 'Few programs read EXT_mesh_gpu_instancing; without `instancing` all do.',
   'no-device': 'Textures are drawn by a graphics device, and there is none here: each rock has one colour.',
   'many-objects':
-    '{count} objects: many programs take long to open so many. A kit shares its meshes, and `mesh: "one"` has one for each layer.',
+    '{count} objects in a file: many programs take long to open so many. A kit shares its meshes, `mesh: "one"` has one for each layer, and `parts` are several files.',
   compressed: 'Programs that do not know EXT_meshopt_compression cannot open it.',
   'kit-differs': 'Rocks of a kit are like the rocks of the scene, not the same.',
   'ground-is-open': 'The ground is a sheet without a thickness: `solid` closes the rocks alone.',
@@ -126,9 +126,6 @@ const NO_HASH = '0'.repeat(64);
 /** Digits of what is measured of a body: nobody measures a stone more closely. */
 const MEASURED = 4;
 
-/** From so many objects on, programs take minutes to open a file. */
-const MANY = 2000;
-
 /** The share of the work that is done when a kit is chosen. */
 const KIT_SHARE = 0.1;
 /** That of the rest when levels and hulls are there. */
@@ -161,12 +158,13 @@ export async function exportModel(
   const {
     bytes,
     counts,
+    largest = counts.objects,
     ending = `.${format}`,
     map,
   } = isCut ? await writeParts(model, options, told, writing) : await writeModel(model, options, told, writing, kit, baked);
   const notes = [
     ...codesOf(options, hasPatterns, baked !== undefined).map((code): Note => ({ code })),
-    ...(options.mesh === 'rocks' && counts.objects > MANY ? [{ code: 'many-objects', count: counts.objects } as const] : []),
+    ...(options.mesh === 'rocks' && largest > MANY_OBJECTS ? [{ code: 'many-objects', count: largest } as const] : []),
     ...own,
   ];
   return {
@@ -197,7 +195,10 @@ export function toldOf(model: Model, { title, link, extrasOf }: Omit<Source, 'ha
 }
 
 /** A file as a format's writer has made it. */
-type Outcome = Written & Partial<WrittenMaps>;
+interface Outcome extends Written, Partial<Pick<WrittenMaps, 'ending' | 'map'>> {
+  /** Objects of the part that has the most, where there are several. */
+  largest?: number;
+}
 
 function codesOf(options: ResolvedOptions, hasPatterns: boolean, isTextured: boolean): NoteCode[] {
   const { format, mesh, instancing, textures, compress, solid, groundMesh, parts } = options;
@@ -255,7 +256,7 @@ async function writeParts(model: Model, options: ResolvedOptions, told: Told, pa
     files[`${told.title}_${name}.${options.format}`] = part.bytes;
     counts.push(part.counts);
   }
-  return { bytes: writeZip(files), counts: together(counts), ending: '.zip' };
+  return { bytes: writeZip(files), counts: together(counts), largest: Math.max(...counts.map(({ objects }) => objects)), ending: '.zip' };
 }
 
 async function writeModel(model: Model, options: ResolvedOptions, told: Told, pace: Pace, kit?: Kit, baked?: Baked): Promise<Outcome> {

@@ -3,6 +3,28 @@
 import type { Counts } from './gltf/gltf-json.ts';
 import { isOneThing, thingsOf } from './model.ts';
 import type { Model } from './model.ts';
+import { OPTIONS } from './options.ts';
+
+/** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
+export const MOST_BYTES = 2 ** 31 - 1;
+/** A ZIP of parts may be as large as one without 64-bit offsets can be, but for its list of files. */
+export const MOST_ZIP = 2 ** 32 - 2 ** 16;
+/** With more objects in a file, programs take minutes to open it. */
+export const MANY_OBJECTS = 2000;
+
+/** How much smaller a part has to be than what fits before it is offered: none has exactly its share. */
+export const SAFE = 0.9;
+
+/** Numbers of parts to choose from: of cells that are as wide as deep in a square field. */
+export const PART_NUMBERS: readonly number[] = /* @__PURE__ */ Array.from(
+  { length: Math.floor(Math.sqrt(OPTIONS.parts.max)) },
+  (_, k) => (k + 1) ** 2,
+);
+
+/** The least of these numbers by which a part has no more than `most`, where the largest of `parts` has `value`; undefined if all of them have. */
+export function fewestParts(value: number, most: number, parts: number): number | undefined {
+  return PART_NUMBERS.find((count) => count > parts && (value * parts) / count <= SAFE * most);
+}
 
 /** What is in a cell of the grid. */
 export interface Cell {

@@ -6,14 +6,7 @@ import type { Planned } from './estimate.ts';
 import type { Model } from './model.ts';
 import { FORMS, OPTIONS } from './options.ts';
 import type { ResolvedOptions } from './options.ts';
-import { cellsOf } from './parts.ts';
-
-/** A file may be no larger: longer offsets do not fit into GLB, nor such a file into many programs. */
-export const MOST_BYTES = 2 ** 31 - 1;
-/** A ZIP of parts may be as large as one without 64-bit offsets can be, but for its list of files. */
-export const MOST_ZIP = 2 ** 32 - 2 ** 16;
-/** How much smaller a part has to be than the largest file before it is offered: parts are estimated by their vertices. */
-const SAFE = 0.9;
+import { cellsOf, MOST_BYTES, MOST_ZIP, SAFE } from './parts.ts';
 
 /** @throws {RockFieldError} `ExportTooLarge`, which says what would fit. */
 export function checkFits(planned: Planned): void {
@@ -29,6 +22,11 @@ export function checkFits(planned: Planned): void {
     value,
     max,
     message: `the file would be about ${needed} MB; it may be at most ${most} MB: choose ${remedyOf(model, options, bytes)}`,
+    // Beside these the page has buttons for what else helps.
+    words: {
+      en: `The file would be about ${needed} MB; it may be at most ${most} MB. A smaller scene or less detail fits.`,
+      ja: `ファイルは約 ${needed} MB になり、上限の ${most} MB を超えます。シーンを小さくするか、細かさを下げてください。`,
+    },
   });
 }
 

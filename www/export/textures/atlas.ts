@@ -116,5 +116,9 @@ function tooMany(bodies: number, most: number, side: number): RockFieldError {
     value: bodies,
     max: most,
     message: `${bodies} rocks do not fit into textures of ${side} × ${side}, which have room for ${most}: choose larger textures, mesh "kit", or larger rocks`,
+    words: {
+      en: `${bodies} rocks do not fit into textures of ${side} × ${side}, which have room for ${most}. Choose larger textures, copies of a few, or larger rocks.`,
+      ja: `岩が ${bodies} 個あり、${side} × ${side} のテクスチャに入る ${most} 個を超えます。大きなテクスチャ、少数の複製、または大きな岩を選んでください。`,
+    },
   });
 }
