@@ -97,7 +97,27 @@ interface Chosen {
 }
 
 function optionsOf(args: Arguments, { generator }: Scene, map: string, out: string, preferred: ExportOptions): Chosen {
-  const given: Record<string, unknown> = { ...preferred };
+  const given: Record<string, unknown> = { ...preferred, ...givenOptions(args) };
+  if (map !== '') given['map'] = map;
+  // As in other programs, the ending says what kind of file it is.
+  const ending = path.extname(out).slice(1).toLowerCase();
+  if (args.get('format') === undefined && FORMATS.includes(ending) && !(ending === 'zip' && Number(given['parts'] ?? 1) > 1))
+    given['format'] = ending;
+  return { given, resolved: resolvedFor(generator, given) };
+}
+
+/** All options, of what a generator makes. */
+export function resolvedFor(generator: Scene['generator'], given: ExportOptions): ResolvedOptions {
+  try {
+    return (generator === 'rocks' ? resolveOptions : colonyOptions)(given);
+  } catch (thrown) {
+    throw thrown instanceof RockFieldError ? misuse(inOptions(thrown)) : thrown;
+  }
+}
+
+/** The options of exports that were typed, by their keys. */
+export function givenOptions(args: Arguments): ExportOptions {
+  const given: Record<string, unknown> = {};
   const target = args.get('target');
   if (target !== undefined) given['target'] = target;
   for (const [name, key] of EXPORT_KEYS) {
@@ -106,16 +126,7 @@ function optionsOf(args: Arguments, { generator }: Scene, map: string, out: stri
     if (value === undefined) continue;
     given[key] = row.kind === 'choice' || row.kind === 'switch' ? value : numberOf(name, String(value));
   }
-  if (map !== '') given['map'] = map;
-  // As in other programs, the ending says what kind of file it is.
-  const ending = path.extname(out).slice(1).toLowerCase();
-  if (args.get('format') === undefined && FORMATS.includes(ending) && !(ending === 'zip' && Number(given['parts'] ?? 1) > 1))
-    given['format'] = ending;
-  try {
-    return { given, resolved: (generator === 'rocks' ? resolveOptions : colonyOptions)(given) };
-  } catch (thrown) {
-    throw thrown instanceof RockFieldError ? misuse(inOptions(thrown)) : thrown;
-  }
+  return given;
 }
 
 function numberOf(name: string, value: string): number {
@@ -129,7 +140,7 @@ function isMapFormat(format: string): boolean {
 }
 
 /** Without its point. */
-function endingOf({ parts, format }: ResolvedOptions): string {
+export function endingOf({ parts, format }: ResolvedOptions): string {
   return parts > 1 ? 'zip' : format;
 }
 

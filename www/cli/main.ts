@@ -15,6 +15,7 @@ export const COMMANDS = {
   },
   maps: { summary: 'height, normal, id, cover, contact and splat maps of a field', load: () => import('./commands/maps.ts') },
   generate: { summary: 'what is in a scene, as JSON or as arrays for NumPy', load: () => import('./commands/generate.ts') },
+  batch: { summary: 'a part of a long list of scenes, for many machines', load: () => import('./commands/batch.ts') },
   info: { summary: 'what made this file?', load: () => import('./commands/info.ts') },
   presets: { summary: 'what to begin with', load: () => import('./commands/presets.ts') },
   schema: { summary: 'all parameters and options, as JSON Schema', load: () => import('./commands/schema.ts') },

@@ -96,7 +96,7 @@ export async function linkInFile(file: string): Promise<{ link: string; hash: st
 }
 
 /** Parameters as code passes them. */
-function linkOfRequest(request: Record<string, unknown>): string {
+export function linkOfRequest(request: Record<string, unknown>): string {
   const given = request['preset'];
   const generator =
     given === undefined ? GENERATORS['bases' in request || 'log' in request ? 'wood-ears' : 'rocks'] : generatorOfPreset(String(given));

@@ -5,10 +5,10 @@
  * A process that is killed may leave its temporary file; the next that writes into the folder removes it, once the process is gone.
  */
 
+import { randomInt } from 'node:crypto';
 import { closeSync, fsyncSync, mkdirSync, openSync, readdirSync, renameSync, rmSync, writeSync } from 'node:fs';
 import { hostname } from 'node:os';
 import path from 'node:path';
-import { threadId } from 'node:worker_threads';
 
 /** A folder may be one of several machines, and a number of a process means something on its own machine alone. */
 const HOST =
@@ -17,6 +17,11 @@ const HOST =
     .slice(0, 64) || 'localhost';
 const TEMPORARY = /^\.rock-field-(?<host>[\w-]+)\.(?<pid>\d+)\.\d+\.\d+\.tmp$/;
 
+/**
+ * Of this thread. Its number would not do: a container that is started again has the same host, process and threads as the one that was killed, and
+ * would find its names taken.
+ */
+const OWN = randomInt(2 ** 47);
 let count = 0;
 /** Folders that this thread has looked into for what others left. */
 const cleared = new Set<string>();
@@ -34,7 +39,7 @@ export function writeWhole(file: string, bytes: Uint8Array): void {
     cleared.add(folder);
   }
   count += 1;
-  const temporary = path.join(folder, `.rock-field-${HOST}.${process.pid}.${threadId}.${count}.tmp`);
+  const temporary = path.join(folder, `.rock-field-${HOST}.${process.pid}.${OWN}.${count}.tmp`);
   try {
     // `wx`: a name that is there already is nobody's to write to.
     const handle = openSync(temporary, 'wx');

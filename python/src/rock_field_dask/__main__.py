@@ -1,0 +1,7 @@
+"""``python -m rock_field_dask``."""
+
+import sys
+
+from .main import main
+
+sys.exit(main())
