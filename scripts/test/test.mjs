@@ -94,6 +94,7 @@ const STEPS = [
   { name: 'browsers', expected: '10 min', needs: ['build'], lane: 1, prepare: chromium, work: browserTests },
   { name: 'hosts', expected: '3 min / 2 min', needs: ['build'], lane: 2, prepare: packed, work: hosts },
   { name: 'engines', expected: '3 min / 2 min', needs: ['build'], lane: 2, work: async () => (await import('./engines.mjs')).check() },
+  { name: 'cluster', expected: '70 s / 40 s', needs: ['build'], lane: 2, work: async () => (await import('./cluster.mjs')).check() },
 ];
 
 const LANES = [1, 2];

@@ -148,7 +148,7 @@ test('a list has links or parameters with options of their own, and comments; th
     'https://example.com/#v=1&preset=journal-fig1&seed=1&w=64&h=64',
     '',
     '  {"preset": "journal-fig1", "seed": 2, "imageWidth": 64, "imageHeight": 64, "export": {"format": "stl"}}',
-    '{"link": "preset=thesis-default&rings=4&meridians=9&range=20&seed=3", "export": {"mesh": "one"}}',
+    '{"preset": "thesis-default", "rings": 4, "meridians": 9, "range": 20, "seed": 3, "export": {"mesh": "one"}}',
   ];
   const ran = await batch(list('three.txt', ...lines), '--out', out);
   assert.equal(ran.code, 0, ran.err);

@@ -57,8 +57,9 @@ export class Jobs<Task, Result> {
     this.#isStopping = true;
     const workers = [...this.#workers];
     this.#workers.clear();
-    await Promise.all(workers.map(([worker]) => worker.terminate()));
+    // First, since a worker that ends because it is told to has not failed.
     for (const [, busy] of workers) busy?.end();
+    await Promise.all(workers.map(([worker]) => worker.terminate()));
     return workers.flatMap(([, busy]) => (busy ? [busy.task] : []));
   }
 

@@ -32,8 +32,7 @@ def opened(scheduler: str | None, workers: int | None, retries: int) -> Iterator
 
     :raises Stop: where nobody answers.
     """
-    # What goes wrong is said here, in words.
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)
+    _silence()
     if scheduler is not None:
         with _client(scheduler) as client:
             yield client
@@ -51,6 +50,13 @@ def opened(scheduler: str | None, workers: int | None, retries: int) -> Iterator
         )
         with cluster, Client(cluster) as client:
             yield client
+
+
+def _silence() -> None:
+    """What goes wrong is said in words by this program; each part of Dask has a level of its own."""
+    for name in [*logging.root.manager.loggerDict]:
+        if name == "distributed" or name.startswith("distributed."):
+            logging.getLogger(name).setLevel(logging.CRITICAL)
 
 
 def _client(address: str) -> Client:
