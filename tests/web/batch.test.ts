@@ -27,7 +27,8 @@ const statuses = ({ lines }: Ran): Record<string, number> => {
   return counts;
 };
 const last = ({ lines }: Ran): Record<string, unknown> => lines.at(-1)!;
-const fileOf = (out: string, { lines }: Ran, index: number): string => path.join(out, String(lines.find((line) => line.index === index)!.file));
+const fileOf = (out: string, { lines }: Ran, index: number): string =>
+  path.join(out, String(lines.find((line) => line.index === index)!.file));
 function list(name: string, ...lines: string[]): string {
   const file = path.join(folder, name);
   writeFileSync(file, lines.join('\n'));
@@ -42,7 +43,11 @@ test('the Merkle tree is that of RFC 6962', () => {
   // The vectors of Certificate Transparency's reference implementation.
   const leaves = ['', '00', '10', '2021', '3031', '40414243', '5051525354555657', '606162636465666768696a6b6c6d6e6f'];
   const tree = new MerkleTree();
-  const roots = [tree.root(), ...leaves.map((leaf) => (tree.add(Buffer.from(leaf, 'hex')), tree.root()))];
+  const roots = [tree.root()];
+  for (const leaf of leaves) {
+    tree.add(Buffer.from(leaf, 'hex'));
+    roots.push(tree.root());
+  }
   assert.equal(roots[0], 'e3b0c44298fc1c149afbf4c8996fb92427ae41e4649b934ca495991b7852b855');
   assert.equal(roots[1], '6e340b9cffb37a989ca544e6bb780a2c78901d3fb33738768511a30617afa01d');
   assert.equal(roots[3], 'aeb6bcfe274b70a14fb067a5e5578264db0fa9b51af5e0ba159158f329e06e77');
@@ -54,7 +59,12 @@ test('no folder has more than a thousand files, and a name tells its item alone'
   const groups = Array.from({ length: 100_000 }, (_, index) => groupOf(index));
   assert.equal(new Set(groups).size, 100_000 / PER_FOLDER);
   assert.ok(isSceneOf(1017, 'scenes/001/001017-riverbed-7.glb'));
-  for (const wrong of ['scenes/000/001017-riverbed-7.glb', 'scenes/001/001016-riverbed-7.glb', 'scenes/001/../../001017-x', '/scenes/001/001017-x'])
+  for (const wrong of [
+    'scenes/000/001017-riverbed-7.glb',
+    'scenes/001/001016-riverbed-7.glb',
+    'scenes/001/../../001017-x',
+    '/scenes/001/001017-x',
+  ])
     assert.ok(!isSceneOf(1017, wrong), wrong);
 });
 
@@ -97,7 +107,13 @@ test('what is there and whole is left as it is; what is missing, corrupt or has 
   assert.equal((await batch('merge', out)).code, 1);
   assert.ok(!existsSync(path.join(out, 'manifest.json')));
   const again = await batch(...SIX, '--out', out);
-  assert.deepEqual(again.lines.filter(({ status }) => status === 'made').map(({ index }) => index).sort(), [0, 1, 4, 5]);
+  assert.deepEqual(
+    again.lines
+      .filter(({ status }) => status === 'made')
+      .map(({ index }) => index)
+      .sort(),
+    [0, 1, 4, 5],
+  );
   assert.deepEqual(last(await batch('merge', out)).merkle, root);
 });
 
@@ -153,7 +169,11 @@ test('a list has links or parameters with options of their own, and comments; th
   const ran = await batch(list('three.txt', ...lines), '--out', out);
   assert.equal(ran.code, 0, ran.err);
   const files = ran.lines.map(({ file }) => file).sort();
-  assert.deepEqual(files, ['scenes/000/000000-journal-fig1-1.glb', 'scenes/000/000001-journal-fig1-2.stl', 'scenes/000/000002-thesis-default-3.glb']);
+  assert.deepEqual(files, [
+    'scenes/000/000000-journal-fig1-1.glb',
+    'scenes/000/000001-journal-fig1-2.stl',
+    'scenes/000/000002-thesis-default-3.glb',
+  ]);
   const others = [
     '{"imageHeight": 64, "imageWidth": 64, "seed": 1}',
     '{"link": "preset=journal-fig1&w=64&h=64&seed=2", "export": {"format": "stl"}}\r',
@@ -246,7 +266,7 @@ test('plan says how many scenes there are, refuses a foreign folder, and writes 
 });
 
 /** A run in a process of its own; `kill` ends it after the first item that it tells of. */
-function process_(args: readonly string[], kill?: NodeJS.Signals): Promise<{ code: number | null; out: string; err: string }> {
+function running(args: readonly string[], kill?: NodeJS.Signals): Promise<{ code: number | null; out: string; err: string }> {
   return new Promise((resolve) => {
     const child = spawn(process.execPath, [CLI, 'batch', ...args]);
     const said = { out: '', err: '' };
@@ -259,7 +279,9 @@ function process_(args: readonly string[], kill?: NodeJS.Signals): Promise<{ cod
   });
 }
 
-test('a run that is killed leaves no half file, and the same command makes what is missing', { skip: process.platform === 'win32' }, async () => {
+test('a run that is killed leaves no half file, and the same command makes what is missing', {
+  skip: process.platform === 'win32',
+}, async () => {
   const forty = ['--preset', 'journal-fig1', '--seeds', '1..40', ...SMALL];
   const straight = fresh();
   await batch(...forty, '--out', straight);
@@ -267,7 +289,7 @@ test('a run that is killed leaves no half file, and the same command makes what 
   const ends = { SIGKILL: null, SIGTERM: 143, SIGINT: 130 } as const;
   for (const [signal, code] of Object.entries(ends)) {
     const out = fresh();
-    const ran = await process_([...forty, '--out', out, '--jobs', '1'], signal as NodeJS.Signals);
+    const ran = await running([...forty, '--out', out, '--jobs', '1'], signal as NodeJS.Signals);
     assert.equal(ran.code, code, ran.err);
     if (code !== null) assert.match(ran.err, /the same command makes the others/);
     const found = await batch('verify', out);
@@ -286,19 +308,36 @@ test('a run that is killed leaves no half file, and the same command makes what 
 test('runs into one folder at once, of one shard or of two lists, end as one after the other would', async () => {
   const twelve = ['--preset', 'journal-fig1', '--seeds', '1..12', ...SMALL];
   const [out, straight, contested] = [fresh(), fresh(), fresh()];
-  const runs = await Promise.all([0, 1, 2].map(() => process_([...twelve, '--out', out, '--jobs', '1'])));
-  assert.deepEqual(runs.map(({ code, err }) => [code, err]), [0, 1, 2].map(() => [0, '']));
+  const runs = await Promise.all([0, 1, 2].map(() => running([...twelve, '--out', out, '--jobs', '1'])));
+  assert.deepEqual(
+    runs.map(({ code, err }) => [code, err]),
+    [0, 1, 2].map(() => [0, '']),
+  );
   await batch(...twelve, '--out', straight);
   assert.equal(last(await batch('merge', out)).merkle, last(await batch('merge', straight)).merkle);
   // The first to come has the folder; the other is refused, and has written nothing.
-  const two = await Promise.all([1, 2].map((first) => process_(['--preset', 'journal-fig1', '--seeds', `${first}..6`, ...SMALL, '--out', contested])));
+  const two = await Promise.all(
+    [1, 2].map((first) => running(['--preset', 'journal-fig1', '--seeds', `${first}..6`, ...SMALL, '--out', contested])),
+  );
   assert.deepEqual(two.map(({ code }) => code).sort(), [0, 2]);
   assert.equal((await batch('verify', contested)).code, 0);
 });
 
 test('when nobody reads what it tells, it ends, as a run has to whose worker has died', async () => {
   const out = fresh();
-  const child = spawn(process.execPath, [CLI, 'batch', '--preset', 'journal-fig1', '--seeds', '1..2000', ...SMALL, '--out', out, '--jobs', '1']);
+  const child = spawn(process.execPath, [
+    CLI,
+    'batch',
+    '--preset',
+    'journal-fig1',
+    '--seeds',
+    '1..2000',
+    ...SMALL,
+    '--out',
+    out,
+    '--jobs',
+    '1',
+  ]);
   child.stdout.once('data', () => child.stdout.destroy());
   const code = await new Promise((resolve) => child.on('close', resolve));
   assert.equal(code, 141);

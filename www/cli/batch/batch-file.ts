@@ -98,7 +98,8 @@ export function readBatch(folder: string): Batch | null {
 
 function checkSame(folder: string, there: Batch, batch: Batch): void {
   const differs = differences(there, batch);
-  if (differs.length > 0) throw misuse(`${folder} belongs to another batch: ${differs.join('; ')}. Choose another folder, or repeat that batch`);
+  if (differs.length > 0)
+    throw misuse(`${folder} belongs to another batch: ${differs.join('; ')}. Choose another folder, or repeat that batch`);
 }
 
 function differences(there: Batch, batch: Batch): string[] {

@@ -34,7 +34,10 @@ export async function doItem({ folder, index, batch, key, scene, given, options 
   }
   const file = scenePath(index, `${scene.preset}-${scene.seed}.${endingOf(options)}`);
   // The bytes, since the record is of them, whatever becomes of the file.
-  const { data, bytes, sha256 } = await work.do({ scene, wanted: { as: 'export', options: given }, file: null, isWatched: false }, () => undefined);
+  const { data, bytes, sha256 } = await work.do(
+    { scene, wanted: { as: 'export', options: given }, file: null, isWatched: false },
+    () => undefined,
+  );
   writeWhole(inFolder(folder, file), data!);
   writeRecord(folder, index, { batch, key, file, bytes, sha256 });
   return { status: 'made', file, bytes, sha256 };

@@ -43,7 +43,10 @@ export const command: Command = {
   examples: [
     { what: 'a list, on one machine', line: 'rock-field batch scenes.txt --out rocks' },
     { what: 'the first of 160 parts of it', line: 'rock-field batch scenes.txt --shard 0/160 --out rocks' },
-    { what: 'a hundred thousand river beds', line: 'rock-field batch --preset riverbed --seeds 1..100000 --shard 0/160 --out beds --target unreal' },
+    {
+      what: 'a hundred thousand river beds',
+      line: 'rock-field batch --preset riverbed --seeds 1..100000 --shard 0/160 --out beds --target unreal',
+    },
     { what: 'is all of it there?', line: 'rock-field batch verify rocks' },
     { what: 'the manifest', line: 'rock-field batch merge rocks' },
   ],
