@@ -16,8 +16,10 @@ import sys
 import tempfile
 import time
 import unittest
+import zipfile
 from collections.abc import Callable, Sequence
 from pathlib import Path
+from typing import Any, TypeVar
 
 import jsonschema
 import psutil
@@ -31,6 +33,7 @@ SIZE = ["--image-width", "64", "--image-height", "64"]
 HANGS = 240
 
 Json = dict[str, object]
+Found = TypeVar("Found")
 
 
 def rock_field(*arguments: str, cwd: Path | None = None) -> tuple[int, list[Json], str]:
@@ -67,13 +70,14 @@ class Run:
         return self.process.returncode, json.loads(out) if out.strip() else {}
 
 
-def until(what: Callable[[], object], words: str) -> None:
-    """Waits for something that nobody tells of."""
+def until(what: Callable[[], Found | None], words: str) -> Found:
+    """Waits for something that nobody tells of, and returns it."""
     end = time.monotonic() + HANGS
-    while not what():
+    while not (found := what()):
         if time.monotonic() > end:
             raise AssertionError(f"{words} after {HANGS} s")
         time.sleep(0.05)
+    return found
 
 
 def working(process: psutil.Process) -> tuple[psutil.Process, psutil.Process] | None:
@@ -81,7 +85,8 @@ def working(process: psutil.Process) -> tuple[psutil.Process, psutil.Process] | 
     for child in process.children(recursive=True):
         try:
             if any("batch" in child.cmdline()[k : k + 3] for k in range(3)) and "--shard" in child.cmdline():
-                return child.parent(), child
+                parent = child.parent()
+                return (parent, child) if parent else None
         except psutil.NoSuchProcess:
             continue
     return None
@@ -124,9 +129,7 @@ class Cluster(unittest.TestCase):
     def test_a_killed_worker_costs_nothing_but_time(self) -> None:
         run = Run(*self.scenes, "--out", str(self.out()), "--workers", "2", "--shards", "6")
         run.hears(r"^1/6 shards")
-        found: list[tuple[psutil.Process, psutil.Process]] = []
-        until(lambda: [found.append(one) for one in [working(psutil.Process(run.process.pid))] if one] or found, "no worker is at a shard")
-        worker, command = found[0]
+        worker, command = until(lambda: working(psutil.Process(run.process.pid)), "no worker is at a shard")
         worker.send_signal(signal.SIGKILL)
         code, answer = run.ends()
         self.assertEqual(code, 0, run.words)
@@ -205,6 +208,21 @@ class Cluster(unittest.TestCase):
         until(lambda: not working_on(out), "a command line goes on")
         self.assertGreater(self.whole(out), 0)
 
+    def test_the_wheel_has_the_command_its_types_and_its_licences(self) -> None:
+        out = self.out()
+        built = [sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(out)]
+        subprocess.run(built, cwd=ROOT / "python", check=True, capture_output=True, timeout=HANGS)
+        [wheel] = out.iterdir()
+        with zipfile.ZipFile(wheel) as archive:
+            names = archive.namelist()
+            points = archive.read(next(name for name in names if name.endswith("entry_points.txt"))).decode()
+            metadata = archive.read(next(name for name in names if name.endswith("METADATA"))).decode()
+        self.assertIn("rock-field-dask = rock_field_dask.main:main", points)
+        for wanted in ("rock_field_dask/py.typed", "rock_field_dask/shards.py", "LICENSE-MIT", "LICENSE-APACHE"):
+            self.assertTrue(any(name.endswith(wanted) for name in names), wanted)
+        version = json.loads((ROOT / "package.json").read_text())["version"]
+        self.assertIn(f"\nVersion: {version}\n", metadata)
+
     def test_the_kubernetes_job_is_valid_and_its_arguments_make_the_batch(self) -> None:
         schema = json.loads((ROOT / "tests" / "data" / "kubernetes-job.schema.json").read_text())
         validator = jsonschema.Draft202012Validator(schema)
@@ -218,7 +236,7 @@ class Cluster(unittest.TestCase):
         data.mkdir()
         shutil.copy(self.scenes[0], data / "scenes.txt")
 
-        def arguments(document: dict, index: int) -> list[str]:
+        def arguments(document: dict[str, Any], index: int) -> list[str]:
             [container] = document["spec"]["template"]["spec"]["containers"]
             [volume] = container["volumeMounts"]
             given = [argument.replace("$(JOB_COMPLETION_INDEX)", str(index)).replace(volume["mountPath"], str(data)) for argument in container["args"]]

@@ -102,7 +102,7 @@ def work(client: Client, command: Sequence[str], shards: int, retries: int) -> t
     return sorted(reports, key=lambda report: report.shard), given_up
 
 
-def _reason(future: Future) -> str:
+def _reason(future: Future[ShardReport]) -> str:
     error = future.exception()
     if isinstance(error, KilledWorker):
         times = error.allowed_failures + 1

@@ -41,14 +41,14 @@ export const command: Command = {
   footer:
     'A line of JSON may have "export" with options of this scene alone, by their names in the documentation: {"preset": "scree", "seed": 3, "export": {"mesh": "kit"}}.',
   examples: [
-    { what: 'a list, on one machine', line: 'rock-field batch scenes.txt --out rocks' },
-    { what: 'the first of 160 parts of it', line: 'rock-field batch scenes.txt --shard 0/160 --out rocks' },
-    {
-      what: 'a hundred thousand river beds',
-      line: 'rock-field batch --preset riverbed --seeds 1..100000 --shard 0/160 --out beds --target unreal',
-    },
+    { what: 'a thousand river beds, on all cores', line: 'rock-field batch --preset riverbed --seeds 1..1000 --out rocks' },
     { what: 'is all of it there?', line: 'rock-field batch verify rocks' },
     { what: 'the manifest', line: 'rock-field batch merge rocks' },
+    {
+      what: 'the first of 160 parts of a hundred thousand',
+      line: 'rock-field batch --preset riverbed --seeds 1..100000 --shard 0/160 --out beds --target unreal',
+    },
+    { what: 'a list that another program writes', line: 'echo "preset=scree&seed=3" | rock-field batch - --out listed' },
   ],
   run: (args, surroundings) => {
     const [first, second, ...others] = args.positionals;
