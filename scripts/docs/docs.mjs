@@ -44,7 +44,8 @@ const PAGES = [
     file: 'engines.html',
     title: 'In your own scene',
     prose: 'engines',
-    description: 'A field of rocks in a scene of three.js, in five lines: levels of detail, picking, disposal.',
+    description:
+      'A field of rocks in a scene of three.js, React Three Fiber or Babylon.js, in five lines: levels of detail, picking, disposal.',
   },
   {
     file: 'troubleshooting.html',

@@ -6,6 +6,7 @@ import * as esbuild from 'esbuild';
 import { Failure, inLanes, isMain, main, messageOf, run, say, seconds } from '../../scripts/lib/run.mjs';
 import { pack } from '../../scripts/package/package.mjs';
 import { install, next, nextServer, tool, vite, vitePage, viteServer, webpack } from './projects.mjs';
+import { showScenes } from './scenes.mjs';
 import { openCdn, show } from './show.mjs';
 
 const ELEMENT = '<rock-field preset="journal-fig1" seed="7" style="width: 400px; height: 300px"></rock-field>';
@@ -35,6 +36,7 @@ const HOSTS = {
     // Only in development does React say what differs from the server's page.
     await during(nextServer(project, 'dev'), ({ url }) => show({ url, live: true }));
   },
+  'scenes of three.js, React Three Fiber and Babylon.js': showScenes,
   Vue: (site, folder) => typed('vue', 'vue-tsc/bin/vue-tsc.js', site, folder),
   Svelte: (site, folder) => typed('svelte', 'svelte-check/bin/svelte-check', site, folder),
   React: async (site, folder) => {

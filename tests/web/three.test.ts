@@ -177,6 +177,19 @@ test('rocks are drawn with fewer triangles the smaller they are on the screen, w
   }
 });
 
+test('shadows are those of the levels that are seen: the camera of a light chooses none', async () => {
+  const batch = batchIn(await fieldOf({ mesh: 'rocks' }).build());
+  const camera = new THREE.PerspectiveCamera(50, 1, 0.01, 1e6);
+  camera.position.set(0, 100, 0);
+  look(batch, camera);
+  const light = new THREE.OrthographicCamera(-0.01, 0.01, 0.01, -0.01);
+  const [object, material] = [new THREE.Scene(), batch.material as THREE.Material];
+  batch.onBeforeShadow({} as never, object, camera, light, batch.geometry, material, undefined as never);
+  // As WebGPURenderer does then.
+  look(batch, light, 100_000);
+  assert.deepEqual(new Set(levelsOf(batch)), new Set([2]));
+});
+
 test('a level holds on: what takes a rock to the next does not take it back', () => {
   const limits = [500, 40, 40, 10, 4].map(limitOf);
   const found = new Set<number>();

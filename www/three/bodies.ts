@@ -75,9 +75,15 @@ function changeLevels(batch: BatchedMesh, { levels, shapes, places }: SceneBodie
       batch.setGeometryIdAt(k, shapes[k]! * levels + level);
     }
   };
-  const { onBeforeRender } = batch;
+  /** With WebGPU shadows are drawn by the same call as everything else. */
+  const lights = new WeakSet<Camera>();
+  const { onBeforeRender, onBeforeShadow } = batch;
+  batch.onBeforeShadow = (renderer, scene, camera, shadowCamera, ...rest) => {
+    lights.add(shadowCamera);
+    onBeforeShadow.call(batch, renderer, scene, camera, shadowCamera, ...rest);
+  };
   batch.onBeforeRender = (renderer, scene, camera, ...rest) => {
-    choose(renderer, camera);
+    if (!lights.has(camera)) choose(renderer, camera);
     onBeforeRender.call(batch, renderer, scene, camera, ...rest);
   };
   const { setMatrixAt } = batch;

@@ -1,7 +1,7 @@
 /** Which level of detail a rock is drawn with: the coarsest whose triangles are small enough on the screen. */
 
 /** How long the edges of triangles may be, in pixels of the drawing buffer. */
-const EDGE = 8;
+const EDGE = 4;
 /** The share of its limit by which a rock has to pass it before its level changes, so that none goes to and fro where a camera hardly moves. */
 const SLACK = 0.15;
 
