@@ -13,8 +13,8 @@ import { zipEntries } from './zip-entries.ts';
 
 /** What brings a scene back. */
 export type SceneInFile =
-  /** `hash` is empty where the file says none. */
-  | { link: string; hash: string }
+  /** `hash` and `version`, that of the package that wrote the file, are empty where the file says none. */
+  | { link: string; hash: string; version: string }
   /** Parameters as code passes them. */
   | { request: Record<string, unknown> };
 
@@ -48,7 +48,7 @@ async function sceneIn(file: Blob, isWhole: boolean): Promise<SceneInFile> {
 
 /** What was pasted: any text that is no JSON is taken for a link. */
 export function sceneInText(text: string): SceneInFile {
-  return text.length > MOST_TEXT || isJson(text) ? sceneOfJson(text) : { link: text.trim(), hash: '' };
+  return text.length > MOST_TEXT || isJson(text) ? sceneOfJson(text) : { link: text.trim(), hash: '', version: '' };
 }
 
 function isJson(text: string): boolean {
@@ -73,9 +73,10 @@ function sceneOfGltf(all: readonly unknown[]): SceneInFile {
   return isObject(extras) ? sceneOfOrigin(extras) : refuse('foreign');
 }
 
-function sceneOfOrigin({ link, hash }: Record<string, unknown>): SceneInFile {
+function sceneOfOrigin({ link, hash, version }: Record<string, unknown>): SceneInFile {
   if (typeof link !== 'string') return refuse('broken');
-  return { link, hash: typeof hash === 'string' ? hash : '' };
+  const text = (value: unknown): string => (typeof value === 'string' ? value : '');
+  return { link, hash: text(hash), version: text(version) };
 }
 
 /** The scene of the first entry that has one; what is wrong with others matters where none has. */
