@@ -12,6 +12,7 @@ import { bytesPerPixel, MOST_MEMORY, writeMaps } from '../../www/export/maps/map
 import { Rasters } from '../../www/export/maps/rasters.ts';
 import { reliefOf } from '../../www/export/maps/relief.ts';
 import { OPTIONS, resolveOptions } from '../../www/export/options.ts';
+import { VERSION } from '../../www/data/version.ts';
 import { sceneInFile } from '../../www/export/origin/scene-in-file.ts';
 import { first, gridFor, METRES_PER_PIXEL, modelOf, pyramid, read, readExr, told } from './map-files.ts';
 import type { Point } from './map-files.ts';
@@ -44,7 +45,12 @@ test('a map says where it comes from and what its numbers are, and so brings its
   const field = await generate(REQUEST);
   const origin = { link: 'v=1&preset=riverbed&seed=7&w=96&h=64', hash: hashOf(fieldBuffers(field)) };
   for (const options of [{ format: 'png' }, { format: 'zip' }, { format: 'zip', map: 'id' }] as const) {
-    assert.deepEqual(await sceneInFile(new Blob([(await exportScene(REQUEST, options)).bytes])), origin);
+    const written = { ...(options.format === 'zip' && !('map' in options) && { map: 'all' }), ...options, metresPerPixel: 0.01 };
+    assert.deepEqual(await sceneInFile(new Blob([(await exportScene(REQUEST, options)).bytes])), {
+      ...origin,
+      version: VERSION,
+      options: written,
+    });
   }
   const { bytes } = await exportScene(REQUEST, { format: 'png', contact: 0.25, map: 'contact' });
   const chunks = new TextDecoder('latin1').decode(bytes);

@@ -1,13 +1,14 @@
 // Files that say which scene they show, for tests that read them.
 import { deflateRawSync } from 'node:zlib';
 import { PNG } from 'pngjs';
+import { VERSION } from '../../www/data/version.ts';
 import { KEYWORD, originOf } from '../../www/export/origin/origin.ts';
 import { crc32, withText } from '../../www/export/origin/png-text.ts';
 import type { SceneInFile } from '../../www/export/origin/scene-in-file.ts';
 
 export const LINK = 'v=1&preset=riverbed&seed=7';
 export const ORIGIN = originOf({ link: LINK, hash: 'c0ffee', metresPerPixel: 0.01 });
-export const SCENE: SceneInFile = { link: LINK, hash: 'c0ffee' };
+export const SCENE: SceneInFile = { link: LINK, hash: 'c0ffee', version: VERSION, options: { metresPerPixel: 0.01 } };
 
 export const PIXELS = Buffer.from(PNG.sync.write(new PNG({ width: 9, height: 7 })));
 

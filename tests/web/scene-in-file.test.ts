@@ -55,7 +55,12 @@ test('the scene of a glTF file is found in its beginning or at its end however l
 });
 
 test('a pasted text is a link, or parameters as JSON', () => {
-  assert.deepEqual(sceneInText(` https://example.com/?a=b#${LINK}\n`), { link: `https://example.com/?a=b#${LINK}`, hash: '' });
+  assert.deepEqual(sceneInText(` https://example.com/?a=b#${LINK}\n`), {
+    link: `https://example.com/?a=b#${LINK}`,
+    hash: '',
+    version: '',
+    options: {},
+  });
   assert.deepEqual(sceneInText(' {"seed": 5}'), { request: { seed: 5 } });
   assert.throws(() => sceneInText('{"name": 5}'), { reason: 'foreign' });
   assert.throws(() => sceneInText('a'.repeat(300_000)), { reason: 'foreign' });

@@ -51,6 +51,7 @@ const STORAGE: Readonly<Record<string, string>> = {
   ENAMETOOLONG: 'the name is too long',
   EMFILE: 'too many files are open',
   EIO: 'the device failed',
+  ENOENT: 'there is no such file or folder',
 };
 
 /** What was thrown, as data. */

@@ -83,6 +83,32 @@ export async function make(plan: Plan, { startWorker, ...streams }: Surroundings
   return reporter.failed > 0 ? 'failed' : 'done';
 }
 
+/** Does one task whose bytes nobody sees, and says nothing of it. */
+export async function makeOne(task: Task, { startWorker, ...streams }: Surroundings): Promise<Made> {
+  let outcome: { made: Made } | { failure: Failure } | undefined;
+  const jobs = new Jobs<Task, Made>({
+    tasks: [task],
+    jobs: 1,
+    startWorker,
+    onResult: (_, made) => {
+      outcome = { made };
+    },
+    onFailure: (_, failure) => {
+      outcome = { failure };
+      return true;
+    },
+  });
+  const stopped = whenStopped(streams);
+  try {
+    await Promise.race([jobs.run(), stopped.promise]);
+  } finally {
+    await jobs.stop();
+    stopped.forget();
+  }
+  if (outcome && 'made' in outcome) return outcome.made;
+  throw new Ending('failed', outcome?.failure.message ?? 'it was not made');
+}
+
 /** Once all that was written has been taken; a closed pipe is heard of by then. */
 function flushed({ out }: Pick<Streams, 'out'>): Promise<void> {
   return new Promise((resolve) => out.write('', (error) => (error ? undefined : resolve())));

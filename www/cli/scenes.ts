@@ -1,15 +1,16 @@
 /** The scenes that a command line asks for: presets, links or files, with parameters put in their place, for each of the seeds. */
 
-import { openAsBlob } from 'node:fs';
+import { openAsBlob, statSync } from 'node:fs';
 import { RockFieldError } from '../base/errors.ts';
 import { isReadable } from '../table/link.ts';
 import type { Row } from '../table/row.ts';
 import type { Kind } from '../table/table.ts';
 import { Refused } from '../export/origin/refused.ts';
 import { sceneInFile } from '../export/origin/scene-in-file.ts';
+import type { FileOrigin } from '../export/origin/scene-in-file.ts';
 import { PRESETS } from '../rocks/params.ts';
 import { groundOf } from '../wood-ear/table.ts';
-import { Ending, misuse } from './failures.ts';
+import { Ending, failureOf, misuse } from './failures.ts';
 import { GENERATORS, generatorOfPreset, sceneOfLink } from './generators.ts';
 import type { AnyGenerator, AnyParams, GeneratorName, LinkedScene } from './generators.ts';
 import { kebab, PARAMETERS, PARAMETER_OPTIONS } from './options.ts';
@@ -62,28 +63,28 @@ function sceneOfPreset(preset: string): LinkedScene {
 
 /** The scene that a file shows. */
 async function sceneOfFile(file: string): Promise<LinkedScene> {
-  const scene = await linkInFile(file);
-  return sceneOfLink(scene.link);
+  return sceneOfLink((await originOfFile(file)).link);
 }
 
 /**
- * What a file says of its scene: its link, and its hash where it says one.
+ * What a file says of its scene.
  *
  * @throws {Ending} where there is no such file, or it brings no scene back.
  */
-export async function linkInFile(file: string): Promise<{ link: string; hash: string; version: string }> {
+export async function originOfFile(file: string): Promise<FileOrigin> {
   let blob: Blob;
   try {
+    // Of a folder there is a blob, too.
+    if (!statSync(file).isFile()) throw new Error('this is no file');
     blob = await openAsBlob(file);
   } catch (cause) {
-    throw new Ending('usage', `${file} cannot be read`, { cause });
+    throw misuse(`${file} cannot be read: ${cause instanceof Error ? failureOf(cause).message.replace(`${file}: `, '') : String(cause)}`);
   }
   try {
     const found = await sceneInFile(blob);
-    if ('link' in found) return { ...found, version: '' };
-    return { link: linkOfRequest(found.request), hash: '', version: '' };
+    return 'link' in found ? found : { link: linkOfRequest(found.request), hash: '', version: '', options: {} };
   } catch (thrown) {
-    if (thrown instanceof RockFieldError) throw new Ending('usage', `${file}: ${thrown.message}`, { cause: thrown });
+    if (thrown instanceof RockFieldError) throw new Ending('failed', `${file}: ${thrown.message}`, { cause: thrown });
     if (!(thrown instanceof Refused)) throw thrown;
     throw new Ending(
       'failed',

@@ -16,8 +16,8 @@ import { measuresOf } from './shapes/measures.ts';
 import type { Measures } from './shapes/measures.ts';
 import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
-import { isMap } from './options.ts';
-import type { ResolvedOptions } from './options.ts';
+import { isMap, OPTIONS } from './options.ts';
+import type { OptionKey, ResolvedOptions } from './options.ts';
 import { originOf } from './origin/origin.ts';
 import { Pace } from './pace.ts';
 import type { Waiting } from './pace.ts';
@@ -148,11 +148,12 @@ export async function exportModel(
   const { format } = options;
   const { title, hash, hasPatterns, notes: own = [] } = source;
   const fineness = baked && { texelsPerMetre: Math.round(baked.atlas.density / model.unit) };
+  const more = { ...fineness, ...writtenOptions(options) };
   const pace = new Pace(waiting);
   const kit = !isMap(options) && options.mesh === 'kit' ? await kitOf(model, options.kinds, pace.within(0, KIT_SHARE)) : undefined;
   if (isMap(options)) checkMaps(model, options);
-  else checkFits({ model, options, told: toldOf(model, source, NO_HASH, fineness), kit, images: baked?.images });
-  const told = toldOf(model, source, await hash(), fineness);
+  else checkFits({ model, options, told: toldOf(model, source, NO_HASH, more), kit, images: baked?.images });
+  const told = toldOf(model, source, await hash(), more);
   const writing = kit ? pace.within(KIT_SHARE, 1) : pace;
   const isCut = options.parts > 1;
   const {
@@ -179,6 +180,12 @@ export async function exportModel(
       notes: notes.map((note) => ({ ...note, message: filled(NOTES[note.code], { count: note.count }) })),
     },
   };
+}
+
+/** What a file says of how it was written: the options that are not as they are by themselves, but the scale, which is said anyway. */
+function writtenOptions(options: ResolvedOptions): { options?: Partial<ResolvedOptions> } {
+  const other = Object.entries(options).filter(([key, value]) => key !== 'metresPerPixel' && value !== OPTIONS[key as OptionKey].default);
+  return other.length > 0 ? { options: Object.fromEntries(other) } : {};
 }
 
 /** @param more about the scene. */

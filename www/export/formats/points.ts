@@ -74,7 +74,11 @@ export async function writeCsv(model: Model, options: Options, pace: Pace): Prom
 /** Binary little-endian PLY of vertices alone. */
 export async function writePlyPoints(model: Model, options: Options, told: Told, pace: Pace): Promise<Written> {
   const points = await pointsOf(model, options, pace.within(0, FOUND));
-  const comments = [told.title, ...Object.entries(told.scene).map(([key, value]) => `${key}: ${String(value)}`), `axes: ${options.axes}`];
+  const comments = [
+    told.title,
+    ...Object.entries(told.scene).map(([key, value]) => `${key}: ${typeof value === 'object' ? JSON.stringify(value) : String(value)}`),
+    `axes: ${options.axes}`,
+  ];
   const header = new TextEncoder().encode(
     [
       'ply',

@@ -11,10 +11,19 @@ import { isPng, textOf } from './png-text.ts';
 import { Refused } from './refused.ts';
 import { zipEntries } from './zip-entries.ts';
 
+/** What a file says of its scene, unchecked; words that it does not say are empty. */
+export interface FileOrigin {
+  link: string;
+  hash: string;
+  /** Of the package that wrote the file. */
+  version: string;
+  /** How it was written, of exports: the options that are not as they are by themselves. Of all files the scale. */
+  options: Readonly<Record<string, unknown>>;
+}
+
 /** What brings a scene back. */
 export type SceneInFile =
-  /** `hash` and `version`, that of the package that wrote the file, are empty where the file says none. */
-  | { link: string; hash: string; version: string }
+  | FileOrigin
   /** Parameters as code passes them. */
   | { request: Record<string, unknown> };
 
@@ -48,7 +57,7 @@ async function sceneIn(file: Blob, isWhole: boolean): Promise<SceneInFile> {
 
 /** What was pasted: any text that is no JSON is taken for a link. */
 export function sceneInText(text: string): SceneInFile {
-  return text.length > MOST_TEXT || isJson(text) ? sceneOfJson(text) : { link: text.trim(), hash: '', version: '' };
+  return text.length > MOST_TEXT || isJson(text) ? sceneOfJson(text) : { link: text.trim(), hash: '', version: '', options: {} };
 }
 
 function isJson(text: string): boolean {
@@ -73,10 +82,11 @@ function sceneOfGltf(all: readonly unknown[]): SceneInFile {
   return isObject(extras) ? sceneOfOrigin(extras) : refuse('foreign');
 }
 
-function sceneOfOrigin({ link, hash, version }: Record<string, unknown>): SceneInFile {
+function sceneOfOrigin({ link, hash, version, options, metresPerPixel }: Record<string, unknown>): SceneInFile {
   if (typeof link !== 'string') return refuse('broken');
   const text = (value: unknown): string => (typeof value === 'string' ? value : '');
-  return { link, hash: text(hash), version: text(version) };
+  const scale = typeof metresPerPixel === 'number' ? { metresPerPixel } : {};
+  return { link, hash: text(hash), version: text(version), options: { ...(isObject(options) ? options : {}), ...scale } };
 }
 
 /** The scene of the first entry that has one; what is wrong with others matters where none has. */
