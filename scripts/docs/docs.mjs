@@ -3,6 +3,7 @@ import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { root } from '../lib/env.mjs';
 import { GENERATORS } from '../lib/generators.mjs';
+import { commandTables } from './command.mjs';
 import { errorNames, troubleshooting } from './errors.mjs';
 import { exportOptions, exportTargets } from './export.mjs';
 import { frame, markdown } from './html.mjs';
@@ -39,6 +40,13 @@ const PAGES = [
     title: 'Files for other programs',
     prose: 'export',
     description: 'Rocks as GLB, OBJ, STL or PLY for Blender, Unreal, Unity, Godot, three.js and printing: options, units, names, origins.',
+  },
+  {
+    file: 'command-line.html',
+    title: 'Command line',
+    prose: 'command-line',
+    description:
+      'Fields of rocks as files from a terminal or a script: thousands of seeds on all cores, maps, NumPy, and what made a file.',
   },
   {
     file: 'engines.html',
@@ -127,7 +135,7 @@ async function render(page, all) {
 
 function readProse(name) {
   const { html, headings } = markdown(readFileSync(path.join(SOURCES, 'pages', `${name}.md`), 'utf8'));
-  const made = { errors: errorNames, 'export targets': exportTargets, 'export options': exportOptions };
+  const made = { errors: errorNames, 'export targets': exportTargets, 'export options': exportOptions, ...commandTables };
   return { html: html.replace(/<!-- (.+?) -->/g, (comment, name) => made[name]?.() ?? comment), headings };
 }
 

@@ -61,6 +61,8 @@ export function placesOf(args: Arguments, values: readonly Values[], called: str
 /** The tasks whose files are to be made, once nothing is lost by that. */
 export function tasksOf(args: Arguments, tasks: readonly Task[]): Task[] {
   const there = new Set(tasks.filter(({ file }) => file !== null && existsSync(file)));
+  const other = [...there].find(({ file }) => !statSync(file!).isFile());
+  if (other) throw misuse(`${other.file} is no file but a ${isFolder(other.file!) ? 'folder' : 'device'}, and is left alone`);
   if (args.is('force') && args.is('skip-existing')) throw misuse('--force and --skip-existing contradict each other');
   if (there.size > 0 && !args.is('force') && !args.is('skip-existing')) throw misuse(wouldBeLost([...there], tasks.length));
   const left = args.is('skip-existing') ? tasks.filter((task) => !there.has(task)) : [...tasks];

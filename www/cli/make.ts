@@ -8,7 +8,7 @@ import type { Exit, Failure } from './failures.ts';
 import { Jobs } from './jobs.ts';
 import { Reporter } from './reporter.ts';
 import type { Item, Streams } from './reporter.ts';
-import { clearOwn } from './whole-file.ts';
+import { clearOwn, placeOf } from './whole-file.ts';
 import type { Made, Task } from './work.ts';
 
 /** What the command line has from its surroundings. */
@@ -69,7 +69,7 @@ export async function make(plan: Plan, { startWorker, ...streams }: Surroundings
     await Promise.race([jobs.run().then(() => flushed(streams)), stopped.promise]);
   } catch (thrown) {
     const begun = await jobs.stop();
-    clearOwn(begun.flatMap(({ file }) => (file === null ? [] : [path.dirname(path.resolve(file))])));
+    clearOwn(begun.flatMap(({ file }) => (file === null ? [] : [path.dirname(placeOf(file))])));
     reporter.end();
     if (thrown instanceof Ending) throw new Ending(thrown.exit, left(thrown.message, reporter.done, plan), { cause: thrown });
     throw thrown;

@@ -6,7 +6,7 @@
  */
 
 import { randomInt } from 'node:crypto';
-import { closeSync, fsyncSync, mkdirSync, openSync, readdirSync, renameSync, rmSync, writeSync } from 'node:fs';
+import { closeSync, fsyncSync, mkdirSync, openSync, readdirSync, realpathSync, renameSync, rmSync, writeSync } from 'node:fs';
 import { hostname } from 'node:os';
 import path from 'node:path';
 
@@ -32,7 +32,8 @@ const cleared = new Set<string>();
  * @throws the error of the file system; there is no new file then, and no temporary one.
  */
 export function writeWhole(file: string, bytes: Uint8Array): void {
-  const folder = path.dirname(path.resolve(file));
+  const place = placeOf(file);
+  const folder = path.dirname(place);
   mkdirSync(folder, { recursive: true });
   if (!cleared.has(folder)) {
     clearLeft(folder);
@@ -49,10 +50,19 @@ export function writeWhole(file: string, bytes: Uint8Array): void {
     } finally {
       closeSync(handle);
     }
-    renameSync(temporary, file);
+    renameSync(temporary, place);
   } catch (thrown) {
     rmSync(temporary, { force: true });
     throw thrown instanceof Error ? Object.assign(thrown, { path: file }) : thrown;
+  }
+}
+
+/** Where the file itself is: what a link leads to is replaced, not the link. */
+export function placeOf(file: string): string {
+  try {
+    return realpathSync(file);
+  } catch {
+    return path.resolve(file);
   }
 }
 
