@@ -7,11 +7,10 @@ import { OPTIONS, resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import { colonyOptions } from '../wood-ear/export-options.ts';
 import { Ending, misuse } from './failures.ts';
-import { EXPORT_KEYS } from './options.ts';
+import { EXPORT_KEYS, inOptions } from './options.ts';
 import type { Arguments } from './parse.ts';
 import { filesOf } from './pattern.ts';
 import type { Values } from './pattern.ts';
-import { inOptions } from './scenes.ts';
 import type { Scene } from './scenes.ts';
 import type { Task } from './work.ts';
 

@@ -48,9 +48,9 @@ export function helpOf(name: string, { usage, about, groups, footer, examples }:
   ].join('\n');
 }
 
-function optionLines({ name, short, value, isNegatable, choices, doc }: Option, width: number): string[] {
+function optionLines({ name, short, value, isNegatable, choices, values = choices?.join(', '), doc }: Option, width: number): string[] {
   const head = `  ${short ? `-${short}, ` : '    '}--${isNegatable ? '[no-]' : ''}${name}${value === undefined ? '' : ` ${value}`}`;
-  return entry(head, `${doc}${choices ? ` (${choices.join(', ')})` : ''}`, width, COLUMN);
+  return entry(head, `${doc}${values ? ` (${values})` : ''}`, width, COLUMN);
 }
 
 /** All parameters, with what they do. */
@@ -92,7 +92,7 @@ function entry(term: string, meaning: string, width: number, column: number): st
   return term.length + 2 > column ? [term, indent + first, ...more] : [term.padEnd(column) + first, ...more];
 }
 
-/** Words in lines of a width, without the marks of Markdown. */
+/** Words in lines of a width, without what Markdown has for links and emphasis; the marks of code are left. */
 function wrapped(text: string, width: number): string[] {
   const lines: string[] = [];
   let line = '';
@@ -105,7 +105,6 @@ function wrapped(text: string, width: number): string[] {
   return [...lines, line];
 }
 
-/** Sentences of the tables are Markdown, and name keys as code does. */
 function plain(text: string): string {
-  return text.replaceAll(/\[([^\]]+)\]\([^)]*\)/g, '$1').replaceAll(/[`*]/g, '');
+  return text.replaceAll(/\[([^\]]+)\]\([^)]*\)/g, '$1').replaceAll('*', '');
 }

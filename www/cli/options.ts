@@ -23,6 +23,8 @@ export interface Option {
   isNegatable?: boolean;
   /** The words that it can be. */
   choices?: readonly string[];
+  /** What else is to be known of its values: bounds, and what it is where it is not given. */
+  values?: string;
   /** In a sentence or two. */
   doc: string;
 }
@@ -30,6 +32,23 @@ export interface Option {
 /** `metresPerPixel` → `metres-per-pixel`. */
 export function kebab(key: string): string {
   return key.replace(/[A-Z]/g, (letter) => `-${letter.toLowerCase()}`);
+}
+
+const KEYS = Object.keys(OPTIONS) as OptionKey[];
+/** `mesh "kit" or "one"`, `mesh: "one"` and `groundMesh`, as messages of the exporter have them; a key that is a plain word too is one only before its values. */
+const NAMED = new RegExp(
+  `\\b(${KEYS.join('|')}):? ((?:"\\w+"(?: or )?)+)|\\b(${KEYS.filter((key) => /[A-Z]/.test(key)).join('|')})\\b`,
+  'g',
+);
+
+/** A message about a parameter or an option of exports, with its key and all others as they are typed. */
+export function inOptions({ message, key }: { message: string; key?: string | undefined }): string {
+  const typed = key === undefined || !message.startsWith(key) ? message : `--${kebab(key)}${message.slice(key.length)}`;
+  return typed
+    .replace(NAMED, (_, before = '', values = '', alone = '') =>
+      alone ? `--${kebab(alone)}` : `--${kebab(before)} ${values.replaceAll('"', '')}`,
+    )
+    .replace(/(?<= or )"(\w+)"(?=$|[:;,)])/g, '$1');
 }
 
 export const HELP: Option = { name: 'help', short: 'h', doc: 'Says this.' };
@@ -84,7 +103,7 @@ export const SAYING: readonly Option[] = [
 ];
 
 /** The options of an export, by their keys in the table. */
-export const EXPORT_KEYS: ReadonlyMap<string, OptionKey> = new Map((Object.keys(OPTIONS) as OptionKey[]).map((key) => [kebab(key), key]));
+export const EXPORT_KEYS: ReadonlyMap<string, OptionKey> = new Map(KEYS.map((key) => [kebab(key), key]));
 
 /** The program that a file is for. */
 export const TARGET: Option = {
@@ -105,8 +124,9 @@ function exportOption(name: string, key: OptionKey): Option {
   const row = OPTIONS[key];
   const { doc } = row;
   if (row.kind === 'switch') return { name, isNegatable: true, doc };
-  if (row.kind === 'choice') return { name, value: 'WORD', choices: row.choices, doc };
-  return { name, value: row.kind === 'integer' ? 'N' : 'X', doc };
+  const values = `${row.kind === 'choice' ? row.choices.join(', ') : `${row.min} to ${row.max}`}; ${row.default}`;
+  if (row.kind === 'choice') return { name, value: 'WORD', choices: row.choices, values, doc };
+  return { name, value: row.kind === 'integer' ? 'N' : 'X', values, doc };
 }
 
 /** Parameters by the names of their options: of rocks, of each layer of rocks, of wood ears. */

@@ -1,7 +1,7 @@
 /** What is said while files are made: how far it is on a terminal, a line of JSON for each file in a pipe, errors always. */
 
-import { inOptions } from './scenes.ts';
 import type { Failure } from './failures.ts';
+import { inOptions } from './options.ts';
 import type { Made, Task } from './work.ts';
 
 /** Where words go: standard output and standard error. */
@@ -36,7 +36,8 @@ export class Reporter {
   readonly #manner: Manner;
   readonly #begin = performance.now();
   readonly #fractions = new Map<number, number>();
-  readonly #notes = new Map<string, number>();
+  /** By their code: what is said first of it, and of how many files. */
+  readonly #notes = new Map<string, { message: string; count: number }>();
   #done = 0;
   #failed = 0;
   #bytes = 0;
@@ -70,7 +71,8 @@ export class Reporter {
     this.#done += 1;
     this.#bytes += facts.bytes;
     this.#fractions.delete(item);
-    for (const { message } of notes) this.#notes.set(message, (this.#notes.get(message) ?? 0) + 1);
+    for (const { code, message } of notes)
+      this.#notes.set(code, { message, ...this.#notes.get(code), count: (this.#notes.get(code)?.count ?? 0) + 1 });
     const { total, isJson, isQuiet, isFile } = this.#manner;
     if (isJson && !isFile && !isQuiet) this.#json({ item, preset, seed, link, file, ...facts, notes: notes.map(({ code }) => code) });
     else if (!isFile && !isQuiet && total <= MOST_NAMED) this.#line(this.#streams.out, `${file ?? ''}  ${megabytes(facts.bytes)}`);
@@ -97,7 +99,10 @@ export class Reporter {
     this.#erase();
     const { total, isQuiet, isJson } = this.#manner;
     if (isQuiet || isJson || !this.#streams.err.isTTY) return;
-    for (const [message, count] of this.#notes) this.say(`note: ${message}${total > 1 && count < total ? ` (${count} files)` : ''}`);
+    for (const { message, count } of this.#notes.values()) {
+      const of = total > 1 ? ` (${count === total ? 'all' : count} of ${total} files)` : '';
+      this.say(`note: ${inOptions({ message })}${of}`);
+    }
     if (total <= 1) return;
     const seconds = (performance.now() - this.#begin) / 1000;
     this.say(`${this.#done} of ${total} files, ${megabytes(this.#bytes)}, in ${duration(seconds)}`);

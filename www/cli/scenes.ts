@@ -13,7 +13,7 @@ import { groundOf } from '../wood-ear/table.ts';
 import { Ending, failureOf, misuse } from './failures.ts';
 import { GENERATORS, generatorOfPreset, sceneOfLink } from './generators.ts';
 import type { AnyGenerator, AnyParams, GeneratorName, LinkedScene } from './generators.ts';
-import { kebab, PARAMETERS, PARAMETER_OPTIONS } from './options.ts';
+import { inOptions, PARAMETER_OPTIONS, PARAMETERS } from './options.ts';
 import type { Arguments } from './parse.ts';
 import { MOST_SCENES, seedsOf } from './seeds.ts';
 import { didYouMean } from './suggest.ts';
@@ -206,9 +206,4 @@ function checked({ table }: AnyGenerator, params: AnyParams, preset: string): An
   } catch (thrown) {
     throw thrown instanceof RockFieldError ? misuse(inOptions(thrown)) : thrown;
   }
-}
-
-/** The message, with the key as it is typed. */
-export function inOptions({ message, key }: { message: string; key?: string | undefined }): string {
-  return key === undefined || !message.startsWith(key) ? message : `--${kebab(key)}${message.slice(key.length)}`;
 }

@@ -373,7 +373,7 @@ function fitting<Key extends 'mesh' | 'map'>(
   throw impossible(
     key,
     value,
-    `a ${format.toUpperCase()} file cannot hold it: use format ${formats}, or ${key} ${held.map((one) => `"${one}"`).join(' or ')}`,
+    `${format.toUpperCase()} files cannot hold it: use format ${formats}, or ${key} ${held.map((one) => `"${one}"`).join(' or ')}`,
   );
 }
 
