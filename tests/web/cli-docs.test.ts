@@ -22,7 +22,8 @@ const { spawnSync } = require('node:child_process');
 let args = process.argv.slice(2).map((word) => word.replace(/^(\\d+)\\.\\.\\d{2,}$/, (_, from) => from + '..' + (Number(from) + 1)));
 const log = args.some((word) => /colony|wood-ear/.test(word));
 const has = (name) => args.includes('--' + name);
-const makes = ['export', 'maps', 'generate'].includes(args[0]) && !has('help') && !has('link');
+const isBatch = args[0] === 'batch' && has('preset');
+const makes = (isBatch || ['export', 'maps', 'generate'].includes(args[0])) && !has('help') && !has('link');
 if (makes && log) for (const [name, least] of [['density', '0.02'], ['collisions', 'off'], ['ground', 'none']]) if (!has(name)) args.push('--' + name, least);
 if (makes && !log) for (const side of ['image-width', 'image-height']) if (!has(side)) args.push('--' + side, '48');
 if (has('side')) args[args.indexOf('--side') + 1] = '33';
@@ -44,6 +45,11 @@ function blocksOf(markdown: string): string[][] {
 /** Runs lines one after the other in an empty folder. */
 function runAll(lines: readonly string[], title: string): void {
   const cwd = mkdtempSync(path.join(folder, 'run-'));
+  // A list of scenes, by the name that it has everywhere.
+  writeFileSync(
+    path.join(cwd, 'scenes.txt'),
+    'v=1&preset=riverbed&w=48&h=48\n{"preset": "scree", "seed": 3, "imageWidth": 48, "imageHeight": 48}\n',
+  );
   for (const line of lines) {
     const { status, stderr } = spawnSync('sh', ['-c', line.replace(/^npx /, '')], {
       cwd,

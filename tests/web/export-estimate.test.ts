@@ -6,7 +6,7 @@ import { estimateOf } from '../../www/export/estimate.ts';
 import { exportModel, toldOf } from '../../www/export/file.ts';
 import type { ExportedFile } from '../../www/export/file.ts';
 import type { Model } from '../../www/export/model.ts';
-import { resolveOptions } from '../../www/export/options.ts';
+import { resolveOptions, writtenOptions } from '../../www/export/options.ts';
 import type { ExportOptions } from '../../www/export/options.ts';
 import { joined } from '../../www/export/shapes/join.ts';
 import { kitOf } from '../../www/export/shapes/kit.ts';
@@ -29,7 +29,12 @@ async function ratioOf(model: Model, given: ExportOptions, what: string): Promis
   const options = resolveOptions(given);
   const file = await exportModel(model, source, options);
   const kit = options.mesh === 'kit' ? await kitOf(model, options.kinds) : undefined;
-  const { bytes, triangles, objects } = estimateOf({ model, options, told: toldOf(model, source, 'f'.repeat(64)), kit });
+  const { bytes, triangles, objects } = estimateOf({
+    model,
+    options,
+    told: toldOf(model, source, 'f'.repeat(64), writtenOptions(options)),
+    kit,
+  });
   if (options.mesh !== 'points') assert.deepEqual([triangles, objects], [file.report.triangles, file.report.objects], what);
   return { ratio: bytes / file.bytes.length, file };
 }

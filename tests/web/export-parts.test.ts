@@ -43,7 +43,8 @@ test('every object of the whole is in one part: by the same name, at the same pl
   );
   for (const [name, bytes] of files) {
     const part = await read(bytes);
-    assert.deepEqual(part.getRoot().listScenes()[0]!.getExtras(), whole.getRoot().listScenes()[0]!.getExtras());
+    const extras = { ...whole.getRoot().listScenes()[0]!.getExtras(), options: { groundMesh: 'whole', parts: 4 } };
+    assert.deepEqual(part.getRoot().listScenes()[0]!.getExtras(), extras);
     const [east, north] = [name.includes('x1'), name.includes('y1')];
     for (const [object, facts] of objectsOf(part)) {
       assert.ok(!found.has(object), `${object} is in two parts`);

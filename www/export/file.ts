@@ -16,8 +16,8 @@ import { measuresOf } from './shapes/measures.ts';
 import type { Measures } from './shapes/measures.ts';
 import { isOneThing } from './model.ts';
 import type { Model } from './model.ts';
-import { isMap, OPTIONS } from './options.ts';
-import type { OptionKey, ResolvedOptions } from './options.ts';
+import { isMap, writtenOptions } from './options.ts';
+import type { ResolvedOptions } from './options.ts';
 import { originOf } from './origin/origin.ts';
 import { Pace } from './pace.ts';
 import type { Waiting } from './pace.ts';
@@ -180,12 +180,6 @@ export async function exportModel(
       notes: notes.map((note) => ({ ...note, message: filled(NOTES[note.code], { count: note.count }) })),
     },
   };
-}
-
-/** What a file says of how it was written: the options that are not as they are by themselves, but the scale, which is said anyway. */
-function writtenOptions(options: ResolvedOptions): { options?: Partial<ResolvedOptions> } {
-  const other = Object.entries(options).filter(([key, value]) => key !== 'metresPerPixel' && value !== OPTIONS[key as OptionKey].default);
-  return other.length > 0 ? { options: Object.fromEntries(other) } : {};
 }
 
 /** @param more about the scene. */

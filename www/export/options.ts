@@ -387,6 +387,12 @@ export function impossible(key: OptionKey, value: unknown, reason: string): Rock
   });
 }
 
+/** What a file says of how it was written: the options that are not as they are by themselves, but the scale, which is said anyway. */
+export function writtenOptions(options: ResolvedOptions): { options?: Partial<ResolvedOptions> } {
+  const other = Object.entries(options).filter(([key, value]) => key !== 'metresPerPixel' && value !== OPTIONS[key as OptionKey].default);
+  return other.length > 0 ? { options: Object.fromEntries(other) } : {};
+}
+
 /** Side of the textures that are asked for, texels; 0 of none. */
 export function textureSide({ textures }: Pick<ResolvedOptions, 'textures'>): number {
   return textures === 'none' ? 0 : 1024 * Number.parseInt(textures, 10);

@@ -2,7 +2,7 @@
 
 import type { Failure } from '../failures.ts';
 import type { Streams } from '../reporter.ts';
-import { inOptions } from '../scenes.ts';
+import { inOptions } from '../options.ts';
 import type { ItemDone } from './item.ts';
 import type { Item } from './list.ts';
 

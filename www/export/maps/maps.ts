@@ -5,7 +5,7 @@ import type { Written } from '../gltf/glb.ts';
 import type { Counts, Told } from '../gltf/gltf-json.ts';
 import type { Model } from '../model.ts';
 import { KEYWORD } from '../origin/origin.ts';
-import { impossible } from '../options.ts';
+import { impossible, writtenOptions } from '../options.ts';
 import type { ResolvedOptions } from '../options.ts';
 import { Pace } from '../pace.ts';
 import type { Turn } from '../pace.ts';
@@ -122,7 +122,9 @@ class Maps {
   async file(name: MapName, format: ImageFormat, turn: Turn): Promise<Uint8Array<ArrayBuffer>> {
     await turn(0);
     const { width, height } = this.#rasters.grid;
-    const [origin, meaning] = [JSON.stringify(this.#told.scene), JSON.stringify(this.meaning([name]))];
+    // In a ZIP too it is the file that is written alone.
+    const scene = { ...this.#told.scene, ...writtenOptions({ ...this.#options, format, map: name }) };
+    const [origin, meaning] = [JSON.stringify(scene), JSON.stringify(this.meaning([name]))];
     if (format === 'png') return writePng(this.#rasters[name](), { [KEYWORD]: origin, [MAP_KEYWORD]: meaning }, turn);
     if (format === 'r16') return littleEndian(this.#rasters.height().samples);
     const valueAt = name === 'height' ? this.#rasters.metresAt : this.#rasters.idAt;
