@@ -7,6 +7,7 @@ import os from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { exportScene } from 'rock-field/export';
+import { batchOf, putFirst } from '../../www/cli/batch/batch-file.ts';
 import { MerkleTree } from '../../www/cli/batch/merkle.ts';
 import { PER_FOLDER, groupOf, isSceneOf, scenePath } from '../../www/cli/batch/folder.ts';
 import { rockField, CLI } from './command-line.ts';
@@ -38,6 +39,10 @@ const filesBelow = (out: string): string[] =>
   readdirSync(out, { recursive: true, encoding: 'utf8' })
     .filter((name) => statSync(path.join(out, name)).isFile())
     .sort();
+
+/** The files of items, without those that are being written. */
+const scenesBelow = (out: string): string[] =>
+  filesBelow(out).filter((name) => name.startsWith('scenes') && !path.basename(name).startsWith('.'));
 
 test('the Merkle tree is that of RFC 6962', () => {
   // The vectors of Certificate Transparency's reference implementation.
@@ -84,7 +89,7 @@ test('the root is the same whatever the number of shards, and files are those of
   assert.equal(manifest.files[2][2], createHash('sha256').update(bytes).digest('hex'));
 });
 
-test('what is there and whole is left as it is; what is missing, corrupt or has no record is made again, and nothing else', async () => {
+test('what is there and whole is left as it is; what is missing, corrupt, of another key or without a record is made again, and nothing else', async () => {
   const out = fresh();
   const first = await batch(...SIX, '--out', out);
   const root = last(await batch('verify', out)).merkle;
@@ -95,6 +100,11 @@ test('what is there and whole is left as it is; what is missing, corrupt or has 
   rmSync(missing);
   rmSync(path.join(out, 'records/000/000005.json'));
   writeFileSync(path.join(out, 'records/000/000000.json'), '{"batch": "');
+  const other = path.join(out, 'records/000/000003.json');
+  writeFileSync(
+    other,
+    readFileSync(other, 'utf8').replace(/"key":"./, (text) => `${text.slice(0, -1)}${text.endsWith('0') ? 1 : 0}`),
+  );
   const found = await batch('verify', out);
   assert.equal(found.code, 1);
   const named = found.lines.slice(0, -1).map(({ status, index }) => [status, index]);
@@ -112,7 +122,7 @@ test('what is there and whole is left as it is; what is missing, corrupt or has 
       .filter(({ status }) => status === 'made')
       .map(({ index }) => index)
       .sort(),
-    [0, 1, 4, 5],
+    [0, 1, 3, 4, 5],
   );
   assert.deepEqual(last(await batch('merge', out)).merkle, root);
 });
@@ -292,6 +302,9 @@ test('a run that is killed leaves no half file, and the same command makes what 
     const ran = await running([...forty, '--out', out, '--jobs', '1'], signal as NodeJS.Signals);
     assert.equal(ran.code, code, ran.err);
     if (code !== null) assert.match(ran.err, /the same command makes the others/);
+    // Also one that no record tells of yet.
+    for (const name of scenesBelow(out))
+      assert.ok(readFileSync(path.join(out, name)).equals(readFileSync(path.join(straight, name))), `${signal}: ${name} is a half file`);
     const found = await batch('verify', out);
     assert.deepEqual([found.code, last(found).corrupt, last(found).foreign], [1, 0, 0], signal);
     const there = Number(last(found).whole);
@@ -316,6 +329,13 @@ test('runs into one folder at once, of one shard or of two lists, end as one aft
   await batch(...twelve, '--out', straight);
   assert.equal(last(await batch('merge', out)).merkle, last(await batch('merge', straight)).merkle);
   // The first to come has the folder; the other is refused, and has written nothing.
+  const nobodys = fresh();
+  const [one, other] = ['1', '2'].map((digit) => batchOf(6, digit.repeat(64), {}));
+  putFirst(nobodys, one);
+  putFirst(nobodys, one);
+  assert.throws(() => putFirst(nobodys, other), /belongs to another batch/);
+  assert.match(readFileSync(path.join(nobodys, 'batch.json'), 'utf8'), /"list": "1+"/);
+  assert.deepEqual(readdirSync(nobodys), ['batch.json']);
   const two = await Promise.all(
     [1, 2].map((first) => running(['--preset', 'journal-fig1', '--seeds', `${first}..6`, ...SMALL, '--out', contested])),
   );

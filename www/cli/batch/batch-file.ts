@@ -53,10 +53,17 @@ export function claimable(folder: string, batch: Batch): boolean {
  * @throws {Ending} where it is another one's, before anything is written.
  */
 export function claim(folder: string, batch: Batch): void {
-  if (claimable(folder, batch)) return;
+  if (!claimable(folder, batch)) putFirst(folder, batch);
+}
+
+/**
+ * Several shards may begin at once, of two lists by mistake: the first puts its file there, and the others read what it wrote.
+ *
+ * @throws {Ending} where the first was another batch.
+ */
+export function putFirst(folder: string, batch: Batch): void {
   mkdirSync(folder, { recursive: true });
   const target = path.join(folder, BATCH);
-  // Several shards may begin at once, of two lists by mistake: the first wins, and the others read what it wrote.
   const own = path.join(folder, `.${BATCH}-${randomBytes(6).toString('hex')}.tmp`);
   writeWhole(own, Buffer.from(textOf(batch)));
   try {

@@ -29,7 +29,7 @@ export class Teller {
 
   done({ index, scene: { link } }: Item, { status, file, bytes, sha256 }: ItemDone): void {
     this.counts[status] += 1;
-    this.#json({ index, status, file, bytes, sha256, link });
+    if (!this.#isQuiet) this.#json({ index, status, file, bytes, sha256, link });
     this.#draw();
   }
 
