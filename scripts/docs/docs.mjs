@@ -5,7 +5,7 @@ import { root } from '../lib/env.mjs';
 import { GENERATORS } from '../lib/generators.mjs';
 import { commandTables } from './command.mjs';
 import { errorNames, troubleshooting } from './errors.mjs';
-import { exportOptions, exportTargets } from './export.mjs';
+import { exportOptions, exportTargets, sceneOptions } from './export.mjs';
 import { frame, markdown } from './html.mjs';
 import { members } from './members.mjs';
 import { needed } from '../lib/run.mjs';
@@ -135,7 +135,13 @@ async function render(page, all) {
 
 function readProse(name) {
   const { html, headings } = markdown(readFileSync(path.join(SOURCES, 'pages', `${name}.md`), 'utf8'));
-  const made = { errors: errorNames, 'export targets': exportTargets, 'export options': exportOptions, ...commandTables };
+  const made = {
+    errors: errorNames,
+    'export targets': exportTargets,
+    'export options': exportOptions,
+    'scene options': sceneOptions,
+    ...commandTables,
+  };
   return { html: html.replace(/<!-- (.+?) -->/g, (comment, name) => made[name]?.() ?? comment), headings };
 }
 

@@ -2,7 +2,7 @@
 import { escaped, inline, table } from './html.mjs';
 import { tables } from '../lib/tables.mjs';
 
-const { OPTIONS, TARGETS } = await tables();
+const { OPTIONS, SCENE_OPTIONS, TARGETS } = await tables();
 
 const code = (text) => `<code>${escaped(String(text))}</code>`;
 
@@ -17,7 +17,16 @@ export function exportTargets() {
 
 /** A line for each option. */
 export function exportOptions() {
-  const rows = Object.entries(OPTIONS).map(
+  return optionTable(Object.entries(OPTIONS));
+}
+
+/** A line for each that there is in scenes of three.js. */
+export function sceneOptions() {
+  return optionTable(Object.entries(SCENE_OPTIONS).map(([name, own]) => [name, { ...OPTIONS[name], ...own }]));
+}
+
+function optionTable(options) {
+  const rows = options.map(
     ([name, row]) =>
       `<tr><th scope="row">${code(name)}</th><td>${valuesOf(row)}</td><td>${code(row.default)}</td><td>${inline(row.doc)}</td></tr>`,
   );

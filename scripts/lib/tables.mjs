@@ -17,6 +17,7 @@ const SOURCES = [
     'cli/failures',
     'cli/options',
     'cli/pattern',
+    'three/options',
   ],
   ...['controls/strings', 'controls/strings-later', 'docs/notice-help', 'docs/words'],
   ...GENERATORS.flatMap(({ name }) => [`${name}/param-docs.gen`, `${name}/table`]),

@@ -95,15 +95,22 @@ test('rocks of a batch have the shapes, places and colours of the objects in the
   }
 });
 
-test('rocks of a kit are placed, turned and stretched as in the exported file', async () => {
-  const batch = batchIn(await fieldOf({ mesh: 'kit', kinds: 3, lods: 1 }).build());
+test('rocks of a kit are placed, turned and stretched as in the exported file, and those of a shape follow each other', async () => {
+  const field = fieldOf({ mesh: 'kit', kinds: 3, lods: 1 });
+  const batch = batchIn(await field.build());
   const file = await fileOf({ mesh: 'kit', kinds: 3 });
-  const [matrix, corner] = [new THREE.Matrix4(), new THREE.Vector3()];
-  for (let rock = 0; rock < batch.instanceCount; rock++) {
-    const { read, matrix: placed } = file.get(`rock-${rock + 1}`)!;
-    assert.deepEqual(corners(batch.geometry, 'position', batch.getGeometryRangeAt(batch.getGeometryIdAt(rock))!), read('POSITION'));
-    for (const [k, value] of batch.getMatrixAt(rock, matrix).toArray().entries())
-      assert.ok(Math.abs(value - placed[k]!) < 1e-6, `rock ${rock + 1}: ${corner.setFromMatrixPosition(matrix).toArray()}`);
+  const matrix = new THREE.Matrix4();
+  const shapes = Array.from({ length: batch.instanceCount }, (_, at) => batch.getGeometryIdAt(at));
+  assert.deepEqual(
+    shapes,
+    shapes.toSorted((a, b) => a - b),
+  );
+  for (const [at, shape] of shapes.entries()) {
+    const { id } = field.rockOf({ object: batch, batchId: at, face: null })!;
+    const { read, matrix: placed } = file.get(`rock-${id}`)!;
+    assert.deepEqual(corners(batch.geometry, 'position', batch.getGeometryRangeAt(shape)!), read('POSITION'));
+    for (const [k, value] of batch.getMatrixAt(at, matrix).toArray().entries())
+      assert.ok(Math.abs(value - placed[k]!) < 1e-6, `rock ${id}: ${matrix.toArray()}`);
   }
 });
 
@@ -240,6 +247,8 @@ test('another build takes the place of the one before, in the same group; what i
     [{ metresPerPixel: 0 }, 'OutOfRange', 'metresPerPixel'],
     [{ colour: 'natural' }, 'UnknownKey', 'colour'],
     [{ preset: 'river bed' }, 'UnknownPreset', 'preset'],
+    [{ material: { color: 'red' } }, 'WrongType', 'material'],
+    [{ lods: 9, mesh: 'kit' }, 'OutOfRange', 'lods'],
   ] as const;
   for (const [wrong, name, key] of cases) {
     Object.assign(field.parameters, wrong);

@@ -155,9 +155,11 @@ function bodiesOf(
       return placesOf.get(own)![0]!;
     }),
   );
-  const bodies = [...model.groupOf.keys()].filter((k) => isPlaced(model.groupOf[k]!));
   // Which shape a body is, of those that have one.
-  const shapeOf = new Map(placed.map(({ parts }, shape) => [parts[0]!.bodies[0]!, shape]));
+  const shapes = new Map(placed.map(({ parts }, shape) => [parts[0]!.bodies[0]!, shape]));
+  const shapeOf = (k: number): number => shapes.get(kit ? kit.kinds[kit.kindOf[k]!]! : k)!;
+  // Those of a shape follow each other: WebGPURenderer draws such a row at once.
+  const bodies = [...model.groupOf.keys()].filter((k) => isPlaced(model.groupOf[k]!)).sort((a, b) => shapeOf(a) - shapeOf(b) || a - b);
   const numbers = numbersOf(model);
   const matrices = new Float32Array(16 * bodies.length);
   bodies.forEach((k, at) => {
@@ -166,7 +168,7 @@ function bodiesOf(
   return {
     levels,
     places,
-    shapes: Uint32Array.from(bodies, (k) => shapeOf.get(kit ? kit.kinds[kit.kindOf[k]!]! : k)!),
+    shapes: Uint32Array.from(bodies, shapeOf),
     matrices,
     numbers: Uint32Array.from(bodies, (k) => numbers[k]!),
     groupOf: Uint8Array.from(bodies, (k) => model.groupOf[k]!),

@@ -32,7 +32,7 @@ export async function look(): Promise<Report> {
               <meshStandardMaterial />
             </mesh>
           )}
-          {hasRocks && <Rocks preset="riverbed" mesh="rocks" groundMesh="cut" seed={7} imageWidth={160} imageHeight={120} />}
+          {hasRocks && <Rocks preset="riverbed" mesh="rocks" groundMesh="whole" seed={7} imageWidth={160} imageHeight={120} />}
           <Peek />
         </Canvas>
       </StrictMode>,
