@@ -1,7 +1,9 @@
 // Files of rocks: the same bytes in Node, in a page and from the element's worker, whatever the page looks like; and what happens when there is none.
 import assert from 'node:assert/strict';
+import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { after, before, test } from 'node:test';
+import { fileURLToPath } from 'node:url';
 import { exportScene, exportWoodEar } from 'rock-field/export';
 import { SMALL, pageWith } from './element-page.mjs';
 import { launch, pageOf } from './browser.mjs';
@@ -11,6 +13,7 @@ const REQUEST = { preset: 'riverbed', seed: 5, imageWidth: 200, imageHeight: 150
 /** @type {import('rock-field/export').ExportOptions[]} */
 const OPTIONS = [
   {},
+  { target: 'blender' },
   { mesh: 'one', solid: true, groundMesh: 'cut' },
   { mesh: 'kit', kinds: 6, groundMesh: 'whole' },
   { mesh: 'kit', instancing: true },
@@ -40,9 +43,15 @@ async function openPage(attributes = '', options = {}) {
   return opened;
 }
 
-test('a link gives the same file in Node, in a page and from an element that is not even seen', async () => {
+/** What is typed for `REQUEST`, with the standard output as its file. */
+const LINE = 'export --preset riverbed --seed 5 --image-width 200 --image-height 150 --target blender --out -';
+const CLI = fileURLToPath(new URL('../../dist/cli.js', import.meta.url));
+
+test('a link gives the same file in Node, on the command line, in a page and from an element that is not even seen', async () => {
   const expected = [];
   for (const options of OPTIONS) expected.push(sha256((await exportScene(REQUEST, options)).bytes));
+  const { stdout } = spawnSync(process.execPath, [CLI, ...LINE.split(' ')], { maxBuffer: 2 ** 28 });
+  assert.equal(sha256(stdout), expected[OPTIONS.findIndex(({ target }) => target === 'blender')]);
   const { page, errors, close } = await openPage('style="display: none"');
   const found = await page.evaluate(
     async ([request, list]) => {

@@ -114,3 +114,10 @@ test('a file that is there is neither replaced nor touched, unless that is asked
     2,
   );
 });
+
+test('a file says the same of its colours whether they were asked for by name or are those of its preset', async () => {
+  const request = { preset: 'scree', imageWidth: 48, imageHeight: 48 } as const;
+  const hashes = [{}, { color: 'preset' }, { color: 'natural' }] as const;
+  const [plain, ...others] = await Promise.all(hashes.map(async (options) => sha256((await exportScene(request, options)).bytes)));
+  assert.deepEqual(others, [plain, plain]);
+});

@@ -5,7 +5,7 @@ import { STONE, STONE_KINDS } from '../data/palette.gen.ts';
 import { exportModel } from '../export/file.ts';
 import type { ExportedFile, Source } from '../export/file.ts';
 import type { Model } from '../export/model.ts';
-import { resolveOptions } from '../export/options.ts';
+import { coloured, resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import type { Waiting } from '../export/pace.ts';
 import type { Progress, StageName } from '../generator/protocol.ts';
@@ -49,8 +49,8 @@ export async function exportField(
   waiting?: Waiting,
   baked?: Baked,
 ): Promise<ExportedFile> {
-  const { model, about } = await modelOf(field, source, options, ground);
-  return exportModel(model, about, options, waiting, baked);
+  const { model, about, written } = await modelOf(field, source, options, ground);
+  return exportModel(model, about, written, waiting, baked);
 }
 
 /**
@@ -75,8 +75,8 @@ async function modelOf(
   { params, preset }: FieldSource,
   options: ResolvedOptions,
   ground: GroundRealm,
-): Promise<{ model: Model; about: Source }> {
-  const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(ROCKS, preset ?? '') === 'natural');
+): Promise<{ model: Model; about: Source; written: ResolvedOptions }> {
+  const { isNatural, options: written } = coloured(options, presetColor(ROCKS, preset ?? '') === 'natural');
   const about = {
     title: `${preset ?? 'rock-field'}-${params.seed}`,
     link: encodeLink({ params, ...(preset !== undefined && { preset }) }),
@@ -85,7 +85,7 @@ async function modelOf(
     extrasOf: (rock: number) => rockExtras(field, params, rock),
   };
   const rocks = rocksModel(field, params, options.metresPerPixel, isNatural);
-  return { model: await withGround(rocks, field, params, options, isNatural, ground), about };
+  return { model: await withGround(rocks, field, params, options, isNatural, ground), about, written };
 }
 
 /**

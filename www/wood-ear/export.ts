@@ -3,6 +3,7 @@
 import { exportModel } from '../export/file.ts';
 import type { ExportedFile, Note } from '../export/file.ts';
 import { joined } from '../export/shapes/join.ts';
+import { coloured } from '../export/options.ts';
 import type { ResolvedOptions } from '../export/options.ts';
 import { Pace } from '../export/pace.ts';
 import type { Waiting } from '../export/pace.ts';
@@ -41,7 +42,7 @@ export async function exportColony(
   soil: GroundRealm,
   { signal, onProgress }: Waiting = {},
 ): Promise<ExportedFile> {
-  const isNatural = options.color === 'natural' || (options.color === 'preset' && presetColor(WOOD_EARS, preset ?? '') === 'natural');
+  const { isNatural, options: written } = coloured(options, presetColor(WOOD_EARS, preset ?? '') === 'natural');
   // Solid ears are looked at one by one.
   const looked = options.solid ? 0.6 : 0;
   const pace = new Pace({ signal, onProgress: onProgress && ((fraction) => onProgress(looked * fraction)) });
@@ -62,7 +63,7 @@ export async function exportColony(
       extrasOf: (body) => (body < own ? extras(body) : rockExtras(ground, rocks, body - own)),
       notes: params.mesh ? [...notes, { code: 'log-not-in-link' } satisfies Note] : notes,
     },
-    options,
+    written,
     { signal, onProgress: onProgress && ((fraction) => onProgress(looked + (1 - looked) * fraction)) },
   );
 }
