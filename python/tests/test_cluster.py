@@ -25,6 +25,8 @@ import jsonschema
 import psutil
 import yaml
 
+from rock_field_dask.main import EPILOG, parser
+
 ROOT = Path(__file__).resolve().parents[2]
 ROCK_FIELD = shlex.split(os.environ.get("ROCK_FIELD", f"node {shlex.quote(str(ROOT / 'dist' / 'cli.js'))}"))
 SCENES = int(os.environ.get("ROCK_FIELD_SCENES", "48"))
@@ -251,19 +253,39 @@ class Cluster(unittest.TestCase):
         rules = [rule["onExitCodes"]["values"] for rule in job["spec"]["podFailurePolicy"]["rules"] if "onExitCodes" in rule]
         self.assertEqual(rules, [[2], [1]])
 
+    def test_every_line_of_the_documents_is_a_command_that_can_be_begun(self) -> None:
+        documents = [ROOT / "python" / "README.md", ROOT / "www" / "docs" / "pages" / "cluster.md"]
+        lines = [line for document in documents for line in document.read_text().splitlines() if re.match(r" *rock-field-dask .*--out", line)]
+        lines += [line for line in EPILOG.splitlines() if line.startswith("  rock-field-dask ")]
+        self.assertGreater(len(lines), 9)
+        plans = set()
+        for line in lines:
+            _, *words = shlex.split(line)
+            cut = words.index("--") if "--" in words else len(words)
+            options, others = parser().parse_args(words[:cut]), words[cut + 1 :]
+            self.assertIn(options.list, [None, "scenes.txt"], line)
+            plans.add(tuple([self.scenes[0]] * bool(options.list) + others))
+        for plan in sorted(plans):
+            code, answers, said = rock_field("batch", "plan", *plan)
+            self.assertEqual(code, 0, f"{plan}: {said}")
+            self.assertGreater(int(str(answers[-1]["items"])), 0)
+
     @unittest.skipIf(os.name == "nt", "the command is a shell script here")
     def test_the_template_of_open_job_description_makes_the_batch(self) -> None:
-        out = self.out()
-        command = self.folder / "rock-field"
+        folder = self.out()
+        folder.mkdir()
+        command = folder / "rock-field"
         command.write_text(f'#!/bin/sh\nexec {shlex.join(ROCK_FIELD)} "$@"\n')
         command.chmod(0o755)
-        template = ROOT / "examples" / "open-job-description" / "rock-field-batch.yaml"
-        given = {"List": self.scenes[0], "Out": str(out), "Shards": "3", "LastShard": "2", "RockField": str(command)}
-        parameters = [word for name, value in given.items() for word in ("-p", f"{name}={value}")]
-        openjd = [str(Path(sys.executable).with_name("openjd")), "run", str(template), "--step", "Merge", "--run-dependencies", *parameters]
-        done = subprocess.run(openjd, capture_output=True, text=True, timeout=HANGS)
+        example = ROOT / "examples" / "open-job-description"
+        shutil.copy(example / "rock-field-batch.yaml", folder)
+        shutil.copy(self.scenes[0], folder / "scenes.txt")
+        # As its README says.
+        [line] = [line for line in (example / "README.md").read_text().splitlines() if line.startswith("openjd run ")]
+        openjd = [str(Path(sys.executable).with_name("openjd")), *shlex.split(line)[1:], "-p", f"RockField={command}"]
+        done = subprocess.run(openjd, cwd=folder, capture_output=True, text=True, timeout=HANGS)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        self.assertEqual(json.loads((out / "manifest.json").read_text())["merkle"], self.root)
+        self.assertEqual(json.loads((folder / "rocks" / "manifest.json").read_text())["merkle"], self.root)
 
 
 def working_on(folder: Path) -> list[psutil.Process]:

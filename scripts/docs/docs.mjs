@@ -49,6 +49,12 @@ const PAGES = [
       'Fields of rocks as files from a terminal or a script: thousands of seeds on all cores, maps, NumPy, and what made a file.',
   },
   {
+    file: 'cluster.html',
+    title: 'On a cluster',
+    prose: 'cluster',
+    description: 'A hundred thousand scenes on many machines: shards, Dask, Kubernetes, render farms, and nothing lost when one dies.',
+  },
+  {
     file: 'engines.html',
     title: 'In your own scene',
     prose: 'engines',

@@ -266,6 +266,13 @@ test('an item that cannot be made fails alone, and a folder that cannot be writt
   assert.match(storage.err, /files cannot be written/);
 });
 
+test('the list that the documentation shows is one', async () => {
+  const page = readFileSync(new URL('../../www/docs/pages/cluster.md', import.meta.url), 'utf8');
+  const [, shown] = /```text scenes\.txt\n(.*?)```/s.exec(page)!;
+  const ran = await batch('plan', list('shown.txt', shown!));
+  assert.deepEqual([ran.code, last(ran).items], [0, 4], ran.err);
+});
+
 test('plan says how many scenes there are, refuses a foreign folder, and writes nothing', async () => {
   const out = fresh();
   const ran = await batch('plan', ...SIX, '--out', out);

@@ -132,7 +132,7 @@ export function givenOptions(args: Arguments): ExportOptions {
 
 function numberOf(name: string, value: string): number {
   const number = value.trim() === '' ? NaN : Number(value);
-  if (Number.isNaN(number)) throw misuse(`--${name} ${value}: this is no number`);
+  if (Number.isNaN(number)) throw misuse(`--${name} ${value}: it must be a number`);
   return number;
 }
 

@@ -110,7 +110,7 @@ export async function makeOne(task: Task, { startWorker, ...streams }: Surroundi
 }
 
 /** Once all that was written has been taken; a closed pipe is heard of by then. */
-function flushed({ out }: Pick<Streams, 'out'>): Promise<void> {
+export function flushed({ out }: Pick<Streams, 'out'>): Promise<void> {
   return new Promise((resolve) => out.write('', (error) => (error ? undefined : resolve())));
 }
 

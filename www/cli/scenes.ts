@@ -197,7 +197,7 @@ function typedValue(name: string, given: string, row: Row): unknown {
   }
   if (row.kind.startsWith('optional') && given === NONE) return null;
   if (NUMBER.test(given)) return Number(given);
-  throw misuse(`--${name} ${given}: this is no number`);
+  throw misuse(`--${name} ${given}: it must be a number`);
 }
 
 function checked({ table }: AnyGenerator, params: AnyParams, preset: string): AnyParams {

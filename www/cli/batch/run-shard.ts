@@ -4,7 +4,7 @@ import path from 'node:path';
 import { Ending } from '../failures.ts';
 import type { Exit } from '../failures.ts';
 import { Jobs } from '../jobs.ts';
-import { jobsOf, whenStopped } from '../make.ts';
+import { flushed, jobsOf, whenStopped } from '../make.ts';
 import type { Surroundings } from '../make.ts';
 import { clearOwn } from '../whole-file.ts';
 import { batchOf, claim, idOf } from './batch-file.ts';
@@ -50,7 +50,7 @@ export async function runShard(run: ShardRun, { startWorker, ...streams }: Surro
   });
   const stopped = whenStopped(streams);
   try {
-    await Promise.race([jobs.run(), stopped.promise]);
+    await Promise.race([jobs.run().then(() => flushed(streams)), stopped.promise]);
   } catch (thrown) {
     const begun = await jobs.stop();
     clearOwn(begun.flatMap(({ index }) => [scenePath(index, ''), recordPath(index)].map((file) => path.dirname(inFolder(folder, file)))));
