@@ -116,10 +116,11 @@ impl Renderer {
         normals: &js_sys::Float32Array,
         indices: &js_sys::Uint32Array,
         vertex_starts: Vec<u32>,
+        index_starts: Vec<u32>,
         rock_layers: Vec<u32>,
         rock_sites: Vec<u32>,
     ) -> Result<(), js_sys::Error> {
-        let rocks = Rocks { vertex_starts, layers: rock_layers, sites: rock_sites };
+        let rocks = Rocks { vertex_starts, index_starts, layers: rock_layers, sites: rock_sites };
         let mesh = Mesh { positions, normals, indices };
         let scene = Scene::new(&self.gpu, [image_width, image_height], &mesh, rocks);
         self.scene = Some(scene.map_err(|error| to_js(&error))?);

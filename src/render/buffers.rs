@@ -1,5 +1,7 @@
 //! The buffers of one mesh on the device: of all rocks of a field, of a log, or of a colony.
 
+use std::ops::Range;
+
 use glam::Vec3;
 
 use super::{Gpu, RenderError, upload};
@@ -37,28 +39,23 @@ impl Mesh<'_> {
     }
 }
 
-/// The buffers of a [`Mesh`], with four bytes of colour or paint per vertex.
-pub(crate) struct MeshBuffers {
+/// The vertices of a [`Mesh`], with four bytes of colour or paint for each.
+pub(crate) struct VertexBuffers {
     positions: wgpu::Buffer,
     normals: wgpu::Buffer,
     colors: wgpu::Buffer,
-    indices: wgpu::Buffer,
-    vertex_count: u32,
-    index_count: u32,
-    /// Two vertex numbers per edge. Made when the wireframe is first shown.
-    edges: Option<wgpu::Buffer>,
+    count: u32,
 }
 
-impl Drop for MeshBuffers {
+impl Drop for VertexBuffers {
     /// Without this, a WebGPU buffer lives until JavaScript collects it, which is too late while a slider is dragged.
     fn drop(&mut self) {
-        let buffers = [&self.positions, &self.normals, &self.colors, &self.indices];
-        buffers.into_iter().chain(&self.edges).for_each(wgpu::Buffer::destroy);
+        [&self.positions, &self.normals, &self.colors].into_iter().for_each(wgpu::Buffer::destroy);
     }
 }
 
-impl MeshBuffers {
-    /// Uploads `mesh`, whose vertices are first moved by `place`, in their order. The colours follow with
+impl VertexBuffers {
+    /// Uploads the vertices of `mesh`, which are first moved by `place`, in their order. The colours follow with
     /// [`MeshBuffers::paint`]. `kind` stands in the buffers' labels.
     pub(crate) fn new(
         gpu: &Gpu,
@@ -66,43 +63,82 @@ impl MeshBuffers {
         mesh: &Mesh<'_>,
         mut place: impl FnMut(Vec3) -> Vec3,
     ) -> Result<Self, RenderError> {
-        let vertex_count = mesh.vertices();
-        let index_count = mesh.indices.length() / 3 * 3;
+        let count = mesh.vertices();
         if mesh.normals.length() != mesh.positions.length() {
             return Err(RenderError::Malformed("positions and normals disagree"));
         }
-        let make = |name, what, elements: u32, usage| {
+        let make = |name, what, elements: u32| {
             let label = ["rock-field/", kind, name].concat();
-            upload::buffer(&gpu.device, &label, what, 4 * u64::from(elements), usage)
+            upload::buffer(&gpu.device, &label, what, 4 * u64::from(elements), wgpu::BufferUsages::VERTEX)
         };
-        let vertex = wgpu::BufferUsages::VERTEX;
-        let positions = make("/positions", "vertices", 3 * vertex_count, vertex)?;
-        let normals = make("/normals", "normals", vertex_count, vertex)?;
-        let colors = make("/colors", "colours", vertex_count, vertex)?;
-        let indices = make("/indices", "triangles", index_count, wgpu::BufferUsages::INDEX)?;
-        upload::write::<f32>(&gpu.queue, &positions, 3 * vertex_count, |start, slice| {
+        let positions = make("/positions", "vertices", 3 * count)?;
+        let normals = make("/normals", "normals", count)?;
+        let colors = make("/colors", "colours", count)?;
+        upload::write::<f32>(&gpu.queue, &positions, 3 * count, |start, slice| {
             mesh.positions.subarray(start, start + slice.len() as u32).copy_to(slice);
             for vertex in slice.chunks_exact_mut(3) {
                 let at = place(Vec3::from_slice(vertex));
                 vertex.copy_from_slice(&at.to_array());
             }
         });
-        upload_normals(gpu, &normals, vertex_count, mesh.normals);
+        upload_normals(gpu, &normals, count, mesh.normals);
+        Ok(Self { positions, normals, colors, count })
+    }
+}
+
+/// The buffers of a [`Mesh`].
+pub(crate) struct MeshBuffers {
+    vertices: VertexBuffers,
+    indices: wgpu::Buffer,
+    index_count: u32,
+    /// Two vertex numbers per edge. Made when the wireframe is first shown.
+    edges: Option<wgpu::Buffer>,
+}
+
+impl Drop for MeshBuffers {
+    /// As of the vertices.
+    fn drop(&mut self) {
+        std::iter::once(&self.indices).chain(&self.edges).for_each(wgpu::Buffer::destroy);
+    }
+}
+
+impl MeshBuffers {
+    /// Uploads the triangles of `mesh`, whose `vertices` are uploaded already.
+    pub(crate) fn new(gpu: &Gpu, kind: &str, vertices: VertexBuffers, mesh: &Mesh<'_>) -> Result<Self, RenderError> {
+        let count = mesh.indices.length() / 3 * 3;
+        let indices = Self::index_buffer(gpu, kind, count)?;
         let mut highest = 0;
-        upload::write::<u32>(&gpu.queue, &indices, index_count, |start, slice| {
+        upload::write::<u32>(&gpu.queue, &indices, count, |start, slice| {
             mesh.indices.subarray(start, start + slice.len() as u32).copy_to(slice);
             highest = slice.iter().fold(highest, |most, &index| most.max(index));
         });
+        Self::with_indices(vertices, mesh, indices, highest)
+    }
+
+    /// As [`MeshBuffers::new`], with triangles of `mesh` that lie in `indices` already, `highest` being the highest index.
+    pub(crate) fn with_indices(
+        vertices: VertexBuffers,
+        mesh: &Mesh<'_>,
+        indices: wgpu::Buffer,
+        highest: u32,
+    ) -> Result<Self, RenderError> {
+        let index_count = mesh.indices.length() / 3 * 3;
         // WebGL2 would refuse to draw without saying why.
-        if index_count > 0 && highest >= vertex_count {
+        if index_count > 0 && highest >= vertices.count {
             return Err(RenderError::Malformed("an index points past the vertices"));
         }
-        Ok(Self { positions, normals, colors, indices, vertex_count, index_count, edges: None })
+        Ok(Self { vertices, indices, index_count, edges: None })
+    }
+
+    /// Makes a buffer for so many indices.
+    pub(crate) fn index_buffer(gpu: &Gpu, kind: &str, count: u32) -> Result<wgpu::Buffer, RenderError> {
+        let label = ["rock-field/", kind, "/indices"].concat();
+        upload::buffer(&gpu.device, &label, "triangles", 4 * u64::from(count), wgpu::BufferUsages::INDEX)
     }
 
     /// Gives every vertex, in their order, the four bytes that `color` returns for its number.
     pub(crate) fn paint(&self, gpu: &Gpu, mut color: impl FnMut(u32) -> u32) {
-        upload::write::<u32>(&gpu.queue, &self.colors, self.vertex_count, |start, slice| {
+        upload::write::<u32>(&gpu.queue, &self.vertices.colors, self.vertices.count, |start, slice| {
             for (vertex, out) in (start..).zip(slice) {
                 *out = color(vertex);
             }
@@ -110,7 +146,7 @@ impl MeshBuffers {
     }
 
     pub(crate) fn vertices(&self) -> u32 {
-        self.vertex_count
+        self.vertices.count
     }
 
     /// Whether there is nothing to draw.
@@ -131,15 +167,25 @@ impl MeshBuffers {
         Ok(())
     }
 
-    /// Draws all triangles at once.
+    /// Draws all triangles of the mesh, if they lie in the buffer as they came.
     pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        self.draw_indexed(pass, pipeline, &self.indices, self.index_count);
+        self.draw_ranges(pass, pipeline, std::slice::from_ref(&(0..self.index_count)));
+    }
+
+    /// Draws what lies in these ranges of the index buffer.
+    pub(crate) fn draw_ranges(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        ranges: &[Range<u32>],
+    ) {
+        self.draw_indexed(pass, pipeline, &self.indices, ranges);
     }
 
     /// Draws all edges at once, or nothing before [`MeshBuffers::set_edges`].
     pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         if let Some(edges) = &self.edges {
-            self.draw_indexed(pass, pipeline, edges, 2 * self.index_count);
+            self.draw_indexed(pass, pipeline, edges, std::slice::from_ref(&(0..2 * self.index_count)));
         }
     }
 
@@ -148,17 +194,20 @@ impl MeshBuffers {
         pass: &mut wgpu::RenderPass<'_>,
         pipeline: &wgpu::RenderPipeline,
         indices: &wgpu::Buffer,
-        count: u32,
+        ranges: &[Range<u32>],
     ) {
-        if count == 0 {
+        if ranges.iter().all(Range::is_empty) {
             return;
         }
+        let VertexBuffers { positions, normals, colors, .. } = &self.vertices;
         pass.set_pipeline(pipeline);
-        pass.set_vertex_buffer(0, self.positions.slice(..));
-        pass.set_vertex_buffer(1, self.colors.slice(..));
-        pass.set_vertex_buffer(2, self.normals.slice(..));
+        pass.set_vertex_buffer(0, positions.slice(..));
+        pass.set_vertex_buffer(1, colors.slice(..));
+        pass.set_vertex_buffer(2, normals.slice(..));
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
-        pass.draw_indexed(0..count, 0, 0..1);
+        for range in ranges {
+            pass.draw_indexed(range.clone(), 0, 0..1);
+        }
     }
 }
 

@@ -27,6 +27,7 @@ mod buffers;
 mod camera;
 mod error;
 mod gpu;
+mod indices;
 mod maps;
 mod pass;
 mod pipelines;

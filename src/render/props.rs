@@ -3,7 +3,7 @@
 
 use glam::Vec3;
 
-use super::buffers::{Mesh, MeshBuffers};
+use super::buffers::{Mesh, MeshBuffers, VertexBuffers};
 use super::{Gpu, RenderError};
 use crate::shading::wood::{self, Axis, Ears};
 
@@ -60,12 +60,13 @@ impl Prop {
 
     fn new(gpu: &Gpu, place: Place, mesh: &Mesh<'_>, painted: impl Fn(u32) -> u32) -> Result<Self, RenderError> {
         let (mut low, mut high) = (Vec3::INFINITY, Vec3::NEG_INFINITY);
-        let buffers = MeshBuffers::new(gpu, "prop", mesh, |vertex| {
+        let vertices = VertexBuffers::new(gpu, "prop", mesh, |vertex| {
             let at = vertex * place.scale + place.origin;
             low = at.min(low);
             high = at.max(high);
             at
         })?;
+        let buffers = MeshBuffers::new(gpu, "prop", vertices, mesh)?;
         if !buffers.is_empty() && !(high - low).is_finite() {
             return Err(RenderError::Malformed("a coordinate is infinite"));
         }

@@ -1,21 +1,47 @@
 //! One field on the device: its buffers, and the functions that draw it.
 
+use std::ops::Range;
+
 use glam::{Mat4, Vec3};
 
-use super::buffers::{Mesh, MeshBuffers};
+use super::buffers::{Mesh, MeshBuffers, VertexBuffers};
+use super::indices::arranged;
 use super::maps::{MapSets, Maps};
 use super::surface::depth_attachment;
 use super::{Gpu, Props, RenderError, upload};
-use crate::shading::{ColorMode, FieldUniforms, Look, Stands, Turned, palette};
+use crate::shading::{Arrangement, Body, ColorMode, FieldUniforms, Look, Sight, Stands, Turned, palette};
+
+/// How large the triangles of the shadow and height maps may be on the mean, texels².
+const TEXELS: f32 = 12.0;
 
 /// What distinguishes the rocks from each other. It is small, and kept so that they can be coloured again.
 pub(crate) struct Rocks {
     /// rocks + 1 offsets into the vertices.
     pub(crate) vertex_starts: Vec<u32>,
+    /// rocks + 1 offsets into the indices.
+    pub(crate) index_starts: Vec<u32>,
     /// Layer id of each rock.
     pub(crate) layers: Vec<u32>,
     /// Site index of each rock.
     pub(crate) sites: Vec<u32>,
+}
+
+impl Rocks {
+    /// The rocks before their vertices are known.
+    fn bodies(&self) -> Vec<Body> {
+        let counts =
+            |starts: &'_ [u32]| -> Vec<u32> { starts.iter().zip(starts.iter().skip(1)).map(|(a, b)| b - a).collect() };
+        let [vertices, indices] = [&self.vertex_starts, &self.index_starts].map(|starts| counts(starts));
+        let counts = vertices.into_iter().zip(indices);
+        let of = |(&layer, (vertices, indices)): (&u32, (u32, u32))| Body {
+            layer,
+            low: Vec3::INFINITY,
+            high: Vec3::NEG_INFINITY,
+            vertices,
+            triangles: indices / 3,
+        };
+        self.layers.iter().zip(counts).map(of).collect()
+    }
 }
 
 /// Buffers and bind groups of one field.
@@ -24,6 +50,7 @@ pub(crate) struct Scene {
     /// have to be redrawn.
     pub(crate) number: u64,
     buffers: MeshBuffers,
+    arrangement: Arrangement,
     rocks: Rocks,
     stands: Stands,
     painted: Option<ColorMode>,
@@ -31,6 +58,8 @@ pub(crate) struct Scene {
     /// The direction of the sun with which the uniforms were written.
     sun: Vec3,
     props: Option<u64>,
+    /// One texel of the height map, px.
+    texel: f32,
     low: Vec3,
     high: Vec3,
     /// Middle and radius of a sphere around everything.
@@ -59,25 +88,37 @@ impl Scene {
         if rocks.layers.len() != rocks.sites.len()
             || rocks.layers.len() + 1 != rocks.vertex_starts.len()
             || rocks.vertex_starts.last() != Some(&mesh.vertices())
+            || rocks.layers.len() + 1 != rocks.index_starts.len()
+            || rocks.index_starts.last() != Some(&mesh.indices.length())
+            || !rocks.index_starts.is_sorted()
         {
             return Err(RenderError::Malformed("rockStarts, vertexStarts, rockLayer and selected disagree"));
         }
-        let mut low = Vec3::ZERO;
-        let mut high = Vec3::new(image[0], image[1], 1.0);
         let mut stands = Stands::default();
+        let mut bodies = rocks.bodies();
         let mut ends = rocks.vertex_starts.iter().skip(1).peekable();
+        let mut rock = 0;
         let mut count = 0;
-        let buffers = MeshBuffers::new(gpu, "rock", mesh, |vertex| {
-            // NaN does not change these.
-            low = vertex.min(low);
-            high = vertex.max(high);
+        let vertices = VertexBuffers::new(gpu, "rock", mesh, |vertex| {
+            if let Some(body) = bodies.get_mut(rock) {
+                // NaN does not change these.
+                body.low = vertex.min(body.low);
+                body.high = vertex.max(body.high);
+            }
             stands.add(vertex.to_array());
             count += 1;
             if ends.next_if_eq(&&count).is_some() {
                 stands.close();
+                rock += 1;
             }
             vertex
         })?;
+        let (low, high) = bodies.iter().fold((Vec3::ZERO, Vec3::new(image[0], image[1], 1.0)), |(low, high), body| {
+            (low.min(body.low), high.max(body.high))
+        });
+        let arrangement = Arrangement::of(&bodies, image);
+        let (indices, highest) = arranged(gpu, mesh.indices, &rocks.index_starts, &bodies, &arrangement)?;
+        let buffers = MeshBuffers::with_indices(vertices, mesh, indices, highest)?;
         let mut turned = Turned::new(&rocks.vertex_starts);
         mesh.each_vertex(|position, normal| turned.add(position, normal));
         let is_turned = turned.found();
@@ -100,12 +141,14 @@ impl Scene {
         Ok(Self {
             number: gpu.next_number(),
             buffers,
+            arrangement,
             rocks,
             stands,
             painted: None,
             stale: false,
             sun: Vec3::ZERO,
             props: None,
+            texel: 0.0,
             low,
             high,
             center: (low + high) * 0.5,
@@ -136,6 +179,7 @@ impl Scene {
             uniforms.log = [axis.middle, axis.half, axis.radius, axis.height];
             uniforms.bow = axis.bow;
         }
+        self.texel = uniforms.ground[1];
         gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
     }
 
@@ -218,6 +262,7 @@ impl Scene {
                 depth_attachment(&maps.height_depth, wgpu::StoreOp::Discard),
             ),
         ];
+        let rocks = self.arrangement.all(TEXELS * self.texel * self.texel);
         for (label, pipeline, color, depth) in passes {
             let colors = [color];
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
@@ -228,7 +273,7 @@ impl Scene {
             });
             pass.set_bind_group(0, frame_group, &[]);
             pass.set_bind_group(1, &self.field_group, &[]);
-            self.draw_rocks(&mut pass, pipeline);
+            self.draw_rocks(&mut pass, pipeline, &rocks);
             props.draw(&mut pass, [pipeline; 2]);
         }
     }
@@ -237,9 +282,29 @@ impl Scene {
         self.buffers.vertices()
     }
 
-    /// Draws all rocks at once.
-    pub(crate) fn draw_rocks(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
-        self.buffers.draw(pass, pipeline);
+    /// What has to be drawn of the rocks in a picture.
+    pub(crate) fn seen(&self, sight: &Sight) -> Vec<Range<u32>> {
+        self.arrangement.seen(sight)
+    }
+
+    /// The top of the highest rock, px: deeper none sinks.
+    pub(crate) fn highest(&self) -> f32 {
+        self.high.z
+    }
+
+    /// All rocks, with all of their triangles.
+    pub(crate) fn whole(&self) -> Vec<Range<u32>> {
+        self.arrangement.all(0.0)
+    }
+
+    /// Draws what `ranges` tell of the rocks.
+    pub(crate) fn draw_rocks(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        pipeline: &wgpu::RenderPipeline,
+        ranges: &[Range<u32>],
+    ) {
+        self.buffers.draw_ranges(pass, pipeline, ranges);
     }
 
     /// Draws all edges at once, or nothing before [`Scene::set_edges`].

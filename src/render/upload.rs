@@ -4,7 +4,7 @@ use super::{Gpu, RenderError};
 
 /// Number of 4-byte elements per slice: 384 KiB of scratch memory. It is a multiple of 6, so that no vertex and no
 /// triangle with its edges is split.
-const SLICE: u32 = 6 << 14;
+pub(crate) const SLICE: u32 = 6 << 14;
 
 /// Makes a buffer of `bytes` bytes (at least 4, because empty buffers are not portable). Returns
 /// [`RenderError::TooLarge`] if the device does not allow that many.

@@ -1,5 +1,7 @@
 //! One canvas: its camera, its style, and how a frame is drawn.
 
+use std::ops::Range;
+
 use glam::{Mat4, Vec3, Vec4};
 
 use super::bake::{Bake, SIDE as BAKE_SIDE};
@@ -8,7 +10,7 @@ use super::pipelines::Natural;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
 use crate::shading::palette::{self, DARK, LIGHT};
-use crate::shading::{ColorMode, Globals, Look, Mode, Quality, Recipe};
+use crate::shading::{ColorMode, Globals, Look, Mode, Quality, Recipe, Sight};
 
 /// A part of a larger picture: the size of the whole and where the part's upper left corner is in it, device pixels.
 #[derive(Clone, Copy)]
@@ -174,7 +176,8 @@ impl View {
             }
             pass.set_bind_group(0, &self.frame_group, &[]);
             pass.set_bind_group(1, &scene.field_group, &[]);
-            self.draw(&mut pass, gpu, scene, props, plan);
+            let seen = scene.seen(&self.sight(&globals, scene));
+            self.draw(&mut pass, gpu, scene, &seen, props, plan);
         }
         drop(pass);
         gpu.queue.submit([encoder.finish()]);
@@ -202,18 +205,26 @@ impl View {
         gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
         let pipeline = gpu.pipelines.natural(&gpu.device, Natural::Bake, Recipe::of_bodies(Quality::High, &self.look));
         bake.draw(gpu, encoder, [&self.frame_group, &scene.field_group, &maps.group], &pipeline, |pass, pipeline| {
-            scene.draw_rocks(pass, pipeline);
+            scene.draw_rocks(pass, pipeline, &scene.whole());
         });
     }
 
-    /// Draws what the mode shows of the scene, with all groups bound.
-    fn draw(&self, pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, scene: &Scene, props: &Props, plan: Option<&Plan>) {
+    /// Draws what the mode shows of the scene, with all groups bound; `seen` of the rocks.
+    fn draw(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        gpu: &Gpu,
+        scene: &Scene,
+        seen: &[Range<u32>],
+        props: &Props,
+        plan: Option<&Plan>,
+    ) {
         match (self.mode, plan) {
-            (Mode::Rocks, _) if self.is_natural() => self.draw_natural(pass, gpu, scene, props),
+            (Mode::Rocks, _) if self.is_natural() => self.draw_natural(pass, gpu, scene, seen, props),
             (Mode::Rocks, _) => {
                 draw_ground(pass, gpu, scene);
                 for sides in &gpu.pipelines.rock {
-                    scene.draw_rocks(pass, sides);
+                    scene.draw_rocks(pass, sides, seen);
                 }
                 if !props.is_empty() {
                     props.draw(pass, [gpu.pipelines.plain_wood(&gpu.device); 2]);
@@ -222,7 +233,7 @@ impl View {
             (Mode::Wireframe, _) => {
                 let [fill, edges] = gpu.pipelines.wire(&gpu.device);
                 draw_ground(pass, gpu, scene);
-                scene.draw_rocks(pass, fill);
+                scene.draw_rocks(pass, fill, seen);
                 scene.draw_edges(pass, edges);
                 if !props.is_empty() {
                     let [fill, edges] = gpu.pipelines.wood_wire(&gpu.device);
@@ -235,14 +246,21 @@ impl View {
         }
     }
 
-    fn draw_natural(&self, pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, scene: &Scene, props: &Props) {
+    fn draw_natural(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        gpu: &Gpu,
+        scene: &Scene,
+        seen: &[Range<u32>],
+        props: &Props,
+    ) {
         let pipeline = |what, recipe| gpu.pipelines.natural(&gpu.device, what, recipe);
         let bodies = Recipe::of_bodies(self.quality, &self.look);
         pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device));
         pass.draw(0..3, 0..1);
-        scene.draw_rocks(pass, &pipeline(Natural::Rocks, bodies));
+        scene.draw_rocks(pass, &pipeline(Natural::Rocks, bodies), seen);
         if scene.is_turned {
-            scene.draw_rocks(pass, &pipeline(Natural::Insides, bodies));
+            scene.draw_rocks(pass, &pipeline(Natural::Insides, bodies), seen);
         }
         if !props.is_empty() {
             let ears = if props.is_closed() { Natural::Bodies } else { Natural::Sheets };
@@ -254,6 +272,18 @@ impl View {
             Recipe::of_ground(self.quality, &self.look, props.axis().is_some()),
         ));
         pass.draw(0..6, 0..1);
+    }
+
+    /// In natural colours, rocks have as many triangles as can be told apart. In the papers' style every facet is seen.
+    fn sight(&self, globals: &Globals, scene: &Scene) -> Sight {
+        let natural = self.is_natural();
+        Sight {
+            clip_from_eye: Mat4::from_cols_array_2d(&globals.clip_from_eye),
+            eye: Vec4::from(globals.eye).truncate(),
+            sunk: if natural { scene.highest() } else { 0.0 },
+            scale: 0.5 * globals.ray_up[3] / (0.5 * FOV_Y).tan(),
+            most: if natural { self.quality.triangle() } else { 0.0 },
+        }
     }
 
     fn is_solid(&self) -> bool {

@@ -3,6 +3,7 @@
 //!
 //! Nothing here needs a graphics device, so that tests run it natively; [`crate::render`] puts it on one.
 
+mod levels;
 mod look;
 mod order;
 pub(crate) mod palette;
@@ -13,6 +14,7 @@ mod turned;
 mod uniforms;
 pub(crate) mod wood;
 
+pub(crate) use levels::{Arrangement, Body, LEVELS, Sight, coarser};
 pub(crate) use look::Look;
 pub(crate) use order::{ColorMode, Mode, Quality};
 pub(crate) use recipe::Recipe;

@@ -68,6 +68,17 @@ words! {
     }
 }
 
+impl Quality {
+    /// How large the triangles of rocks may be on the mean, square pixels. Larger ones show in the outlines.
+    pub(crate) fn triangle(self) -> f32 {
+        match self {
+            Self::Low => 16.0,
+            Self::Medium => 10.0,
+            Self::High => 6.0,
+        }
+    }
+}
+
 values! {
     /// The weather 0 … 1; the ground, 0 soil, 1 sand, 2 gravel; and the sun's place in degrees.
     LookValues {

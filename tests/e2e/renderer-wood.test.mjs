@@ -52,7 +52,7 @@ async function draw() {
   const device = await module.Device.create(canvas, () => {});
   const renderer = new module.Renderer(device);
   const none = new Uint32Array();
-  renderer.setField(100, 100, new Float32Array(), new Float32Array(), none, new Uint32Array(1), none, none);
+  renderer.setField(100, 100, new Float32Array(), new Float32Array(), none, new Uint32Array(1), new Uint32Array(1), none, none);
   renderer.setStyle(0, 2, false);
   renderer.setCamera(0.3, 0.5, 120, 50, 50, 5);
   renderer.resize(64, 48, 1);
@@ -127,7 +127,8 @@ async function drawSkirts(backend) {
   renderer.resize(width, height, 1);
   const none = new Uint32Array();
   const place = Float32Array.of(0, 0, 0, 1);
-  const bare = () => renderer.setField(100, 100, new Float32Array(), new Float32Array(), none, new Uint32Array(1), none, none);
+  const bare = () =>
+    renderer.setField(100, 100, new Float32Array(), new Float32Array(), none, new Uint32Array(1), new Uint32Array(1), none, none);
   const subjects = {
     nothing: () => {
       bare();
@@ -135,7 +136,15 @@ async function drawSkirts(backend) {
       return none;
     },
     rock: (mesh) => {
-      renderer.setField(100, 100, ...mesh, Uint32Array.of(0, mesh[0].length / 3), Uint32Array.of(0), Uint32Array.of(0));
+      renderer.setField(
+        100,
+        100,
+        ...mesh,
+        Uint32Array.of(0, mesh[0].length / 3),
+        Uint32Array.of(0, mesh[2].length),
+        Uint32Array.of(0),
+        Uint32Array.of(0),
+      );
       renderer.clearWood();
       return mesh[2];
     },

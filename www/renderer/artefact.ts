@@ -17,6 +17,7 @@ export interface RawRenderer {
     normals: Float32Array,
     indices: Uint32Array,
     vertexStarts: Uint32Array,
+    indexStarts: Uint32Array,
     rockLayers: Uint32Array,
     rockSites: Uint32Array,
   ): void;

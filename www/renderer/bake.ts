@@ -14,7 +14,8 @@ import { COLORS, VIEWS } from './order.gen.ts';
 /** What is drawn: the rocks of `field`, with a mesh that may be more than the field's. */
 export interface BakedScene {
   field: Field;
-  mesh: Pick<Field, 'positions' | 'normals' | 'indices' | 'vertexStarts'>;
+  /** Bodies + 1 offsets into the vertices and into the indices. */
+  mesh: Pick<Field, 'positions' | 'normals' | 'indices' | 'vertexStarts'> & { indexStarts: Uint32Array };
   look: Look;
   /** For each vertex x and y in texels, from the upper left corner, and its tangent. */
   atlas: Float32Array;
@@ -73,13 +74,13 @@ export async function bakeTiles(backend: GpuBackend, scene: BakedScene, run: Bak
 /** What is done before the first tile, one after the other: each takes the renderer, which the first one makes. */
 function steps({ module, raw: device }: SharedDevice, { field, mesh, look, atlas }: BakedScene): ((raw?: RawRenderer) => RawRenderer)[] {
   const { layers, sites } = rockKeys(field);
-  const { positions, normals, indices, vertexStarts } = mesh;
+  const { positions, normals, indices, vertexStarts, indexStarts } = mesh;
   return [
     () => new module.Renderer(device),
     (raw) => {
       raw!.setStyle(VIEWS.indexOf('3d'), COLORS.indexOf('natural'), false);
       giveLook(raw!, look);
-      raw!.setField(field.imageWidth, field.imageHeight, positions, normals, indices, vertexStarts, layers, sites);
+      raw!.setField(field.imageWidth, field.imageHeight, positions, normals, indices, vertexStarts, indexStarts, layers, sites);
       return raw!;
     },
     (raw) => {

@@ -99,6 +99,7 @@ export class GpuRenderer implements SceneRenderer {
         field.normals,
         field.indices,
         field.vertexStarts,
+        field.rockStarts,
         layers,
         sites,
       );

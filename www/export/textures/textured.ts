@@ -16,7 +16,7 @@ export interface Baked {
 
 /** What is drawn: the mesh as it will be in the file, and where its vertices are in the textures. */
 export interface Laid {
-  mesh: Pick<Model, 'positions' | 'normals' | 'indices' | 'vertexStarts'>;
+  mesh: Pick<Model, 'positions' | 'normals' | 'indices' | 'vertexStarts' | 'indexStarts'>;
   atlas: Atlas;
 }
 
@@ -29,8 +29,9 @@ export interface Laid {
 export async function laidOut(model: Model, options: ResolvedOptions, onProgress?: (fraction: number) => void): Promise<Laid> {
   const whole = options.solid ? closed(model) : model;
   const bodies = options.mesh === 'kit' ? [...(await kitOf(whole, options.kinds)).kinds] : [...model.groupOf.keys()];
-  const { positions, normals, indices, vertexStarts } = whole;
-  return { mesh: { positions, normals, indices, vertexStarts }, atlas: atlasOf(model, whole, bodies, textureSide(options), onProgress) };
+  const { positions, normals, indices, vertexStarts, indexStarts } = whole;
+  const mesh = { positions, normals, indices, vertexStarts, indexStarts };
+  return { mesh, atlas: atlasOf(model, whole, bodies, textureSide(options), onProgress) };
 }
 
 /** The model whose bodies in the atlas are all made of one material, which has the images. */

@@ -1,0 +1,243 @@
+//! Levels of detail of rocks: which triangles they have, where they lie in the index buffer, and which of them a picture needs.
+//!
+//! A rock that is subdivided has the triangles of the papers' mesh in blocks, each cut into m² parts. Every second vertex of a
+//! block's lattice is one of the block cut into (m/2)² parts: coarser levels share the vertices of the finest, and have no cracks.
+
+use std::ops::Range;
+
+use glam::{Mat4, Vec3};
+
+/// Levels that a rock can have. At the coarsest each triangle stands for 16 of the finest.
+pub(crate) const LEVELS: usize = 3;
+
+/// Rocks are drawn in groups: those of a layer in a cell of a grid over the field, so many cells on a side.
+const CELLS: usize = 5;
+
+/// Fields of more rocks are drawn layer by layer: sorting them into cells would take longer than it saves.
+const MOST_SORTED: usize = 20_000;
+
+/// One rock of the mesh, whose vertices lie in the box `low`…`high`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Body {
+    pub(crate) layer: u32,
+    pub(crate) low: Vec3,
+    pub(crate) high: Vec3,
+    pub(crate) vertices: u32,
+    pub(crate) triangles: u32,
+}
+
+impl Body {
+    /// The number of parts into which each edge of the papers' mesh is cut; 1 for any other mesh, which has one level.
+    fn segments(&self) -> u32 {
+        // A rock of n rim vertices has 2n corners, 5n − 3 edges and 3n − 2 triangles (decision A12).
+        let is_cut = |m: &u32| {
+            let whole = self.triangles / (m * m);
+            let rim = whole.div_ceil(3);
+            self.triangles.is_multiple_of(m * m)
+                && (whole + 2).is_multiple_of(3)
+                && 2 * rim + (5 * rim).saturating_sub(3) * (m - 1) + whole * ((m - 1) * (m - 2) / 2) == self.vertices
+        };
+        [8, 4, 2].into_iter().find(is_cut).unwrap_or(1)
+    }
+
+    /// Triangles of a level, 0 being the finest.
+    fn triangles_at(&self, level: usize) -> u32 {
+        self.triangles / self.step(level).pow(2)
+    }
+
+    /// How many segments of the finest level a segment of `level` is long.
+    fn step(&self, level: usize) -> u32 {
+        self.segments().min(1 << level)
+    }
+}
+
+/// Appends the triangles of a rock's level to `out`. `triangles` are those of its finest.
+pub(crate) fn coarser(body: &Body, level: usize, triangles: &[u32], out: &mut Vec<u32>) {
+    let (m, step) = (body.segments() as usize, body.step(level) as usize);
+    if step == 1 {
+        out.extend_from_slice(triangles);
+        return;
+    }
+    for block in triangles.chunks_exact(3 * m * m) {
+        let corner = |row: usize, column: usize| lattice(block, m, row, column);
+        for row in (0..m).step_by(step) {
+            for column in (0..m - row).step_by(step) {
+                let [right, up] = [corner(row, column + step), corner(row + step, column)];
+                out.extend([corner(row, column), right, up]);
+                if row + column + step < m {
+                    out.extend([right, corner(row + step, column + step), up]);
+                }
+            }
+        }
+    }
+}
+
+/// The vertex of a block in this row and column of its lattice, of m + 1 rows: see `rocks/subdivide.rs`, which writes each row of
+/// triangles from left to right, those that point up and those that point down in turns.
+fn lattice(block: &[u32], m: usize, row: usize, column: usize) -> u32 {
+    let upright = |row: usize, column: usize| 3 * (row * (2 * m - row) + 2 * column);
+    let at = if row == m {
+        upright(m - 1, 0) + 2
+    } else if row + column == m {
+        upright(row, column - 1) + 1
+    } else {
+        upright(row, column)
+    };
+    block.get(at).copied().unwrap_or(0)
+}
+
+/// Rocks that are drawn together.
+#[derive(Debug)]
+pub(crate) struct Group {
+    low: Vec3,
+    high: Vec3,
+    /// About how much surface they have together, px².
+    surface: f32,
+    /// Where the triangles of each level are in the index buffer.
+    ranges: [Range<u32>; LEVELS],
+}
+
+impl Group {
+    const EMPTY: Self =
+        Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY, surface: 0.0, ranges: [0..0, 0..0, 0..0] };
+
+    /// Adds a rock; the ranges begin with 0 until all groups are there.
+    fn add(&mut self, body: &Body) {
+        self.low = self.low.min(body.low);
+        self.high = self.high.max(body.high);
+        let size = body.high - body.low;
+        // Between a plate of this width and a half ball.
+        self.surface += 1.5 * size.x * size.y;
+        for (level, range) in self.ranges.iter_mut().enumerate() {
+            range.end += 3 * body.triangles_at(level);
+        }
+    }
+
+    /// The triangles of the coarsest level that have at most `most` px² on the mean, or else those of the finest.
+    fn range(&self, most: f32) -> Range<u32> {
+        let is_fine = |range: &&Range<u32>| self.surface <= most * range.len() as f32 / 3.0;
+        self.ranges.iter().rev().find(is_fine).unwrap_or(&self.ranges[0]).clone()
+    }
+}
+
+/// The rocks of a field in the order in which the index buffer has them, level after level.
+#[derive(Debug)]
+pub(crate) struct Arrangement {
+    /// The numbers of the rocks.
+    pub(crate) order: Vec<u32>,
+    pub(crate) groups: Vec<Group>,
+    /// Indices in all.
+    pub(crate) length: u32,
+}
+
+impl Arrangement {
+    /// `image` is the size of the field, px.
+    pub(crate) fn of(bodies: &[Body], image: [f32; 2]) -> Self {
+        let cells = if bodies.len() > MOST_SORTED { 1 } else { CELLS };
+        let cell = |low: f32, high: f32, size: f32| {
+            ((0.5 * (low + high) / size.max(1.0) * cells as f32) as usize).min(cells - 1)
+        };
+        // What rocks of a group have in common, and below it their numbers: layers, subdivisions and cells are small.
+        let key = |(rock, body): (usize, &Body)| {
+            let [column, row] = [cell(body.low.x, body.high.x, image[0]), cell(body.low.y, body.high.y, image[1])];
+            let place = (row * cells + column) as u64 | u64::from(body.segments()) << 8;
+            u64::from(body.layer) << 48 | place << 32 | rock as u64
+        };
+        let mut keys: Vec<u64> = bodies.iter().enumerate().map(key).collect();
+        keys.sort_unstable();
+        let mut groups: Vec<Group> = Vec::new();
+        let mut last = None;
+        for key in &keys {
+            if last.replace(key >> 32) != Some(key >> 32) {
+                groups.push(Group::EMPTY);
+            }
+            if let (Some(group), Some(body)) = (groups.last_mut(), bodies.get(*key as u32 as usize)) {
+                group.add(body);
+            }
+        }
+        let mut length = 0;
+        for level in 0..LEVELS {
+            for range in groups.iter_mut().filter_map(|group| group.ranges.get_mut(level)) {
+                *range = length..length + range.end;
+                length = range.end;
+            }
+        }
+        Self { order: keys.into_iter().map(|key| key as u32).collect(), groups, length }
+    }
+
+    /// Where the triangles of a level begin.
+    pub(crate) fn level_start(&self, level: usize) -> u32 {
+        self.groups.first().and_then(|group| group.ranges.get(level)).map_or(0, |range| range.start)
+    }
+
+    /// Every rock once, by triangles of at most `most` px² on the mean, as far as there are such.
+    pub(crate) fn all(&self, most: f32) -> Vec<Range<u32>> {
+        joined(self.groups.iter().map(|group| group.range(most)))
+    }
+
+    /// What `eye` can see, the nearest groups first.
+    pub(crate) fn seen(&self, sight: &Sight) -> Vec<Range<u32>> {
+        // Distances, and below them the numbers of the groups: of positive floats the bits are in their order.
+        let of =
+            |(number, group): (usize, &Group)| Some(u64::from(sight.distance(group)?.to_bits()) << 32 | number as u64);
+        let mut seen: Vec<u64> = self.groups.iter().enumerate().filter_map(of).collect();
+        seen.sort_unstable();
+        joined(seen.into_iter().filter_map(|key| {
+            let group = self.groups.get(key as u32 as usize)?;
+            Some(group.range(sight.most(f32::from_bits((key >> 32) as u32))))
+        }))
+    }
+}
+
+/// Joins what is drawn without a gap.
+fn joined(ranges: impl Iterator<Item = Range<u32>>) -> Vec<Range<u32>> {
+    let mut all: Vec<Range<u32>> = Vec::new();
+    for range in ranges.filter(|range| !range.is_empty()) {
+        match all.last_mut() {
+            Some(last) if last.end == range.start => last.end = range.end,
+            _ => all.push(range),
+        }
+    }
+    all
+}
+
+/// A picture that rocks are drawn in.
+pub(crate) struct Sight {
+    pub(crate) clip_from_eye: Mat4,
+    pub(crate) eye: Vec3,
+    /// How far rocks may have sunk, px.
+    pub(crate) sunk: f32,
+    /// Pixels of the picture per px of the world, at a distance of 1 px.
+    pub(crate) scale: f32,
+    /// How large triangles may be, square pixels of the picture; 0 for the finest level.
+    pub(crate) most: f32,
+}
+
+impl Sight {
+    /// How far a group is away; nothing if it is out of the picture.
+    fn distance(&self, group: &Group) -> Option<f32> {
+        let [low, high] = [group.low - Vec3::Z * self.sunk - self.eye, group.high - self.eye];
+        // How many corners of its box are beyond each side of the picture.
+        let mut beyond = [0; 5];
+        for corner in 0..8 {
+            let pick = |bit: usize, low: f32, high: f32| if corner >> bit & 1 == 0 { low } else { high };
+            let at = Vec3::new(pick(0, low.x, high.x), pick(1, low.y, high.y), pick(2, low.z, high.z));
+            let clip = self.clip_from_eye * at.extend(1.0);
+            let sides = [clip.x > clip.w, clip.x < -clip.w, clip.y > clip.w, clip.y < -clip.w, clip.w < 0.0];
+            for (count, is_beyond) in beyond.iter_mut().zip(sides) {
+                *count += u32::from(is_beyond);
+            }
+        }
+        (!beyond.contains(&8)).then(|| Vec3::ZERO.clamp(low, high).length())
+    }
+
+    /// How large triangles may be at a distance, px².
+    fn most(&self, distance: f32) -> f32 {
+        // About half of a surface is lost by its slant.
+        let pixels = 0.5 * (self.scale / distance.max(1e-3)).powi(2);
+        self.most / pixels
+    }
+}
+
+#[cfg(test)]
+mod tests;

@@ -1,0 +1,165 @@
+//! The levels of real fields: of presets that are subdivided.
+
+use std::collections::BTreeMap;
+
+use glam::{Mat4, Vec3, Vec4};
+
+use super::{Arrangement, Body, LEVELS, Sight, coarser};
+use crate::Mesh;
+use crate::params::{PRESETS, Params};
+use crate::rocks::generate;
+
+const SIZE: u32 = 128;
+
+fn preset(name: &str) -> Params {
+    let mut params = PRESETS.iter().find(|preset| preset.name == name).expect("a preset").params();
+    (params.image_width, params.image_height) = (SIZE, SIZE);
+    params
+}
+
+fn mesh_of(params: &Params) -> Mesh {
+    generate(params).expect("a field").mesh
+}
+
+fn positions(mesh: &Mesh) -> Vec<Vec3> {
+    mesh.positions.chunks_exact(3).map(Vec3::from_slice).collect()
+}
+
+fn bodies(mesh: &Mesh) -> Vec<Body> {
+    let positions = positions(mesh);
+    let of = |rock: usize| {
+        let vertices = &positions[mesh.vertex_starts[rock] as usize..mesh.vertex_starts[rock + 1] as usize];
+        Body {
+            layer: u32::from(mesh.rock_layer[rock]),
+            low: vertices.iter().fold(Vec3::INFINITY, |low, at| low.min(*at)),
+            high: vertices.iter().fold(Vec3::NEG_INFINITY, |high, at| high.max(*at)),
+            vertices: vertices.len() as u32,
+            triangles: (mesh.rock_starts[rock + 1] - mesh.rock_starts[rock]) / 3,
+        }
+    };
+    (0..mesh.rock_layer.len()).map(of).collect()
+}
+
+fn triangles(mesh: &Mesh, rock: usize) -> &[u32] {
+    &mesh.indices[mesh.rock_starts[rock] as usize..mesh.rock_starts[rock + 1] as usize]
+}
+
+fn level(body: &Body, level: usize, mesh: &Mesh, rock: usize) -> Vec<u32> {
+    let mut out = Vec::new();
+    coarser(body, level, triangles(mesh, rock), &mut out);
+    out
+}
+
+#[test]
+fn how_often_a_rock_is_subdivided_is_told_by_its_counts() {
+    for preset in PRESETS {
+        let params = self::preset(preset.name);
+        let mesh = mesh_of(&params);
+        for (body, &layer) in bodies(&mesh).iter().zip(&mesh.rock_layer) {
+            assert_eq!(body.segments(), 1 << params.layers[usize::from(layer)].detail, "{}", preset.name);
+        }
+    }
+}
+
+#[test]
+fn a_level_is_the_mesh_of_a_field_that_is_subdivided_less_often() {
+    let mut fine = preset("riverbed");
+    for layer in &mut fine.layers {
+        // Without noise, and with nothing that depends on how often a rock is subdivided.
+        (layer.detail, layer.roughness, layer.weathering) = (3, 0.0, 0.0);
+    }
+    let mesh = mesh_of(&fine);
+    for l in 0..LEVELS {
+        let mut coarse = fine.clone();
+        coarse.layers.iter_mut().for_each(|layer| layer.detail = 3 - l as u32);
+        let expected = mesh_of(&coarse);
+        let (ours, theirs) = (positions(&mesh), positions(&expected));
+        for (rock, body) in bodies(&mesh).iter().enumerate() {
+            let found = level(body, l, &mesh, rock);
+            assert_eq!(found.len() as u32, 3 * body.triangles_at(l));
+            let at: Vec<Vec3> = found.iter().map(|&v| ours[v as usize]).collect();
+            let wanted: Vec<Vec3> = triangles(&expected, rock).iter().map(|&v| theirs[v as usize]).collect();
+            assert_eq!(at, wanted, "level {l} of rock {rock}");
+        }
+    }
+}
+
+#[test]
+fn no_level_has_a_crack_or_another_outline_than_its_rim() {
+    let mesh = mesh_of(&preset("quarry-rubble"));
+    for (rock, body) in bodies(&mesh).iter().enumerate() {
+        for l in 0..LEVELS {
+            let mut sides: BTreeMap<[u32; 2], i32> = BTreeMap::new();
+            for triangle in level(body, l, &mesh, rock).chunks_exact(3) {
+                for k in 0..3 {
+                    let [a, b] = [triangle[k], triangle[(k + 1) % 3]];
+                    *sides.entry([a.min(b), a.max(b)]).or_default() += if a < b { 1 } else { -1 };
+                }
+            }
+            let open = sides.values().filter(|count| **count != 0).count() as u32;
+            let rim = (body.triangles / body.segments().pow(2) + 2) / 3 * body.segments();
+            assert_eq!(open, rim / body.step(l), "rock {rock}, level {l}");
+        }
+    }
+}
+
+/// Looks at the middle of the field from `eye`.
+fn sight(eye: Vec3, most: f32) -> Sight {
+    let middle = Vec3::new(SIZE as f32 / 2.0, SIZE as f32 / 2.0, 0.0);
+    let forward = (middle - eye).normalize();
+    let right = forward.cross(Vec3::Z).normalize();
+    let up = right.cross(forward);
+    // Depth does not matter.
+    let rows = [right * 1.5, up * 2.5, forward, forward];
+    let column = |axis: Vec3| Vec4::from(rows.map(|row| row.dot(axis)));
+    let clip_from_eye = Mat4::from_cols(column(Vec3::X), column(Vec3::Y), column(Vec3::Z), Vec4::ZERO);
+    Sight { clip_from_eye, eye, sunk: 0.0, scale: 1000.0, most }
+}
+
+#[test]
+fn every_rock_is_drawn_once_and_each_at_one_level() {
+    let mesh = mesh_of(&preset("riverbed"));
+    let bodies = bodies(&mesh);
+    let arranged = Arrangement::of(&bodies, [SIZE as f32; 2]);
+    let lengths = |l: usize| bodies.iter().map(|body| 3 * body.triangles_at(l)).sum::<u32>();
+    assert_eq!(arranged.length, (0..LEVELS).map(lengths).sum::<u32>());
+    let mut order = arranged.order.clone();
+    order.sort_unstable();
+    assert_eq!(order, (0..bodies.len() as u32).collect::<Vec<_>>());
+    let drawn = |ranges: &[std::ops::Range<u32>]| ranges.iter().map(|range| range.len() as u32).sum::<u32>();
+    assert_eq!(drawn(&arranged.all(0.0)), lengths(0));
+    assert_eq!(drawn(&arranged.all(f32::INFINITY)), lengths(LEVELS - 1));
+    let far = Vec3::new(64.0, -400.0, 400.0);
+    assert_eq!(drawn(&arranged.seen(&sight(far, 0.0))), lengths(0), "all of it is in the picture");
+    let [coarse, fine] = [100.0, 1.0].map(|most| drawn(&arranged.seen(&sight(far, most))));
+    assert!(lengths(LEVELS - 1) <= coarse && coarse < fine && fine <= lengths(0));
+}
+
+#[test]
+fn what_is_in_the_picture_is_drawn_and_what_is_behind_the_eye_is_not() {
+    let mesh = mesh_of(&preset("riverbed"));
+    let bodies = bodies(&mesh);
+    let positions = positions(&mesh);
+    let arranged = Arrangement::of(&bodies, [SIZE as f32; 2]);
+    let mut buffer = Vec::new();
+    for l in 0..LEVELS {
+        for &rock in &arranged.order {
+            buffer.extend(level(&bodies[rock as usize], l, &mesh, rock as usize));
+        }
+    }
+    let mut left_out = 0;
+    for (x, y) in [(64.0, 20.0), (10.0, 64.0), (120.0, 120.0), (64.0, 63.0)] {
+        let sight = sight(Vec3::new(x, y, 6.0), 0.0);
+        let mut drawn = vec![false; positions.len()];
+        for range in arranged.seen(&sight) {
+            buffer[range.start as usize..range.end as usize].iter().for_each(|&v| drawn[v as usize] = true);
+        }
+        for (v, at) in positions.iter().enumerate() {
+            let clip = sight.clip_from_eye * (*at - sight.eye).extend(1.0);
+            let is_inside = clip.w > 0.0 && clip.x.abs() < clip.w && clip.y.abs() < clip.w;
+            assert!(!is_inside || drawn[v], "vertex {v} is seen from {x}, {y} and not drawn");
+            left_out += u32::from(!drawn[v]);
+        }
+    }
+    assert!(left_out > positions.len() as u32, "a quarter at least is behind the eyes");
+}
