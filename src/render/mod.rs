@@ -11,10 +11,11 @@
 //! ```
 //!
 //! To draw a frame, the shadow and height maps are drawn first if the field is new. Then one multisampled pass draws
-//! the backdrop and the ground (its depth too, if rocks or props extend below it), then all rocks at once (outsides,
-//! insides; in the wireframe view also the edges) and the props, or the fills and strokes of a plan. Nothing is drawn
-//! unless a frame is asked for. In natural colours the rocks come first and the ground last, as a surface that hides
-//! what is below it.
+//! the backdrop and the ground (its depth too, if rocks or props extend below it), then the rocks that are in the
+//! picture (outsides, insides; in the wireframe view also the edges) and the props, or the fills and strokes of a plan.
+//! Nothing is drawn unless a frame is asked for. In natural colours the ground's depth comes first, so that nothing is
+//! shaded that it hides, then the rocks, each with as many triangles as can be told apart ([`crate::shading`]'s levels),
+//! and last the ground's colour.
 //!
 //! With WebGPU, a device serves any number of canvases. WebGL2 binds a device to one canvas and allows about 16 of them
 //! per page. There, all views are drawn on one canvas that is not visible, and JavaScript copies each picture to its
