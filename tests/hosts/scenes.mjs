@@ -1,6 +1,6 @@
 // The recipes of "In your own scene", as they stand in the documentation, in scenes of three.js, React Three Fiber and Babylon.js from the packed package.
 import assert from 'node:assert/strict';
-import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
+import { cpSync, mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { root } from '../../scripts/lib/env.mjs';
 import { needed } from '../../scripts/lib/run.mjs';
@@ -39,29 +39,52 @@ export async function showScenes(site, folder) {
       check(name, report);
     }
     await until(() => page.workers().length === 0, 'workers end after their fields');
+    await showPage(session, site, project);
     assert.deepEqual([errors, warnings.filter((warning) => !OF_OTHERS.test(warning))], [[], []]);
   } finally {
     await session.close();
   }
 }
 
-/** The code of the page, each block as a module. A field is made small, since a software GPU draws it. */
+/** The page that has no bundler. */
+async function showPage({ open, url }, site, project) {
+  const code = small(needed(blocks().get('index.html'), `index.html in ${PAGE}`));
+  writeFileSync(path.join(site, 'plain.html'), code.replace('<script', '<link rel="icon" href="data:,">\n<script'));
+  cpSync(path.join(project, 'node_modules', 'three', 'build'), path.join(site, 'build'), { recursive: true });
+  cpSync(path.join(project, 'node_modules', 'rock-field', 'dist'), path.join(site, 'dist'), { recursive: true });
+  const { page, errors, warnings } = await open(`${url}plain.html`, { viewport: { width: 240, height: 160 }, deviceScaleFactor: 1 });
+  const file = screenshotPath('scene-plain');
+  // Before, all of it has one colour.
+  await until(async () => share(readPicture(await page.screenshot({ path: file }))) > 0.08, 'rocks in the page without a bundler');
+  assert.deepEqual([errors, warnings], [[], []]);
+}
+
+/** By name, the code that the documentation shows. */
+function blocks() {
+  const page = readFileSync(PAGE, 'utf8');
+  return new Map([...page.matchAll(/^```\w+ ([\w.-]+)\n(.*?)^```$/gms)].map(([, name, code]) => [name, code]));
+}
+
+/** A field is made small, since a software GPU draws it. */
+function small(code) {
+  return code.replace("preset: 'riverbed'", "preset: 'riverbed', imageWidth: 160, imageHeight: 120");
+}
+
+/** Each block that needs a bundler as a module. */
 function writeRecipes(folder) {
   mkdirSync(folder, { recursive: true });
-  const page = readFileSync(PAGE, 'utf8');
-  const blocks = new Map([...page.matchAll(/^```\w+ ([\w.-]+)\n(.*?)^```$/gms)].map(([, name, code]) => [name, code]));
+  const shown = blocks();
   for (const [name, given] of Object.entries(RECIPES)) {
-    const lines = needed(blocks.get(name), `${name} in ${PAGE}`).split('\n');
+    const lines = needed(shown.get(name), `${name} in ${PAGE}`).split('\n');
     const imports = lines.filter((line) => line.startsWith('import '));
     const body = lines.filter((line) => !line.startsWith('import ')).join('\n');
     const made = /^const rocks = /m.test(body) ? 'return { rocks };' : '';
-    const code = body.replace("preset: 'riverbed'", "preset: 'riverbed', imageWidth: 160, imageHeight: 120");
     writeFileSync(
       path.join(folder, name),
-      `${imports.join('\n')}\nexport async function recipe({ ${given.join(', ')} }) {\n${code}${made}\n}\n`,
+      `${imports.join('\n')}\nexport async function recipe({ ${given.join(', ')} }) {\n${small(body)}${made}\n}\n`,
     );
   }
-  writeFileSync(path.join(folder, 'rocks.jsx'), needed(blocks.get('rocks.jsx'), `rocks.jsx in ${PAGE}`));
+  writeFileSync(path.join(folder, 'rocks.jsx'), needed(shown.get('rocks.jsx'), `rocks.jsx in ${PAGE}`));
 }
 
 /** Writes the pictures, for those who want to look at them. */

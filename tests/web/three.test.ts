@@ -160,6 +160,7 @@ const levelsOf = (batch: THREE.BatchedMesh): number[] =>
   Array.from({ length: batch.instanceCount }, (_, rock) => batch.getGeometryIdAt(rock) % 3);
 
 test('rocks are drawn with fewer triangles the smaller they are on the screen, whatever the scale of the scene', async () => {
+  const mixed: number[][] = [];
   for (const scale of [1, 100]) {
     const group = await fieldOf({ mesh: 'rocks' }).build();
     group.scale.setScalar(scale);
@@ -179,9 +180,13 @@ test('rocks are drawn with fewer triangles the smaller they are on the screen, w
     flat.position.set(0, 10 * scale, 0);
     look(batch, flat, 100_000);
     assert.deepEqual(new Set(levelsOf(batch)), new Set([0]));
+    look(batch, flat, 400);
+    mixed.push(levelsOf(batch));
     look(batch, flat, 10);
     assert.deepEqual(new Set(levelsOf(batch)), new Set([2]));
   }
+  assert.deepEqual(mixed[0], mixed[1]);
+  assert.ok(new Set(mixed[0]).size > 1, `levels ${mixed[0]}`);
 });
 
 test('shadows are those of the levels that are seen: the camera of a light chooses none', async () => {
