@@ -139,6 +139,18 @@ class Cluster(unittest.TestCase):
         # Nobody reads what it says any more.
         until(lambda: not command.is_running(), "the command line of the killed worker goes on")
 
+    @unittest.skipIf(os.name == "nt", "the command is a shell script here")
+    def test_a_shard_that_kills_its_workers_is_given_up_and_the_others_are_made(self) -> None:
+        out = self.out()
+        command = self.folder / "deadly"
+        command.write_text(f'#!/bin/sh\ncase "$*" in *"--shard 1/3"*) kill -9 $PPID; exit 1;; esac\nexec {shlex.join(ROCK_FIELD)} "$@"\n')
+        command.chmod(0o755)
+        run = Run(*self.scenes, "--out", str(out), "--workers", "2", "--shards", "3", "--retries", "1", "--rock-field", str(command))
+        code, answer = run.ends()
+        self.assertEqual((code, answer), (1, {}), run.words)
+        self.assertIn("shard 1 was given up: 2 workers died while they had it", run.words)
+        self.assertEqual(self.whole(out), SCENES - len(range(1, SCENES, 3)))
+
     def test_a_lost_scheduler_ends_in_words_and_the_same_command_makes_what_is_missing(self) -> None:
         out = self.out()
         file = self.folder / "scheduler.json"

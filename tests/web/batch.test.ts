@@ -138,8 +138,17 @@ test('foreign files are named, and do not stand in the way of the manifest', asy
   assert.equal(found.code, 1);
   const foreign = found.lines.filter(({ status }) => status === 'foreign').map(({ file }) => file);
   assert.deepEqual(foreign, ['scenes/000/000003-other.glb', 'scenes/000/holiday.jpg', 'scenes/777']);
-  assert.match(found.err, /3 files belong to no scene/);
+  assert.match(found.err, /3 files do not belong there/);
   assert.equal((await batch('merge', out)).code, 0);
+  const manifest = path.join(out, 'manifest.json');
+  const said = readFileSync(manifest, 'utf8');
+  for (const other of [said.replace(/"merkle":"./, '"merkle":"x'), said.slice(0, 200)]) {
+    writeFileSync(manifest, other);
+    const { lines } = await batch('verify', out);
+    assert.deepEqual(lines.filter(({ status }) => status === 'foreign').at(-1), { status: 'foreign', file: 'manifest.json' });
+  }
+  writeFileSync(manifest, said);
+  assert.equal(last(await batch('verify', out)).foreign, 3);
 });
 
 test('a folder of another list, other options, another version or no batch is refused before anything is written', async () => {

@@ -74,7 +74,14 @@ export interface LinkedScene {
  * @throws {Ending} for a text that is no link, for one of a newer version, and where nobody knows its preset.
  */
 export function sceneOfLink(text: string): LinkedScene {
-  const read = ALL.filter(({ table }) => isLink(table, text)).map((one) => ({ generator: one, ...one.decode(text) }));
+  const read: LinkedScene[] = [];
+  for (const generator of ALL) {
+    if (!isLink(generator.table, text)) continue;
+    const { params, preset, notices } = generator.decode(text);
+    // Nobody could understand it better, and of a long list every line is read so.
+    if (notices.length === 0 && read.length === 0) return { generator, params, preset, notices };
+    read.push({ generator, params, preset, notices });
+  }
   if (read.length === 0)
     throw misuse(
       `this is no link to a scene: ${short(text)}. Copy it from the page, and write it in quotes, since & means something to a shell.`,
@@ -87,8 +94,7 @@ export function sceneOfLink(text: string): LinkedScene {
     .filter(({ notices }) => !codes(notices).has('unknown-preset'))
     .sort((one, other) => Number(codes(one.notices).has('unknown-key')) - Number(codes(other.notices).has('unknown-key')));
   if (!best) generatorOfPreset(read[0]!.notices.find(({ code }) => code === 'unknown-preset')!.given);
-  const { generator: own, params, preset, notices } = best!;
-  return { generator: own, params, preset, notices };
+  return best!;
 }
 
 function newer(given: string): string {

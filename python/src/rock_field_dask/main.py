@@ -27,7 +27,7 @@ What follows two hyphens goes to rock-field batch: options of exports, or scenes
 The same command again goes on where the last run ended: what is there and whole stays.
 Workers of a cluster need this package and rock-field, and see LIST and DIR by the same paths.
 
-exit codes: 0 everything is there; 1 something could not be made; 2 the command line is wrong; 3 files cannot be written;
+exit codes: 0 everything is there; 1 something could not be made; 2 the command line is wrong; 3 the manifest cannot be written;
             4 the scheduler is unreachable or was lost; 130 Ctrl-C; 143 SIGTERM. What was finished stays, whatever the code.
 """
 

@@ -15,7 +15,7 @@ import type { ItemRecord } from './record.ts';
 export type Finding =
   /** `missing`: to be made yet. `corrupt`: not what was written; to be made again. */
   | { status: 'missing' | 'corrupt'; index: number; file?: string }
-  /** A file that belongs to no item. */
+  /** A file that belongs to no item, or a manifest that is not of these files. */
   | { status: 'foreign'; file: string };
 
 export interface Checked {

@@ -1,6 +1,6 @@
 /** The manifest of a batch that is complete: every item with its file, and one hash for all of them. */
 
-import { readdirSync, rmSync } from 'node:fs';
+import { existsSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
 import { writeWhole } from '../whole-file.ts';
 import { checkFolder } from './check.ts';
@@ -14,7 +14,7 @@ export interface Merged extends Checked {
 }
 
 /** Checks a folder; `onLine` is told what the manifest says of each item, in order. */
-export async function examine(folder: string, onFinding: (finding: Finding) => void, onLine?: (line: string) => void): Promise<Merged> {
+async function examine(folder: string, onFinding: (finding: Finding) => void, onLine?: (line: string) => void): Promise<Merged> {
   const tree = new MerkleTree();
   const checked = await checkFolder(folder, onFinding, (_, record) => {
     if (!record) return;
@@ -23,6 +23,26 @@ export async function examine(folder: string, onFinding: (finding: Finding) => v
     onLine?.(JSON.stringify([file, bytes, sha256, key]));
   });
   return { ...checked, merkle: checked.whole === checked.batch.items ? tree.root() : null };
+}
+
+/** Checks a folder, and its manifest where it has one. */
+export async function verify(folder: string, onFinding: (finding: Finding) => void): Promise<Merged> {
+  const found = await examine(folder, onFinding);
+  const said = manifestRoot(folder);
+  if (said === undefined || said === found.merkle || found.merkle === null) return found;
+  onFinding({ status: 'foreign', file: MANIFEST });
+  return { ...found, foreign: found.foreign + 1 };
+}
+
+/** What a manifest says; undefined where there is none, null where it cannot be read. */
+function manifestRoot(folder: string): string | null | undefined {
+  const file = path.join(folder, MANIFEST);
+  if (!existsSync(file)) return undefined;
+  try {
+    return (JSON.parse(readFileSync(file, 'utf8')) as { merkle: string }).merkle;
+  } catch {
+    return null;
+  }
 }
 
 /**

@@ -6,7 +6,7 @@ import type { Finding } from '../batch/check.ts';
 import { MANIFEST } from '../batch/folder.ts';
 import { listOf, readList } from '../batch/list.ts';
 import type { List } from '../batch/list.ts';
-import { examine, merge } from '../batch/merge.ts';
+import { merge, verify } from '../batch/merge.ts';
 import type { Merged } from '../batch/merge.ts';
 import { runShard } from '../batch/run-shard.ts';
 import { WHOLE, shardOf } from '../batch/shards.ts';
@@ -101,7 +101,7 @@ async function asked(
 
 async function check(what: 'verify' | 'merge', folder: string, args: Arguments, { out, err }: Surroundings): Promise<Exit> {
   const onFinding = (finding: Finding): void => void out.write(`${JSON.stringify(finding)}\n`);
-  const found = await (what === 'merge' ? merge : examine)(folder, onFinding);
+  const found = await (what === 'merge' ? merge : verify)(folder, onFinding);
   const { batch, whole, bytes, missing, corrupt, foreign, merkle } = found;
   const isWhole = merkle !== null;
   const status = !isWhole ? 'incomplete' : what === 'merge' ? 'merged' : 'verified';
@@ -111,7 +111,7 @@ async function check(what: 'verify' | 'merge', folder: string, args: Arguments, 
 }
 
 function words(what: 'verify' | 'merge', folder: string, { batch, whole, missing, corrupt, foreign, merkle }: Merged): string {
-  const strange = foreign > 0 ? [`${foreign} files belong to no scene`] : [];
+  const strange = foreign > 0 ? [foreign === 1 ? '1 file does not belong there' : `${foreign} files do not belong there`] : [];
   if (merkle !== null) {
     const written = what === 'merge' ? [`${folder}/${MANIFEST} is written`] : [];
     return [`all ${batch.items} files are there and whole`, ...strange, ...written].join('; ');
