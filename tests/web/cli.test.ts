@@ -3,11 +3,13 @@
 import assert from 'node:assert/strict';
 import { spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
+import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { unzipSync } from 'fflate';
+import { generate } from 'rock-field/core';
 import { exportScene } from 'rock-field/export';
 
 const CLI = fileURLToPath(new URL('../../dist/cli.js', import.meta.url));
@@ -84,6 +86,9 @@ test('what was mistyped is named with what was meant, and nothing is written', (
     ['export --link v=1&preset=riverbd', 'Did you mean riverbed?'],
     ['export --link https://example.org/', 'this is no link to a scene'],
     ['export --out r.glb', 'which scene?'],
+    ['export riverbed', 'Did you mean --preset riverbed?'],
+    ['export v=1&preset=riverbed', 'Did you mean --link?'],
+    ['generate nothing', '"nothing" belongs to no option.'],
     ['export --preset', 'needs a value'],
     ['export --preset --seed 3', 'needs a value'],
     ['export --preset riverbed --solid=yes', 'is a switch'],
@@ -120,4 +125,114 @@ test('a file says the same of its colours whether they were asked for by name or
   const hashes = [{}, { color: 'preset' }, { color: 'natural' }] as const;
   const [plain, ...others] = await Promise.all(hashes.map(async (options) => sha256((await exportScene(request, options)).bytes)));
   assert.deepEqual(others, [plain, plain]);
+});
+
+test('one scene that cannot be made does not keep the others from being made, and the exit code tells', () => {
+  const huge = 'v=1&preset=journal-fig1&w=8192&h=8192&r=1&a=1&n=-';
+  const line = [
+    'export',
+    '--link',
+    huge,
+    '--preset',
+    'scree',
+    '--preset',
+    'riverbed',
+    '--seeds',
+    '1,2',
+    '--mesh',
+    'one',
+    '--out',
+    '{preset}-{seed}.glb',
+  ];
+  const { status, out, err, cwd } = rockField([...line, '--link', 'v=1&preset=moraine&w=48&h=48']);
+  const lines = out
+    .trim()
+    .split('\n')
+    .map((text) => JSON.parse(text));
+  assert.equal(status, 1, err);
+  assert.deepEqual(lines.flatMap(({ preset, seed, error }) => (error ? [`${preset} ${seed} ${error.name} ${error.key}`] : [])).sort(), [
+    'journal-fig1 1 OverBudget radius',
+    'journal-fig1 2 OverBudget radius',
+  ]);
+  assert.equal(readdirSync(cwd).length, 6);
+  assert.match(err, /2 of 8 could not be made; the others are there/);
+});
+
+test('info names the command that makes a file again, which makes it again to the last byte, and --check sees a change', () => {
+  const { cwd } = rockField([
+    'export',
+    '--preset',
+    'scree',
+    '--seed',
+    '3',
+    ...SMALL,
+    '--target',
+    'unreal',
+    '--lods',
+    '2',
+    '--metres-per-pixel',
+    '0.02',
+    '--out',
+    'a.glb',
+  ]);
+  const { again, options, link } = JSON.parse(rockField('info a.glb --json', cwd).out);
+  assert.equal(link, 'v=1&preset=scree&seed=3&w=48&h=48');
+  assert.deepEqual(options, { solid: true, lods: 2, hulls: 'unreal', metresPerPixel: 0.02 });
+  const words = [...again.matchAll(/'([^']*)'|(\S+)/g)].map(([, quoted, plain]) => quoted ?? plain).slice(1);
+  assert.equal(rockField([...words, '--out', 'b.glb'], cwd).status, 0);
+  const [one, other] = ['a.glb', 'b.glb'].map((name) => readFileSync(path.join(cwd, name)));
+  assert.ok(one.equals(other));
+  assert.equal(rockField('info b.glb --check', cwd).status, 0);
+  other[other.length - 8] ^= 1;
+  writeFileSync(path.join(cwd, 'b.glb'), other);
+  const changed = rockField('info b.glb --check', cwd);
+  assert.deepEqual([changed.status, /the scene is the same/.test(changed.out), /the file differs/.test(changed.out)], [1, true, true]);
+});
+
+test('info reads what each command writes, and says why it cannot read the rest', () => {
+  const { cwd } = rockField(['maps', '--preset', 'scree', ...SMALL, '--map', 'splat', '--map', 'height', '--out', '{map}.png']);
+  for (const line of [
+    'maps --out m.zip',
+    'maps --map all --out n.zip',
+    'generate --out d.json',
+    'generate --out d.npz',
+    'export --parts 2 --out p.zip',
+    'export --out s.stl',
+  ]) {
+    const { status, err } = rockField([...line.split(' '), '--preset', 'scree', ...SMALL], cwd);
+    assert.equal(status, 0, `${line}: ${err}`);
+  }
+  for (const name of ['splat.png', 'height.png', 'm.zip', 'n.zip', 'd.json', 'd.npz', 'p.zip']) {
+    const { status, out, err } = rockField(['info', name, '--check'], cwd);
+    assert.deepEqual([name, status, err], [name, 0, '']);
+    assert.match(out, /rocks, preset scree, seed 0/);
+  }
+  const stl = rockField('info s.stl', cwd);
+  assert.deepEqual([stl.status, stl.err], [1, 'rock-field: s.stl brings no scene back: files of this kind do not say what made them\n']);
+  assert.equal(rockField('info none.glb', cwd).status, 2);
+});
+
+test('arrays for NumPy are those of the field, with their shapes', async () => {
+  const { cwd } = rockField(['generate', '--preset', 'scree', ...SMALL, '--out', 'f.npz']);
+  const files = unzipSync(readFileSync(path.join(cwd, 'f.npz')));
+  const field = await generate({ preset: 'scree', imageWidth: 48, imageHeight: 48 });
+  for (const [name, values, shape] of [
+    ['positions', field.positions, [field.positions.length / 3, 3]],
+    ['indices', field.indices, [field.indices.length / 3, 3]],
+    ['rockLayer', field.rockLayer, [field.rockLayer.length]],
+    ['layer1_sites', field.layers[0].sites, [field.layers[0].sites.length / 2, 2]],
+  ] as const) {
+    const file = files[`${name}.npy`];
+    const length = 10 + new DataView(file.buffer, file.byteOffset).getUint16(8, true);
+    const head = new TextDecoder('latin1').decode(file.subarray(0, length));
+    assert.equal(length % 64, 0);
+    const order = { Float32Array: '<f4', Uint32Array: '<u4', Uint8Array: '|u1' }[values.constructor.name];
+    assert.ok(head.startsWith('\x93NUMPY\x01\x00'));
+    assert.ok(
+      head.includes(`'descr': '${order}', 'fortran_order': False, 'shape': (${shape.join(', ')}${shape.length === 1 ? ',' : ''})`),
+      head,
+    );
+    assert.ok(Buffer.from(file.subarray(length)).equals(Buffer.from(values.buffer, values.byteOffset, values.byteLength)), name);
+  }
+  assert.equal(JSON.parse(new TextDecoder().decode(files['scene.json'])).rocks, field.stats.rocks);
 });

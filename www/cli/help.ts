@@ -22,7 +22,7 @@ export function overview(commands: Readonly<Record<string, { summary: string }>>
     '',
     'Try:',
     '  rock-field export --preset riverbed --seed 7 --target blender --out riverbed.glb',
-    '  rock-field export --preset scree --seeds 1..1000 --out scree/{seed:4}.glb',
+    '  rock-field export --preset scree --seeds 1..1000 --out "scree/{seed:4}.glb"',
     '  rock-field info riverbed.glb',
     '',
     ...wrapped(

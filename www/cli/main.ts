@@ -43,7 +43,7 @@ export async function main(argv: readonly string[], surroundings: Surroundings):
 async function run(argv: readonly string[], surroundings: Surroundings): Promise<Exit> {
   const { out } = surroundings;
   const [first, ...rest] = argv;
-  if (first === '--version' || first === '-V') {
+  if (first === '--version' || first === '-v' || first === '-V') {
     out.write(`${VERSION}\n`);
     return 'done';
   }

@@ -117,8 +117,8 @@ export const TARGET: Option = {
 export const EXPORT: readonly Option[] = [TARGET, ...[...EXPORT_KEYS].map(([name, key]) => exportOption(name, key))];
 
 /** Those of maps alone. */
-const MAP_KEYS: readonly OptionKey[] = ['format', 'map', 'side', 'square', 'samples', 'green', 'contact', 'metresPerPixel', 'solid'];
-export const MAPS: readonly Option[] = [TARGET, ...MAP_KEYS.filter((key) => key !== 'solid').map((key) => exportOption(kebab(key), key))];
+const MAP_KEYS: readonly OptionKey[] = ['format', 'map', 'side', 'square', 'samples', 'green', 'contact', 'metresPerPixel'];
+export const MAPS: readonly Option[] = [TARGET, ...MAP_KEYS.map((key) => exportOption(kebab(key), key))];
 
 function exportOption(name: string, key: OptionKey): Option {
   const row = OPTIONS[key];

@@ -1,6 +1,6 @@
 /** The scenes that a command line asks for: presets, links or files, with parameters put in their place, for each of the seeds. */
 
-import { openAsBlob, statSync } from 'node:fs';
+import { existsSync, openAsBlob, statSync } from 'node:fs';
 import { RockFieldError } from '../base/errors.ts';
 import { isReadable } from '../table/link.ts';
 import type { Row } from '../table/row.ts';
@@ -30,6 +30,22 @@ export interface Scene {
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 /** Stands for no number, where a parameter may have none. */
 const NONE = '-';
+/** Formats in which nothing is read of where a file comes from. */
+const MUTE = /\.(stl|obj|ply|csv|r16|exr)$/i;
+
+/** Words that belong to no option; @throws {Ending} that says to which they may belong. */
+export function refuseWords({ positionals }: Arguments): void {
+  const [word] = positionals;
+  if (word === undefined) return;
+  const meant = Object.values(GENERATORS).some(({ table }) => table.presets.some(({ name }) => name === word))
+    ? ` Did you mean --preset ${word}?`
+    : word.includes('=')
+      ? ' Did you mean --link? Write the link in quotes.'
+      : existsSync(word)
+        ? ` Did you mean --from ${word}?`
+        : '';
+  throw misuse(`${JSON.stringify(word)} belongs to no option.${meant}`);
+}
 
 /**
  * @param say is given what of a link could not be taken as it stood, in sentences.
@@ -86,11 +102,12 @@ export async function originOfFile(file: string): Promise<FileOrigin> {
   } catch (thrown) {
     if (thrown instanceof RockFieldError) throw new Ending('failed', `${file}: ${thrown.message}`, { cause: thrown });
     if (!(thrown instanceof Refused)) throw thrown;
+    const foreign = MUTE.test(file)
+      ? 'files of this kind do not say what made them'
+      : 'it was not made by rock-field, or what it said of its scene was taken out of it';
     throw new Ending(
       'failed',
-      thrown.reason === 'broken'
-        ? `${file} is damaged: the scene in it cannot be read`
-        : `${file} brings no scene back: it was not made by rock-field, or what it said of its scene was taken out of it`,
+      thrown.reason === 'broken' ? `${file} is damaged: the scene in it cannot be read` : `${file} brings no scene back: ${foreign}`,
       { cause: thrown },
     );
   }

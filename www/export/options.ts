@@ -387,24 +387,6 @@ export function impossible(key: OptionKey, value: unknown, reason: string): Rock
   });
 }
 
-/**
- * Whether a file is in natural colours, and the options with their colour as the file says it: `preset` wherever that is the same, since a page asks
- * for what it shows by name.
- *
- * @param isNaturalByItself whether the scene's preset has natural colours.
- */
-export function coloured(options: ResolvedOptions, isNaturalByItself: boolean): { isNatural: boolean; options: ResolvedOptions } {
-  const { color } = options;
-  const isNatural = color === 'preset' ? isNaturalByItself : color === 'natural';
-  return { isNatural, options: { ...options, color: isNatural === isNaturalByItself ? 'preset' : color } };
-}
-
-/** What a file says of how it was written: the options that are not as they are by themselves, but the scale, which is said anyway. */
-export function writtenOptions(options: ResolvedOptions): { options?: Partial<ResolvedOptions> } {
-  const other = Object.entries(options).filter(([key, value]) => key !== 'metresPerPixel' && value !== OPTIONS[key as OptionKey].default);
-  return other.length > 0 ? { options: Object.fromEntries(other) } : {};
-}
-
 /** Side of the textures that are asked for, texels; 0 of none. */
 export function textureSide({ textures }: Pick<ResolvedOptions, 'textures'>): number {
   return textures === 'none' ? 0 : 1024 * Number.parseInt(textures, 10);

@@ -3,8 +3,8 @@
 import { exportModel } from '../export/file.ts';
 import type { ExportedFile, Note } from '../export/file.ts';
 import { joined } from '../export/shapes/join.ts';
-import { coloured } from '../export/options.ts';
 import type { ResolvedOptions } from '../export/options.ts';
+import { coloured } from '../export/origin/written-options.ts';
 import { Pace } from '../export/pace.ts';
 import type { Waiting } from '../export/pace.ts';
 import { rockExtras, rocksModel } from '../rocks/export.ts';

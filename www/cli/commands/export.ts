@@ -4,7 +4,7 @@ import type { Command } from '../command.ts';
 import { exportTasks } from '../export-tasks.ts';
 import { make } from '../make.ts';
 import { EXPORT, OUTPUT, PARAMETER_OPTIONS, SAYING, SCENE } from '../options.ts';
-import { scenesOf } from '../scenes.ts';
+import { refuseWords, scenesOf } from '../scenes.ts';
 
 export const command: Command = {
   usage: '--preset NAME | --link URL | --from FILE [options]',
@@ -20,7 +20,7 @@ export const command: Command = {
   footer: 'Every parameter of the scene is an option too, as in --image-width 400 or --moss 0.5: rock-field help parameters lists them.',
   examples: [
     { what: 'a river bed for Blender', line: 'rock-field export --preset riverbed --seed 7 --target blender --out r.glb' },
-    { what: 'a thousand of them, on all cores', line: 'rock-field export --preset riverbed --seeds 1..1000 --out beds/{seed:4}.glb' },
+    { what: 'a thousand of them, on all cores', line: 'rock-field export --preset riverbed --seeds 1..1000 --out "beds/{seed:4}.glb"' },
     {
       what: 'twelve kinds of rocks that share their meshes, for Unreal',
       line: 'rock-field export --preset scree --target unreal --mesh kit --out scree.glb',
@@ -32,6 +32,7 @@ export const command: Command = {
     },
   ],
   run: async (args, surroundings) => {
+    refuseWords(args);
     const say = (text: string): void => void surroundings.err.write(`rock-field: ${text}\n`);
     const tasks = exportTasks(args, await scenesOf(args, say), ['']);
     return make({ tasks, ...howOf(args) }, surroundings);

@@ -5,7 +5,7 @@ import { placesOf, tasksOf } from '../export-tasks.ts';
 import { make } from '../make.ts';
 import { OUTPUT, PARAMETER_OPTIONS, SAYING, SCENE } from '../options.ts';
 import { misuse } from '../failures.ts';
-import { scenesOf } from '../scenes.ts';
+import { refuseWords, scenesOf } from '../scenes.ts';
 import { howOf } from './export.ts';
 
 const FORMATS = ['json', 'npz'] as const;
@@ -38,6 +38,7 @@ export const command: Command = {
     { what: 'wood ears on a shorter log', line: 'rock-field generate --preset wrinkled-colony --log-length 120' },
   ],
   run: async (args, surroundings) => {
+    refuseWords(args);
     const say = (text: string): void => void surroundings.err.write(`rock-field: ${text}\n`);
     const scenes = await scenesOf(args, say);
     const out = args.get('out');

@@ -1,7 +1,7 @@
 /** `rock-field info`: what made this file? */
 
-import { readFileSync } from 'node:fs';
 import { createHash } from 'node:crypto';
+import { createReadStream, openAsBlob } from 'node:fs';
 import { resolveOptions } from '../../export/options.ts';
 import type { ExportOptions } from '../../export/options.ts';
 import { VERSION } from '../../data/version.ts';
@@ -44,7 +44,7 @@ export const command: Command = {
     const scene = sceneOfLink(link);
     for (const { text } of scene.notices) surroundings.err.write(`rock-field: ${text}\n`);
     const { generator, preset, params } = scene;
-    const format = formatOf(file, options);
+    const format = await formatOf(file, options);
     const again = commandOf(scene, format, options);
     const facts = { file, version, scene: generator.noun, preset, seed: params.seed, options, link, hash, again };
     const check = args.is('check') ? await checked(file, scene, hash, format, options, surroundings) : undefined;
@@ -57,9 +57,10 @@ export const command: Command = {
 type Options = Readonly<Record<string, unknown>>;
 
 /** Of an export; undefined for what only shows a scene. */
-function formatOf(file: string, options: Options): string | undefined {
+async function formatOf(file: string, options: Options): Promise<string | undefined> {
   if (typeof options['format'] === 'string') return options['format'];
-  return readFileSync(file).subarray(0, 4).toString('latin1') === 'glTF' || Number(options['parts']) > 1 ? 'glb' : undefined;
+  const head = await (await openAsBlob(file)).slice(0, 4).text();
+  return head === 'glTF' || Number(options['parts']) > 1 ? 'glb' : undefined;
 }
 
 /** What is typed to make it again. */
@@ -104,7 +105,13 @@ async function checked(
   );
   const isScene = made.hash === hash;
   if (format === undefined) return { scene: isScene, hash: made.hash };
-  return { scene: isScene, hash: made.hash, file: made.sha256 === createHash('sha256').update(readFileSync(file)).digest('hex') };
+  return { scene: isScene, hash: made.hash, file: made.sha256 === (await hashOfFile(file)) };
+}
+
+async function hashOfFile(file: string): Promise<string> {
+  const hash = createHash('sha256');
+  for await (const piece of createReadStream(file)) hash.update(piece as Uint8Array);
+  return hash.digest('hex');
 }
 
 function inWords({ file, version, scene, preset, seed, link, hash, again }: Record<string, unknown>, check: Check | undefined): string {

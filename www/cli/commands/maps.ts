@@ -6,7 +6,7 @@ import { exportTasks } from '../export-tasks.ts';
 import { misuse } from '../failures.ts';
 import { make } from '../make.ts';
 import { MAPS, OUTPUT, PARAMETER_OPTIONS, SAYING, SCENE } from '../options.ts';
-import { scenesOf } from '../scenes.ts';
+import { refuseWords, scenesOf } from '../scenes.ts';
 import { howOf } from './export.ts';
 
 const FORMATS = Object.keys(MAPS_OF);
@@ -39,10 +39,11 @@ export const command: Command = {
     },
     {
       what: 'height and masks of a hundred seeds',
-      line: 'rock-field maps --preset moraine --seeds 1..100 --map height --map splat --out maps/{seed}-{map}.png',
+      line: 'rock-field maps --preset moraine --seeds 1..100 --map height --map splat --out "maps/{seed}-{map}.png"',
     },
   ],
   run: async (args, surroundings) => {
+    refuseWords(args);
     const say = (text: string): void => void surroundings.err.write(`rock-field: ${text}\n`);
     const scenes = await scenesOf(args, say);
     if (scenes.some(({ generator }) => generator !== 'rocks'))
