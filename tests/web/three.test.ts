@@ -7,8 +7,9 @@ import { exportScene } from 'rock-field/export';
 import type { ExportOptions } from 'rock-field/export';
 import { RockField } from 'rock-field/three';
 import type { RockFieldOptions } from 'rock-field/three';
+import { KEPT_MS, workers } from '../../www/three/in-workers.ts';
 import { levelFor, limitOf } from '../../www/three/levels.ts';
-import { OPTION_KEYS } from '../../www/three/options.ts';
+import { OPTION_KEYS, resolve } from '../../www/three/options.ts';
 import { checkRevision, FIRST_REVISION } from '../../www/three/revision.ts';
 import packageJson from '../../package.json' with { type: 'json' };
 
@@ -294,6 +295,38 @@ test('progress goes up to the last stage, in which the meshes are made', async (
   await fieldOf({ mesh: 'rocks' }).build({ onProgress: (progress) => told.push(progress) });
   assert.ok(told.every(({ fraction }, k) => fraction <= 1 && (k === 0 || fraction >= told[k - 1]!.fraction)));
   assert.equal(told.at(-1)?.stage, 'scene');
+});
+
+test('a worker keeps the stages of a run for the next one, and is left when there is none for a while, or the field is disposed of', async (t) => {
+  t.mock.timers.enable({ apis: ['setTimeout'] });
+  const told: string[] = [];
+  let clients = 0;
+  let fail = (): void => {};
+  const grower = workers(() => {
+    const name = `client ${++clients}`;
+    return {
+      generate: () => {
+        told.push(`${name} generates`);
+        return new Promise((_, reject) => {
+          fail = () => reject(new Error('no field'));
+        });
+      },
+      dispose: () => told.push(`${name} ends`),
+    };
+  });
+  const grow = async (ms: number): Promise<void> => {
+    const run = grower.grow(resolve(REQUEST), {});
+    t.mock.timers.tick(10 * KEPT_MS);
+    fail();
+    await assert.rejects(run, /no field/);
+    t.mock.timers.tick(ms);
+  };
+  await grow(KEPT_MS - 1);
+  await grow(KEPT_MS);
+  await grow(0);
+  grower.dispose();
+  t.mock.timers.tick(KEPT_MS);
+  assert.deepEqual(told, ['client 1 generates', 'client 1 generates', 'client 1 ends', 'client 2 generates', 'client 2 ends']);
 });
 
 test('there is a method for every parameter and option', async () => {

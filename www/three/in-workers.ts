@@ -9,22 +9,43 @@ import type { Grower } from './rock-field.ts';
 /** The share of the work that is done when the field is there. */
 const GENERATED = 0.6;
 
-/** Keeps the stages of its last run, so that the next one begins with the first stage that changed. */
-export function workers(): Grower {
-  const client = new GeneratorClient();
+/** How long the stages of a run are kept for the next one, ms: sliders are moved again and again, but most fields are built once and stay. */
+export const KEPT_MS = 10_000;
+
+type Client = Pick<GeneratorClient, 'generate' | 'dispose'>;
+
+/** Keeps the stages of its last run for a while, so that the next one begins with the first stage that changed. */
+export function workers(newClient: () => Client = () => new GeneratorClient()): Grower {
+  let client: Client | undefined;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  let running = 0;
+  const leave = (): void => {
+    clearTimeout(timer);
+    client?.dispose();
+    client = undefined;
+  };
   return {
     async grow({ source, options }, { signal, onProgress, maxBytes }) {
-      const field = await client.generate(source.params, {
-        signal,
-        maxBytes,
-        onProgress: onProgress && ((progress) => onProgress({ ...progress, fraction: GENERATED * progress.fraction })),
-      });
-      const run = {
-        signal,
-        onProgress: onProgress && ((fraction: number) => onProgress({ stage: 'scene', fraction: GENERATED + (1 - GENERATED) * fraction })),
-      };
-      return (await inWorker(EXPORTER, { field, source, options, step: 'scene' }, run)) as SceneParts;
+      clearTimeout(timer);
+      running += 1;
+      client ??= newClient();
+      try {
+        const field = await client.generate(source.params, {
+          signal,
+          maxBytes,
+          onProgress: onProgress && ((progress) => onProgress({ ...progress, fraction: GENERATED * progress.fraction })),
+        });
+        const run = {
+          signal,
+          onProgress:
+            onProgress && ((fraction: number) => onProgress({ stage: 'scene', fraction: GENERATED + (1 - GENERATED) * fraction })),
+        };
+        return (await inWorker(EXPORTER, { field, source, options, step: 'scene' }, run)) as SceneParts;
+      } finally {
+        running -= 1;
+        if (running === 0 && client) timer = setTimeout(leave, KEPT_MS);
+      }
     },
-    dispose: () => client.dispose(),
+    dispose: leave,
   };
 }
