@@ -82,6 +82,17 @@ def until(what: Callable[[], Found | None], words: str) -> Found:
     return found
 
 
+def listeners(process: psutil.Process) -> list[str]:
+    """The addresses at which a process and those below it listen."""
+    found: list[str] = []
+    for one in [process, *process.children(recursive=True)]:
+        try:
+            found += [connection.laddr.ip for connection in one.net_connections(kind="inet") if connection.status == psutil.CONN_LISTEN]
+        except psutil.NoSuchProcess:
+            continue
+    return found
+
+
 def working(process: psutil.Process) -> tuple[psutil.Process, psutil.Process] | None:
     """A worker below a process that is at a shard, and the command line that it runs."""
     for child in process.children(recursive=True):
@@ -132,6 +143,10 @@ class Cluster(unittest.TestCase):
         run = Run(*self.scenes, "--out", str(self.out()), "--workers", "2", "--shards", "6")
         run.hears(r"^1/6 shards")
         worker, command = until(lambda: working(psutil.Process(run.process.pid)), "no worker is at a shard")
+        # Whatever listens, listens to this machine alone.
+        listening = listeners(psutil.Process(run.process.pid))
+        self.assertGreater(len(listening), 3)
+        self.assertEqual({address for address in listening if address != "127.0.0.1"}, set())
         worker.send_signal(signal.SIGKILL)
         code, answer = run.ends()
         self.assertEqual(code, 0, run.words)
