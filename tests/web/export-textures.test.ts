@@ -89,7 +89,7 @@ test('files with textures are valid, whatever their mesh form, closed or open', 
 });
 
 test('every rock is of one material with the images, and its vertices are in the texture where they were laid', async () => {
-  const { file, laid } = await exported({ mesh: 'one' });
+  const { file, laid } = await exported({ mesh: 'one', belowGround: 'cut' });
   const root = (await read(file)).getRoot();
   const [material, ...others] = root.listMaterials();
   assert.equal(others.length, 0);
@@ -153,11 +153,11 @@ test('of a kit only its kinds are in the texture, so that they are finer', async
 });
 
 test('the report says how fine the textures are, and no longer that patterns are lost; without a graphics device it says that there are none', async () => {
-  const { file, laid } = await exported({ mesh: 'one' });
+  const { file, laid } = await exported({ mesh: 'one', belowGround: 'cut' });
   const codes = ({ report }: Pick<ExportedFile, 'report'>): string[] => report.notes.map(({ code }) => code);
   assert.equal(file.report.texelsPerMetre, Math.round(laid.atlas.density / 0.01));
   assert.deepEqual(codes(file), []);
-  const plain = await exportScene(REQUEST, { textures: '1k' });
+  const plain = await exportScene(REQUEST, { textures: '1k', belowGround: 'cut' });
   assert.deepEqual([codes(plain), plain.report.texelsPerMetre], [['no-device'], undefined]);
 });
 

@@ -20,12 +20,13 @@ export interface MeshWords {
   solid: LaterKey;
   open: LaterKey;
   closed: LaterKey;
-  hasTextures: boolean;
+  /** Which have textures, and reach below the ground. */
+  areRocks: boolean;
 }
 
 export function meshControls(
   { words, options, choose }: Choosing,
-  { label, forms, solid, open, closed, hasTextures }: MeshWords,
+  { label, forms, solid, open, closed, areRocks }: MeshWords,
 ): TemplateResult {
   return html`
     ${segments({
@@ -43,7 +44,7 @@ export function meshControls(
       action: (format) => choose({ format }),
     })}
     ${
-      hasTextures
+      areRocks
         ? segments({
             name: 'export-textures',
             label: words('exportTextures'),
@@ -70,6 +71,17 @@ export function meshControls(
       value: options.solid ? 'closed' : 'open',
       action: (bottom) => choose({ solid: bottom === 'closed' }),
     })}
+    ${
+      areRocks
+        ? segments({
+            name: 'export-below',
+            label: words('exportBelow'),
+            options: OPTIONS.belowGround.choices.map((value) => ({ value, label: words(`below-${value}`) })),
+            value: options.belowGround,
+            action: (belowGround) => choose({ belowGround }),
+          })
+        : nothing
+    }
     ${segments({
       name: 'export-ground',
       label: words('exportGround'),

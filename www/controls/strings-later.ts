@@ -63,6 +63,9 @@ export const LATER = {
   exportBottom: { en: 'Undersides', ja: '底面' },
   'bottom-open': { en: 'Open', ja: 'なし' },
   'bottom-closed': { en: 'Closed', ja: '閉じる' },
+  exportBelow: { en: 'Below ground', ja: '地面の下' },
+  'below-kept': { en: 'Kept', ja: '残す' },
+  'below-cut': { en: 'Cut off', ja: '切り取る' },
   exportTextures: { en: 'Textures', ja: 'テクスチャ' },
   'textures-none': { en: 'None', ja: 'なし' },
   exportTexels: { en: 'The textures have {texels} texels per metre.', ja: 'テクスチャの解像度は 1 m あたり {texels} テクセルです。' },
@@ -138,6 +141,10 @@ export const LATER = {
   'note-no-objects': {
     en: 'This kind of file has no objects: everything is one mesh.',
     ja: 'この形式にはオブジェクトがなく、すべてが 1 つのメッシュになります。',
+  },
+  'note-below-ground': {
+    en: 'Worn rocks have skirts below the ground, which show where there is none. They can be cut off.',
+    ja: '風化した岩には地面の下に隠れる裾があり、地面がないと見えます。「切り取る」を選ぶと除けます。',
   },
   'note-ground-is-open': {
     en: 'The ground is a sheet without a thickness. Only the rocks are closed.',

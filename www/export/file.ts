@@ -93,6 +93,7 @@ const NOTES = {
     '{count} objects in a file: many programs take long to open so many. A kit shares its meshes, `mesh: "one"` has one for each layer, and `parts` are several files.',
   compressed: 'Programs that do not know EXT_meshopt_compression cannot open it.',
   'kit-differs': 'Rocks of a kit are like the rocks of the scene, not the same.',
+  'below-ground': 'Worn rocks have skirts below the ground, which show where there is none: `belowGround: "cut"` leaves them out.',
   'ground-is-open': 'The ground is a sheet without a thickness: `solid` closes the rocks alone.',
   thickened: 'Wood ears without a thickness are sheets: to be solid they have been made 1.5 mm thick.',
   'crosses-itself':

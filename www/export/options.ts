@@ -61,6 +61,12 @@ export const OPTIONS = /* @__PURE__ */ rows({
     default: false,
     doc: 'Whether rocks are closed below, and wood ears have a thickness, as printing and physics need them.',
   },
+  belowGround: {
+    kind: 'choice',
+    choices: ['kept', 'cut'],
+    default: 'kept',
+    doc: 'What of rocks lies below the ground, as that of weathered and embedded ones does: `kept`, a skirt as wide as the cell of the rock, for uneven ground; or `cut` off, so that they end where the ground is. Maps and points show nothing of it.',
+  },
   groundMesh: {
     kind: 'choice',
     choices: ['none', 'cut', 'whole'],
@@ -190,7 +196,7 @@ export const TARGETS = /* @__PURE__ */ targets({
   unity: { title: 'Unity', options: { axes: 'unity' } },
   godot: { title: 'Godot', options: { hulls: 'godot' } },
   three: { title: 'three.js', options: { mesh: 'one' } },
-  print: { title: '3D printing', options: { format: 'stl', mesh: 'one', solid: true, up: 'z', scale: 1000 } },
+  print: { title: '3D printing', options: { format: 'stl', mesh: 'one', solid: true, belowGround: 'cut', up: 'z', scale: 1000 } },
 });
 
 export type ExportTarget = keyof typeof TARGETS;

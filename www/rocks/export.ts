@@ -3,16 +3,18 @@
 import type { Field } from '../data/field.ts';
 import { STONE, STONE_KINDS } from '../data/palette.gen.ts';
 import { exportModel } from '../export/file.ts';
-import type { ExportedFile, Source } from '../export/file.ts';
+import type { ExportedFile, Note, Source } from '../export/file.ts';
 import type { Model } from '../export/model.ts';
-import { resolveOptions } from '../export/options.ts';
+import { isMap, resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import { coloured } from '../export/origin/written-options.ts';
+import { Pace } from '../export/pace.ts';
 import type { Waiting } from '../export/pace.ts';
 import type { Progress, StageName } from '../generator/protocol.ts';
 import { sceneOf } from '../export/scene.ts';
 import type { SceneParts } from '../export/scene.ts';
 import { checkRun } from '../generator/run-checks.ts';
+import { cutAtGround } from '../export/shapes/cut.ts';
 import { laidOut } from '../export/textures/textured.ts';
 import type { Baked, Laid } from '../export/textures/textured.ts';
 import type { GenerateOptions } from './headless.ts';
@@ -50,7 +52,7 @@ export async function exportField(
   waiting?: Waiting,
   baked?: Baked,
 ): Promise<ExportedFile> {
-  const { model, about, written } = await modelOf(field, source, options, ground);
+  const { model, about, written } = await modelOf(field, source, options, ground, waiting?.signal);
   return exportModel(model, about, written, waiting, baked);
 }
 
@@ -66,7 +68,7 @@ export async function fieldScene(
   ground: GroundRealm,
   waiting?: Waiting,
 ): Promise<SceneParts> {
-  const { model, about } = await modelOf(field, source, options, ground);
+  const { model, about } = await modelOf(field, source, options, ground, waiting?.signal);
   return sceneOf(model, about, options, waiting);
 }
 
@@ -76,6 +78,7 @@ async function modelOf(
   { params, preset }: FieldSource,
   options: ResolvedOptions,
   ground: GroundRealm,
+  signal: AbortSignal | undefined,
 ): Promise<{ model: Model; about: Source; written: ResolvedOptions }> {
   const { isNatural, options: written } = coloured(options, presetColor(ROCKS, preset ?? '') === 'natural');
   const about = {
@@ -84,8 +87,9 @@ async function modelOf(
     hash: () => fieldHash(field),
     hasPatterns: isNatural,
     extrasOf: (rock: number) => rockExtras(field, params, rock),
+    notes: showSkirts(params, options) ? [{ code: 'below-ground' } satisfies Note] : [],
   };
-  const rocks = rocksModel(field, params, options.metresPerPixel, isNatural);
+  const rocks = await writtenRocks(field, params, options, isNatural, signal);
   return { model: await withGround(rocks, field, params, options, isNatural, ground), about, written };
 }
 
@@ -100,7 +104,14 @@ export async function layOutField(
   options: ResolvedOptions,
   onProgress?: (fraction: number) => void,
 ): Promise<Laid> {
-  return laidOut(rocksModel(field, params, options.metresPerPixel, true), options, onProgress);
+  return laidOut(await writtenRocks(field, params, options, true), options, onProgress);
+}
+
+/** Whether what lies below the ground can be seen. */
+function showSkirts({ layers }: Params, options: ResolvedOptions): boolean {
+  const { belowGround, groundMesh, mesh } = options;
+  if (belowGround === 'cut' || groundMesh !== 'none' || mesh === 'points' || isMap(options)) return false;
+  return layers.some(({ weathering, embedding }) => weathering > 0 || embedding > 0);
 }
 
 /** What is said of a body beside its measures: of a rock. The ground comes after all of them, and says itself what it is. */
@@ -144,6 +155,19 @@ export async function exportWith(
     signal: run.signal,
     onProgress: onProgress && ((fraction) => onProgress({ stage: 'file', fraction: GENERATED + (1 - GENERATED) * fraction })),
   });
+}
+
+/** The rocks of a field as they are written: whole, or what is above the ground. */
+export async function writtenRocks(
+  field: Field,
+  params: Params,
+  options: ResolvedOptions,
+  isNatural: boolean,
+  signal?: AbortSignal,
+): Promise<Model> {
+  const model = rocksModel(field, params, options.metresPerPixel, isNatural);
+  const isCut = options.belowGround === 'cut' && options.mesh !== 'points' && !isMap(options);
+  return isCut ? cutAtGround(model, new Pace({ signal })) : model;
 }
 
 /**

@@ -7,7 +7,7 @@ import type { ResolvedOptions } from '../export/options.ts';
 import { coloured } from '../export/origin/written-options.ts';
 import { Pace } from '../export/pace.ts';
 import type { Waiting } from '../export/pace.ts';
-import { rockExtras, rocksModel } from '../rocks/export.ts';
+import { rockExtras, writtenRocks } from '../rocks/export.ts';
 import { withGround } from '../rocks/ground.ts';
 import type { GroundRealm } from '../rocks/ground.ts';
 import { decodeLink } from '../rocks/link.ts';
@@ -50,7 +50,8 @@ export async function exportColony(
   const [x, y, z] = place;
   const onGround = { ...model, centre: [0, 0, -z] as const };
   const rocks = decodeLink(params.ground).params;
-  const around = await withGround(rocksModel(ground, rocks, options.metresPerPixel, isNatural), ground, rocks, options, isNatural, soil);
+  const stones = await writtenRocks(ground, rocks, options, isNatural, signal);
+  const around = await withGround(stones, ground, rocks, options, isNatural, soil);
   const whole = around.groupOf.length > 0 ? joined(onGround, around, [-x, -y, -z]) : onGround;
   const own = model.groupOf.length;
   return exportModel(

@@ -24,6 +24,7 @@ const CHANGES: Record<OptionKey, Says> = {
   kinds: (options) => isKit(options) || hasPoints(options),
   instancing: isKit,
   solid: isMesh,
+  belowGround: isMesh,
   groundMesh: isMesh,
   color: (options) => isMesh(options) || hasPoints(options),
   textures: isGlb,

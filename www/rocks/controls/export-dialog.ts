@@ -14,7 +14,7 @@ const MESHES: MeshWords = {
   solid: 'exportBottom',
   open: 'bottom-open',
   closed: 'bottom-closed',
-  hasTextures: true,
+  areRocks: true,
 };
 
 export const showExport = /* @__PURE__ */ exportDialog<Rocks>({

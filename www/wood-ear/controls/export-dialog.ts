@@ -11,7 +11,7 @@ const MESHES: MeshWords = {
   solid: 'exportSurfaces',
   open: 'surfaces-grown',
   closed: 'bottom-closed',
-  hasTextures: false,
+  areRocks: false,
 };
 
 export const showExport = /* @__PURE__ */ exportDialog<WoodEars>({
