@@ -5,7 +5,7 @@ import { WebIO } from '@gltf-transform/core';
 import type { Node } from '@gltf-transform/core';
 import validator from 'gltf-validator';
 import { exportScene } from 'rock-field/export';
-import type { ExportOptions, FieldRequest } from 'rock-field/export';
+import type { ExportedFile, ExportOptions, FieldRequest } from 'rock-field/export';
 
 const SMALL = { seed: 7, imageWidth: 150, imageHeight: 110 } as const;
 const WORN = ['riverbed', 'scree', 'quarry-rubble', 'desert-pavement'] as const;
@@ -98,11 +98,18 @@ test('a cut rock ends at the ground in one closed line, and is above it as it wa
   assert.ok(crumbled < 5, `${crumbled} rocks have lost crumbs`);
 });
 
+/** What is in a file but for its texts, which say with what options it was written. */
+function withoutText({ bytes, name }: ExportedFile): Buffer {
+  const begin = name.endsWith('.glb') ? 20 + Buffer.from(bytes).readUInt32LE(12) : 80;
+  assert.ok(bytes.length > begin + 1000);
+  return Buffer.from(bytes).subarray(begin);
+}
+
 test('rocks that end at the ground are not touched', async () => {
-  const request = { ...SMALL, preset: 'journal-fig1' } as const;
+  const request = { preset: 'journal-fig1', seed: 7, imageWidth: 400, imageHeight: 300 } as const;
   for (const options of [{}, { solid: true, lods: 3 }, { format: 'stl' }] as const) {
     const [kept, cut] = [await exportScene(request, options), await exportScene(request, { ...options, belowGround: 'cut' })];
-    assert.ok(Buffer.from(kept.bytes).equals(Buffer.from(cut.bytes)), JSON.stringify(options));
+    assert.ok(withoutText(kept).equals(withoutText(cut)), JSON.stringify(options));
   }
 });
 
