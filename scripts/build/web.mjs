@@ -121,6 +121,7 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
       platform: 'node',
       minify: false,
     });
+    removeUnasked(node);
     const cdn = { ...CDN, outdir: staging, banner: { js: banner() + marks } };
     const classic = await bundle({ ...cdn, plugins: [hashedAddresses(names), panelByAddress] });
     // By plain names for those who import them (`rock-field/generator_bg.wasm`), and for Node.
@@ -177,6 +178,16 @@ function rendererBytes() {
   // Each by itself: an object would be a chunk of its own.
   const size = (backend) => String(statSync(path.join(pkg, `renderer-${backend}_bg.wasm`)).size);
   return { __WEBGPU_BYTES__: size('webgpu'), __WEBGL_BYTES__: size('webgl') };
+}
+
+/** A module that is imported later by what was left out is written all the same: takes away what nothing asks for. */
+function removeUnasked({ outputs }) {
+  const asked = new Set(Object.values(outputs).flatMap(({ imports }) => imports.map(({ path: file }) => file)));
+  const entries = Object.values(NODE_ENTRIES);
+  for (const [file, { entryPoint }] of Object.entries(outputs)) {
+    if (!file.endsWith('.js') || entries.includes(entryPoint) || asked.has(file)) continue;
+    for (const suffix of ['', '.map']) rmSync(path.join(root, file + suffix));
+  }
 }
 
 function requireFiles() {
