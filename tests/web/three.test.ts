@@ -57,9 +57,9 @@ async function fileOf(options: ExportOptions) {
 }
 
 test('a mesh for each layer has the corners, normals and colours of the exported file, in this order', async () => {
-  const field = fieldOf({ groundMesh: 'cut' });
-  const group = await field.build();
-  const file = await fileOf({ target: 'three', groundMesh: 'cut', vertexColors: true });
+  const options = { groundMesh: 'cut', belowGround: 'cut' } as const;
+  const group = await fieldOf(options).build();
+  const file = await fileOf({ target: 'three', ...options, vertexColors: true });
   assert.deepEqual(
     group.children.map(({ name }) => name),
     [...file.keys()],

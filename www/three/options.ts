@@ -32,9 +32,10 @@ export const SCENE_OPTIONS = {
     doc: 'Levels of detail of `rocks` and of a `kit`: each of about a third of the triangles of the one before, with the same rim.',
   },
   groundMesh: {
-    doc: 'The ground as a mesh, `ground`: `cut` out where rocks stand on it, or `whole`, which is better with levels of detail, since the holes are those of the finest. Rocks of natural presets are embedded: without a ground, or a terrain of yours at y = 0, their skirts show, which lie below.',
+    doc: 'The ground as a mesh, `ground`: `cut` out where rocks stand on it, or `whole`, which is better with levels of detail, since the holes are those of the finest. Rocks of natural presets are embedded: without a ground, or a terrain of yours at y = 0, their skirts show, which lie below, unless `belowGround` is `cut`.',
   },
   solid: { doc: 'Whether rocks are closed below.' },
+  belowGround: {},
   color: {},
   metresPerPixel: { doc: 'How many metres a pixel of the field is.' },
 } as const satisfies Partial<Record<keyof ResolvedOptions, SceneRow>>;
