@@ -22,7 +22,7 @@ const SOURCES = [
   ...['controls/strings', 'controls/strings-later', 'docs/notice-help', 'docs/words'],
   ...GENERATORS.flatMap(({ name }) => [`${name}/param-docs.gen`, `${name}/table`]),
   // The examples and the gallery of the documentation are about rocks.
-  ...['rocks/attributes', 'rocks/link', 'rocks/params', 'rocks/request', 'rocks/words', 'rocks/controls/preset-groups'],
+  ...['rocks/attributes', 'rocks/figures', 'rocks/link', 'rocks/params', 'rocks/request', 'rocks/words', 'rocks/controls/preset-groups'],
 ];
 
 let loading;

@@ -97,7 +97,9 @@ test('--help names every command, that of a command every option that it takes, 
     Object.keys(COMMANDS).filter((name) => !help('--help').out.includes(`  ${name} `)),
     [],
   );
+  const page = readFileSync(path.join(ROOT, PAGES, 'command-line.md'), 'utf8');
   for (const [name, { load }] of Object.entries(COMMANDS)) {
+    assert.ok(page.includes(`| \`${name}\` |`), `the page has no ${name}`);
     const { command } = await load();
     const { out, status } = help(name, '--help');
     assert.equal(status, 0);

@@ -11,6 +11,7 @@ import { fileURLToPath } from 'node:url';
 import { unzipSync } from 'fflate';
 import { generate } from 'rock-field/core';
 import { exportScene } from 'rock-field/export';
+import { rockField as onTerminal } from './command-line.ts';
 
 const CLI = fileURLToPath(new URL('../../dist/cli.js', import.meta.url));
 /** Little work. */
@@ -235,4 +236,22 @@ test('arrays for NumPy are those of the field, with their shapes', async () => {
     assert.ok(Buffer.from(file.subarray(length)).equals(Buffer.from(values.buffer, values.byteOffset, values.byteLength)), name);
   }
   assert.equal(JSON.parse(new TextDecoder().decode(files['scene.json'])).rocks, field.stats.rocks);
+});
+
+test('a terminal is told how far it is and what was made, in words; what it cannot show is not written to it', async () => {
+  const scene = ['--preset', 'scree', ...SMALL];
+  const { code, out, err } = await onTerminal(['export', ...scene, '--seeds', '1,2', '--out', path.join(emptyFolder(), '{seed}.glb')], {
+    isTTY: true,
+  });
+  assert.equal(code, 0);
+  assert.match(out, /^(\S+[12]\.glb {2}\d+ kB\n){2}$/);
+  assert.match(err, /\[#*-*\] \d+ % \d of 2/);
+  assert.match(err, /2 of 2 files, \d+ kB, in \d+ s\n$/);
+  const refused = await onTerminal(['export', ...scene, '--out', '-'], { isTTY: true });
+  assert.deepEqual([refused.code, refused.out], [2, '']);
+  assert.match(refused.err, /a terminal cannot show this file/);
+  const shown = await onTerminal(['export', ...scene, '--format', 'obj', '--out', '-'], { isTTY: true });
+  assert.match(shown.out, /^# scree-0/);
+  const quiet = await onTerminal(['export', ...scene, '--quiet', '--out', path.join(emptyFolder(), 'q.glb')], { isTTY: true });
+  assert.deepEqual([quiet.code, quiet.out, quiet.err], [0, '', '']);
 });

@@ -17,9 +17,9 @@ export interface Ran {
   lines: Record<string, unknown>[];
 }
 
-/** Runs `rock-field` with these arguments, as in a pipe. */
-export async function rockField(args: readonly string[]): Promise<Ran> {
-  const [out, err] = [stream(), stream()];
+/** Runs `rock-field` with these arguments, as in a pipe or on a terminal. */
+export async function rockField(args: readonly string[], { isTTY = false } = {}): Promise<Ran> {
+  const [out, err] = [stream(isTTY), stream(isTTY)];
   const code = await main(args, {
     out: out.stream,
     err: err.stream,
@@ -33,9 +33,9 @@ export async function rockField(args: readonly string[]): Promise<Ran> {
   return { code, out: out.text(), err: err.text(), lines };
 }
 
-function stream(): { stream: NodeJS.WriteStream; text: () => string } {
+function stream(isTTY: boolean): { stream: NodeJS.WriteStream; text: () => string } {
   const pieces: Buffer[] = [];
   const through = new PassThrough();
   through.on('data', (piece: Buffer) => pieces.push(piece));
-  return { stream: through as unknown as NodeJS.WriteStream, text: () => Buffer.concat(pieces).toString() };
+  return { stream: Object.assign(through, { isTTY }) as unknown as NodeJS.WriteStream, text: () => Buffer.concat(pieces).toString() };
 }

@@ -46,6 +46,8 @@ export function jobsOf(typed: string | undefined, tasks: number): number {
 export async function make(plan: Plan, { startWorker, ...streams }: Surroundings): Promise<Exit> {
   const { tasks, isQuiet } = plan;
   const isFile = tasks.some(({ file }) => file === null);
+  if (isFile && streams.out.isTTY && !tasks.every(isText))
+    throw misuse('--out -: a terminal cannot show this file; lead it to another program, or to a file with >');
   const isJson = plan.isJson || !streams.out.isTTY;
   const reporter = new Reporter(streams, { total: tasks.length, isJson, isQuiet, isFile });
   let isStorage = false;
@@ -70,7 +72,7 @@ export async function make(plan: Plan, { startWorker, ...streams }: Surroundings
   } catch (thrown) {
     const begun = await jobs.stop();
     clearOwn(begun.flatMap(({ file }) => (file === null ? [] : [path.dirname(placeOf(file))])));
-    reporter.end();
+    reporter.end(true);
     if (thrown instanceof Ending) throw new Ending(thrown.exit, left(thrown.message, reporter.done, plan), { cause: thrown });
     throw thrown;
   } finally {
@@ -81,6 +83,13 @@ export async function make(plan: Plan, { startWorker, ...streams }: Surroundings
   if (reporter.failed > 0 && tasks.length > 1)
     reporter.say(`rock-field: ${reporter.failed} of ${tasks.length} could not be made; the others are there`);
   return reporter.failed > 0 ? 'failed' : 'done';
+}
+
+/** Whether people can read what is made. */
+function isText({ wanted }: Task): boolean {
+  return wanted.as === 'export'
+    ? /^(obj|csv)$/.test(wanted.options.format ?? '') && (wanted.options.parts ?? 1) === 1
+    : wanted.as === 'json';
 }
 
 /** Does one task whose bytes nobody sees, and says nothing of it. */

@@ -76,7 +76,7 @@ export class Reporter {
     const { total, isJson, isQuiet, isFile } = this.#manner;
     if (isJson && !isFile && !isQuiet) this.#json({ item, preset, seed, link, file, ...facts, notes: notes.map(({ code }) => code) });
     else if (!isFile && !isQuiet && total <= MOST_NAMED) this.#line(this.#streams.out, `${file ?? ''}  ${megabytes(facts.bytes)}`);
-    this.#draw();
+    if (!isFile) this.#draw();
   }
 
   wentWrong({ item, scene: { preset, seed, link }, file }: Item, { isStorage: _, ...error }: Failure): void {
@@ -94,13 +94,13 @@ export class Reporter {
     this.#line(this.#streams.err, text);
   }
 
-  /** The last words. */
-  end(): void {
+  /** The last words; where it was stopped, those are somebody else's. */
+  end(isStopped = false): void {
     this.#erase();
     const { total, isQuiet, isJson } = this.#manner;
-    if (isQuiet || isJson || !this.#streams.err.isTTY) return;
+    if (isStopped || isQuiet || isJson || !this.#streams.err.isTTY) return;
     for (const { message, count } of this.#notes.values()) {
-      const of = total > 1 ? ` (${count === total ? 'all' : count} of ${total} files)` : '';
+      const of = total > 1 ? ` (in ${count === total ? 'all' : `${count} of ${total}`} files)` : '';
       this.say(`note: ${inOptions({ message })}${of}`);
     }
     if (total <= 1) return;

@@ -1,11 +1,8 @@
 /** `rock-field presets`: what to begin with. */
 
-import { presetLabel } from '../../rocks/controls/preset-groups.ts';
-import { PRESETS } from '../../rocks/params.ts';
-import { LAYER_ROWS } from '../../rocks/request.ts';
-import { PAPERS, presetName } from '../../rocks/words.ts';
-import type { Preset } from '../../rocks/spec.ts';
+import { figureOf, PAPERS } from '../../rocks/figures.ts';
 import { ROCKS } from '../../rocks/table.ts';
+import { WOOD_EARS } from '../../wood-ear/table.ts';
 import type { Command } from '../command.ts';
 import { misuse } from '../failures.ts';
 import { GENERATORS } from '../generators.ts';
@@ -42,26 +39,28 @@ export const command: Command = {
   },
 };
 
-/** As the page calls it, and what sets it apart. */
+/** What it is, and of how many sizes of stones. */
 function describe(generator: GeneratorName, name: string): string {
   if (generator === 'wood-ears') return woodEars(name);
-  const preset: Preset = PRESETS.find((candidate) => candidate.name === name)!;
-  if (!preset.natural) {
-    const columns = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.split(' ').at(-1) ?? '');
-    const paper = PAPERS.find((candidate) => name.startsWith(candidate)) ?? '';
-    return `${paper}, ${presetLabel('en', preset, columns).replaceAll(/[\u00a0\u2060\u202f]/g, ' ')}`;
-  }
-  const { imageWidth, imageHeight, layers } = ROCKS.presetParams(name);
-  const radii = layers.map(({ radius }) => radius);
-  return `${presetName('en', preset)}: ${layers.length} sizes of stones, radius ${Math.min(...radii)} to ${Math.max(...radii)}, on ${imageWidth} × ${imageHeight} pixels`;
+  const { imageWidth, imageHeight, layers, notation } = ROCKS.presetParams(name);
+  const radii = [...new Set(layers.map(({ radius }) => radius))].sort((one, other) => one - other);
+  const radius = radii.length > 1 ? `${radii[0]} to ${radii.at(-1)}` : `${radii[0]}`;
+  const sizes = layers.length > 1 ? `${layers.length} layers of rocks` : 'one layer of rocks';
+  const paper = PAPERS.find((candidate) => name.startsWith(candidate));
+  return `${paper ? `${figureOf(name)} of the ${paper} paper` : capital(name)}: ${sizes}, radius ${radius}${notation === 'relative' ? ' % of the width' : ''}, ${imageWidth} × ${imageHeight} pixels`;
 }
 
-/** `thesis-fig4-2` is a figure; the others say themselves what they are. */
+function capital(name: string): string {
+  return name.charAt(0).toUpperCase() + name.slice(1).replaceAll('-', ' ');
+}
+
+/** What it is, and of what there is most to see. */
 function woodEars(name: string): string {
+  const { bases, log, moisture } = WOOD_EARS.presetParams(name);
   const [, chapter, number] = /^thesis-fig(\d+)-(\d+)$/.exec(name) ?? [];
-  if (chapter !== undefined) return `the thesis, Fig. ${chapter}.${number}`;
-  const words = name.replace(/^thesis-/, '').replaceAll('-', ' ');
-  return name.startsWith('thesis-') ? `the thesis, ${words} values` : words.charAt(0).toUpperCase() + words.slice(1);
+  const values = name.startsWith('thesis-') ? `${capital(name.replace('thesis-', ''))} values of the thesis` : capital(name);
+  const title = chapter === undefined ? values : `Fig. ${chapter}.${number} of the thesis`;
+  return `${title}: ${bases.length > 1 ? `${bases.length} colonies` : 'one colony'} on a log of ${log.length} cm, moisture ${moisture} %`;
 }
 
 interface Line {

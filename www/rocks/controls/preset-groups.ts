@@ -4,10 +4,11 @@ import type { Language } from '../../base/language.ts';
 import type { PresetGroup } from '../../controls/preset-picker.ts';
 import { later } from '../../controls/strings-later.ts';
 import { translate } from '../../controls/strings.ts';
+import { figureOf, PAPERS, paperOf } from '../figures.ts';
 import { PRESETS } from '../params.ts';
 import { LAYER_ROWS } from '../request.ts';
 import type { Preset } from '../spec.ts';
-import { figureOf, PAPERS, paperOf, presetName } from '../words.ts';
+import { presetName } from '../words.ts';
 
 /** Table 1's columns, by the last word of a parameter's label: r, A_s, c_w1 … */
 const COLUMNS = LAYER_ROWS.filter(({ kind }) => kind !== 'optional-integer').map(({ label }) => label.split(' ').at(-1) ?? '');
