@@ -114,6 +114,25 @@ test('of too many objects the dialog offers several files, each with fewer', asy
   await close();
 });
 
+test('of rocks whose skirts would be seen the dialog offers to cut them off', async () => {
+  const { page, errors, close } = await openRocks(session, '#preset=riverbed&seed=4&w=80&h=60&color=layer', {
+    viewport: { width: 960, height: 640 },
+  });
+  await page.getByRole('button', { name: 'Export', exact: true }).click();
+  const dialog = await written(page);
+  await dialog.getByRole('button', { name: 'Cut off below ground' }).click();
+  await page.waitForFunction(() => !document.querySelector('.dialog .export-report').textContent.includes('skirts'));
+  await written(page);
+  assert.equal(await page.evaluate(() => document.activeElement?.getAttribute('value')), 'cut');
+  const { bytes } = await saved(page);
+  /** @type {import('rock-field/export').FieldRequest} */
+  const request = { preset: 'riverbed', seed: 4, imageWidth: 80, imageHeight: 60 };
+  const expected = await exportScene(request, { target: 'blender', belowGround: 'cut', color: 'layer' });
+  assert.equal(sha256(bytes), sha256(expected.bytes));
+  assert.deepEqual(errors, []);
+  await close();
+});
+
 test('a map is shown as it is saved, and points take the axes of the program: the same bytes as without a page', async () => {
   const { page, errors, close } = await openRocks(session, LINK, { viewport: { width: 960, height: 640 } });
   await page.getByRole('button', { name: 'Export', exact: true }).click();

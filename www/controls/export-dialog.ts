@@ -15,7 +15,7 @@ import { showDialog } from './dialogs.ts';
 import { dropDown } from './drop-down.ts';
 import type { Choosing } from './export-choosing.ts';
 import type { MeshWords } from './export-meshes.ts';
-import { fewerBytes, fewerObjects } from './export-remedies.ts';
+import { cutAtGround, fewerBytes, fewerObjects } from './export-remedies.ts';
 import { icon } from './icons.ts';
 import type { Place } from './parts.ts';
 import { saveFile } from './save-file.ts';
@@ -170,6 +170,7 @@ function report(language: Language, written: Written, choosing: Choosing, forms:
     ...(found.texelsPerMetre ? [later(language, 'exportTexels', { texels: found.texelsPerMetre.toLocaleString(language) })] : []),
     ...found.notes.map(({ code, count }) => {
       const text = later(language, `note-${code}`, { unit, count: count?.toLocaleString(language), highest: map && short(map.highest) });
+      if (code === 'below-ground') return html`${text}${cutAtGround(choosing)}`;
       return code === 'many-objects' && count ? html`${text}${fewerObjects(choosing, forms, count)}` : text;
     }),
   ].map((note) => html`<li>${note}</li>`);

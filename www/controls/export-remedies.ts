@@ -15,6 +15,11 @@ export function fewerObjects(choosing: Choosing, forms: Forms, count: number): T
   return row([...meshes(choosing, forms, ['kit', 'one']), split(choosing, count, MANY_OBJECTS)]);
 }
 
+/** For skirts that would be seen. */
+export function cutAtGround({ words, choose }: Choosing): TemplateResult {
+  return row([button(words('cutBelow'), () => choose({ belowGround: 'cut' }), 'input[name="export-below"]:checked')]);
+}
+
 /** For a file that is too large; nothing for any other error. */
 export function fewerBytes(choosing: Choosing, forms: Forms, { name, key, value, max }: ErrorInfo): TemplateResult | typeof nothing {
   if (name !== 'ExportTooLarge' || key !== 'format' || typeof value !== 'number' || max === undefined) return nothing;

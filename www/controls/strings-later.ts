@@ -66,6 +66,7 @@ export const LATER = {
   exportBelow: { en: 'Below ground', ja: '地面の下' },
   'below-kept': { en: 'Kept', ja: '残す' },
   'below-cut': { en: 'Cut off', ja: '切り取る' },
+  cutBelow: { en: 'Cut off below ground', ja: '地面の下を切り取る' },
   exportTextures: { en: 'Textures', ja: 'テクスチャ' },
   'textures-none': { en: 'None', ja: 'なし' },
   exportTexels: { en: 'The textures have {texels} texels per metre.', ja: 'テクスチャの解像度は 1 m あたり {texels} テクセルです。' },
@@ -143,8 +144,8 @@ export const LATER = {
     ja: 'この形式にはオブジェクトがなく、すべてが 1 つのメッシュになります。',
   },
   'note-below-ground': {
-    en: 'Worn rocks have skirts below the ground, which show where there is none. They can be cut off.',
-    ja: '風化した岩には地面の下に隠れる裾があり、地面がないと見えます。「切り取る」を選ぶと除けます。',
+    en: 'Worn rocks have skirts below the ground, which show where there is none.',
+    ja: '風化した岩には地面の下に隠れる裾があり、地面がないと見えます。',
   },
   'note-ground-is-open': {
     en: 'The ground is a sheet without a thickness. Only the rocks are closed.',
