@@ -6,7 +6,7 @@ import { chmodSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, rmSync, w
 import os from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
-import { fileURLToPath } from 'node:url';
+import { fileURLToPath, pathToFileURL } from 'node:url';
 import { COMMANDS } from '../../www/cli/main.ts';
 
 const ROOT = fileURLToPath(new URL('../../', import.meta.url));
@@ -18,7 +18,6 @@ after(() => rmSync(folder, { recursive: true, force: true }));
 
 /** Stands for the command: the same arguments, of less work. Its own are kept where a document says a size. */
 const STAND_IN = `#!${process.execPath}
-const { spawnSync } = require('node:child_process');
 let args = process.argv.slice(2).map((word) => word.replace(/^(\\d+)\\.\\.\\d{2,}$/, (_, from) => from + '..' + (Number(from) + 1)));
 const log = args.some((word) => /colony|wood-ear/.test(word));
 const has = (name) => args.includes('--' + name);
@@ -27,7 +26,8 @@ const makes = (isBatch || ['export', 'maps', 'generate'].includes(args[0])) && !
 if (makes && log) for (const [name, least] of [['density', '0.02'], ['collisions', 'off'], ['ground', 'none']]) if (!has(name)) args.push('--' + name, least);
 if (makes && !log) for (const side of ['image-width', 'image-height']) if (!has(side)) args.push('--' + side, '48');
 if (has('side')) args[args.indexOf('--side') + 1] = '33';
-process.exitCode = spawnSync(process.execPath, [${JSON.stringify(CLI)}, ...args], { stdio: 'inherit' }).status;
+process.argv.splice(2, Infinity, ...args);
+import(${JSON.stringify(pathToFileURL(CLI).href)});
 `;
 const bin = path.join(folder, 'bin');
 mkdirSync(bin);

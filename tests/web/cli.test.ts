@@ -87,6 +87,9 @@ test('what was mistyped is named with what was meant, and nothing is written', (
     ['export --link v=1&preset=riverbd', 'Did you mean riverbed?'],
     ['export --link https://example.org/', 'this is no link to a scene'],
     ['export --out r.glb', 'which scene?'],
+    ['export --preset riverbed --seed 1..9', 'several are --seeds 1..9'],
+    ['export --preset riverbed,scree', 'Several are --preset riverbed --preset scree.'],
+    ['export --preset riverbed --out rocks', 'is that the file rocks.glb, or, with / at its end, the folder rocks/?'],
     ['export riverbed', 'Did you mean --preset riverbed?'],
     ['export v=1&preset=riverbed', 'Did you mean --link?'],
     ['generate nothing', '"nothing" belongs to no option.'],
@@ -236,6 +239,21 @@ test('arrays for NumPy are those of the field, with their shapes', async () => {
     assert.ok(Buffer.from(file.subarray(length)).equals(Buffer.from(values.buffer, values.byteOffset, values.byteLength)), name);
   }
   assert.equal(JSON.parse(new TextDecoder().decode(files['scene.json'])).rocks, field.stats.rocks);
+});
+
+test('a link is read by the generator that it is of, and what it clamps is told', () => {
+  const facts = (
+    link: string,
+  ): { told: { generator: string; preset: string; params: { seed: number; imageHeight: number } }; err: string } => {
+    const { status, out, err } = rockField(['generate', '--link', link]);
+    assert.equal(status, 0, err);
+    return { told: JSON.parse(out), err };
+  };
+  const ears = facts('https://example.org/wood-ear.html#v=1&preset=dry-colony&seed=4&d=0.02&ground=none');
+  assert.deepEqual([ears.told.generator, ears.told.preset, ears.told.params.seed], ['wood-ears', 'dry-colony', 4]);
+  const rocks = facts('https://example.org/?utm_source=mail#v=1&seed=4&w=40&h=0&r=12');
+  assert.deepEqual([rocks.told.generator, rocks.told.preset, rocks.told.params.imageHeight], ['rocks', 'journal-fig1', 1]);
+  assert.match(rocks.err, /h: 0 must be between 1 and 8192; using 1/);
 });
 
 test('a terminal is told how far it is and what was made, in words; what it cannot show is not written to it', async () => {

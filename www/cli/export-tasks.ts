@@ -54,7 +54,11 @@ export function placesOf(args: Arguments, values: readonly Values[], called: str
     if (values.length > 1) throw misuse(`--out -: the standard output takes one file, and these are ${values.length}`);
     return [null];
   }
-  return filesOf(/[\\/]$/.test(out) || isFolder(out) ? path.join(out, called) : out, values);
+  if (/[\\/]$/.test(out) || isFolder(out)) return filesOf(path.join(out, called), values);
+  // A program tells a file by its ending.
+  if (path.extname(out) === '')
+    throw misuse(`--out ${out}: is that the file ${out}.${values[0]?.format ?? 'glb'}, or, with / at its end, the folder ${out}/?`);
+  return filesOf(out, values);
 }
 
 /** The tasks whose files are to be made, once nothing is lost by that. */

@@ -56,7 +56,15 @@ export function generatorOfPreset(preset: string): AnyGenerator {
   const found = ALL.find(({ table }) => table.presets.some(({ name }) => name === preset));
   if (found) return found;
   const names = ALL.flatMap(({ table }) => table.presets.map(({ name }) => name));
-  throw misuse(`there is no preset called ${JSON.stringify(preset)}.${didYouMean(preset, names) || ' rock-field presets lists them.'}`);
+  const several = preset.includes(',')
+    ? ` Several are ${preset
+        .split(',')
+        .map((name) => `--preset ${name.trim()}`)
+        .join(' ')}.`
+    : '';
+  throw misuse(
+    `there is no preset called ${JSON.stringify(preset)}.${several || didYouMean(preset, names) || ' rock-field presets lists them.'}`,
+  );
 }
 
 /** A scene that a link shows. */

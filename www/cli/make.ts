@@ -32,7 +32,9 @@ const MOST_JOBS = 256;
 
 /** How many at a time: as many as were asked for, or as there are cores, and memory for. */
 export function jobsOf(typed: string | undefined, tasks: number): number {
-  const wanted = typed === undefined ? Math.min(availableParallelism(), Math.floor(totalmem() / MEMORY_OF_ONE)) : Number(typed);
+  // Of a container the share that it has; 0 where nothing limits it.
+  const memory = Math.min(totalmem(), process.constrainedMemory() || Infinity);
+  const wanted = typed === undefined ? Math.min(availableParallelism(), Math.floor(memory / MEMORY_OF_ONE)) : Number(typed);
   if (typed !== undefined && !(/^\d+$/.test(typed) && wanted >= 1 && wanted <= MOST_JOBS))
     throw misuse(`--jobs ${typed}: it must be a whole number from 1 to ${MOST_JOBS}`);
   return Math.max(1, Math.min(wanted, tasks));

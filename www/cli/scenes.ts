@@ -214,7 +214,8 @@ function typedValue(name: string, given: string, row: Row): unknown {
   }
   if (row.kind.startsWith('optional') && given === NONE) return null;
   if (NUMBER.test(given)) return Number(given);
-  throw misuse(`--${name} ${given}: it must be a number`);
+  const several = name === 'seed' && /^\d+(\.\.|,)/.test(given) ? `; several are --seeds ${given}` : '';
+  throw misuse(`--${name} ${given}: it must be a number${several}`);
 }
 
 function checked({ table }: AnyGenerator, params: AnyParams, preset: string): AnyParams {
