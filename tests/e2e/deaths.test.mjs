@@ -5,6 +5,7 @@ import { readFileSync, readdirSync } from 'node:fs';
 import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/lib/env.mjs';
+import { HEADLESS } from '../../scripts/lib/generators.mjs';
 import { answer } from '../../scripts/lib/serve.mjs';
 import { PATIENCE, holdTimers, launch, until } from './browser.mjs';
 
@@ -278,9 +279,9 @@ function wasmOf(artefact) {
 /** The one script of the page that has these words. */
 function scriptWith(words) {
   // What works without a page is built apart, with copies of what it shares with the page.
-  const headless = withImports(['core.js', 'export.js']);
+  const headless = withImports(HEADLESS.map((name) => `${name}.js`));
   const names = readdirSync(dist).filter(
-    (name) => /^chunk-.*\.js$/.test(name) && !headless.includes(name) && readFileSync(path.join(dist, name), 'utf8').includes(words),
+    (name) => /^chunk-\w+\.js$/.test(name) && !headless.includes(name) && readFileSync(path.join(dist, name), 'utf8').includes(words),
   );
   assert.equal(names.length, 1, `${words}: ${names}`);
   return names[0];
