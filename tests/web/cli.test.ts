@@ -90,6 +90,11 @@ test('what was mistyped is named with what was meant, and nothing is written', (
     ['export --preset riverbed --seed 1..9', 'several are --seeds 1..9'],
     ['export --preset riverbed,scree', 'Several are --preset riverbed --preset scree.'],
     ['export --preset riverbed --out rocks', 'is that the file rocks.glb, or, with / at its end, the folder rocks/?'],
+    ['export --preset riverbed --out r.gbl', '.gbl is no kind of file that is written here. Did you mean r.glb?'],
+    ['export --preset riverbed --out r.gltf', '.gltf is no kind of file that is written here: glb, obj, stl'],
+    ['export --preset riverbed --target unreal --out r.{seed}', '.0 is no kind of file'],
+    ['maps --preset riverbed --map height --out h.tif', '.tif is no kind of file that is written here: png, r16, exr, zip. With --format'],
+    ['generate --preset riverbed --out f.npy', '.npy is no kind of file that is written here. Did you mean f.npz?'],
     ['export riverbed', 'Did you mean --preset riverbed?'],
     ['export v=1&preset=riverbed', 'Did you mean --link?'],
     ['generate nothing', '"nothing" belongs to no option.'],
@@ -103,6 +108,23 @@ test('what was mistyped is named with what was meant, and nothing is written', (
     assert.equal(out, '', line);
   }
   assert.deepEqual(readdirSync(cwd), []);
+});
+
+test('with --format a file may end as other programs want it', () => {
+  const { status, err, cwd } = rockField([
+    'maps',
+    '--preset',
+    'riverbed',
+    ...SMALL,
+    '--map',
+    'height',
+    '--format',
+    'r16',
+    '--out',
+    'height.raw',
+  ]);
+  assert.equal(status, 0, err);
+  assert.equal(readFileSync(path.join(cwd, 'height.raw')).length, 48 * 48 * 2);
 });
 
 test('a file that is there is neither replaced nor touched, unless that is asked for', () => {

@@ -3,7 +3,7 @@
 import { accessSync, constants, existsSync, statSync } from 'node:fs';
 import path from 'node:path';
 import { RockFieldError } from '../base/errors.ts';
-import { OPTIONS, resolveOptions } from '../export/options.ts';
+import { MAPS, OPTIONS, resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import { colonyOptions } from '../wood-ear/export-options.ts';
 import { Ending, misuse } from './failures.ts';
@@ -12,6 +12,7 @@ import type { Arguments } from './parse.ts';
 import { filesOf } from './pattern.ts';
 import type { Values } from './pattern.ts';
 import type { Scene } from './scenes.ts';
+import { didYouMean } from './suggest.ts';
 import type { Task } from './work.ts';
 
 const FORMATS: readonly string[] = OPTIONS.format.choices;
@@ -38,6 +39,7 @@ export function exportTasks(args: Arguments, scenes: readonly Scene[], maps: rea
   const isOneMap = wanted.some(({ options: { resolved } }) => resolved.format !== 'zip' && isMapFormat(resolved.format));
   const files = placesOf(args, values, isOneMap ? '{preset}-{seed}-{map}.{format}' : '{preset}-{seed}.{format}');
   wanted.forEach(({ options: { resolved } }, index) => checkEnding(files[index]!, resolved));
+  refuseUnknownEndings(args, files, preferred.format === undefined ? FORMATS : Object.keys(MAPS));
   return tasksOf(
     args,
     wanted.map(({ scene, options }, index) => ({
@@ -59,6 +61,23 @@ export function placesOf(args: Arguments, values: readonly Values[], called: str
   if (path.extname(out) === '')
     throw misuse(`--out ${out}: is that the file ${out}.${values[0]?.format ?? 'glb'}, or, with / at its end, the folder ${out}/?`);
   return filesOf(out, values);
+}
+
+/**
+ * A file with another ending would be one that no program opens. Where `--format` says what it is, it may be called as somebody wants it, such as
+ * `height.raw`.
+ */
+export function refuseUnknownEndings(args: Arguments, files: readonly (string | null)[], formats: readonly string[]): void {
+  if (args.get('format') !== undefined) return;
+  for (const file of files) {
+    const ending = path.extname(file ?? '');
+    if (file === null || formats.includes(ending.slice(1).toLowerCase())) continue;
+    const stem = file.slice(0, file.length - ending.length);
+    const meant = didYouMean(ending.slice(1), formats, (format) => `${stem}.${format}`);
+    throw misuse(
+      `--out ${file}: ${ending} is no kind of file that is written here${meant ? `.${meant}` : `: ${formats.join(', ')}.`} With --format it may have any ending.`,
+    );
+  }
 }
 
 /** The tasks whose files are to be made, once nothing is lost by that. */

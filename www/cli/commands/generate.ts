@@ -1,7 +1,7 @@
 /** `rock-field generate`: what is in a scene, for scripts. */
 
 import type { Command } from '../command.ts';
-import { placesOf, tasksOf } from '../export-tasks.ts';
+import { placesOf, refuseUnknownEndings, tasksOf } from '../export-tasks.ts';
 import { make } from '../make.ts';
 import { OUTPUT, PARAMETER_OPTIONS, SAYING, SCENE } from '../options.ts';
 import { misuse } from '../failures.ts';
@@ -49,6 +49,7 @@ export const command: Command = {
     const values = scenes.map(({ preset, seed }, index) => ({ preset, seed, index: index + 1, map: '', target: '', format: as }));
     const isPrinted = out === undefined && as === 'json' && scenes.length === 1;
     const files = isPrinted ? [null] : placesOf(args, values, '{preset}-{seed}.{format}');
+    refuseUnknownEndings(args, files, FORMATS);
     const tasks = tasksOf(
       args,
       scenes.map((scene, index) => ({ scene, wanted: { as }, file: files[index]!, isWatched: false })),
