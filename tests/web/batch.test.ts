@@ -3,13 +3,14 @@ import assert from 'node:assert/strict';
 import { spawn } from 'node:child_process';
 import { createHash } from 'node:crypto';
 import { existsSync, mkdirSync, mkdtempSync, readFileSync, readdirSync, renameSync, rmSync, statSync, writeFileSync } from 'node:fs';
-import os from 'node:os';
+import os, { hostname } from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { exportScene } from 'rock-field/export';
 import { batchOf, putFirst } from '../../www/cli/batch/batch-file.ts';
 import { MerkleTree } from '../../www/cli/batch/merkle.ts';
 import { PER_FOLDER, groupOf, isSceneOf, scenePath } from '../../www/cli/batch/folder.ts';
+import { readRecord } from '../../www/cli/batch/record.ts';
 import { rockField, CLI } from './command-line.ts';
 import type { Ran } from './command-line.ts';
 
@@ -111,6 +112,7 @@ test('what is there and whole is left as it is; what is missing, corrupt, of ano
   assert.deepEqual(named, [
     ['missing', 0],
     ['corrupt', 1],
+    ['missing', 3],
     ['missing', 4],
     ['missing', 5],
   ]);
@@ -142,13 +144,50 @@ test('foreign files are named, and do not stand in the way of the manifest', asy
   assert.equal((await batch('merge', out)).code, 0);
   const manifest = path.join(out, 'manifest.json');
   const said = readFileSync(manifest, 'utf8');
-  for (const other of [said.replace(/"merkle":"./, '"merkle":"x'), said.slice(0, 200)]) {
+  const ofAnother = said.replace(/"(?=[\da-f]{64}"\])/, '"0').replace(/"0([\da-f]{63})[\da-f]"/, '"0$1"');
+  for (const other of [
+    said.replace(/"merkle":"./, '"merkle":"x'),
+    said.slice(0, 200),
+    ofAnother,
+    said.replace('journal-fig1-1', 'journal-fig1-9'),
+  ]) {
+    assert.notEqual(other, said);
     writeFileSync(manifest, other);
     const { lines } = await batch('verify', out);
     assert.deepEqual(lines.filter(({ status }) => status === 'foreign').at(-1), { status: 'foreign', file: 'manifest.json' });
   }
   writeFileSync(manifest, said);
   assert.equal(last(await batch('verify', out)).foreign, 3);
+});
+
+test('no byte of a record can change without a word, whether there is a manifest or not', async () => {
+  const out = fresh();
+  await batch('--preset', 'journal-fig1', ...SMALL, '--out', out);
+  const record = path.join(out, 'records/000/000000.json');
+  const bytes = readFileSync(record);
+  for (let at = 0; at < bytes.length - 1; at++) {
+    const changed = Buffer.from(bytes);
+    changed[at]! ^= 1;
+    writeFileSync(record, changed);
+    assert.ok(readRecord(out, 0) === null, `byte ${at}: ${changed}`);
+  }
+  writeFileSync(record, bytes);
+  assert.equal((await batch('verify', out)).code, 0);
+});
+
+test('merges at once all end well: none removes what another is writing', async () => {
+  const out = fresh();
+  await batch(...SIX, '--out', out);
+  // Of this process, which lives; of one that is gone; and of another machine.
+  const [living, dead, elsewhere] = [`${hostname()}.${process.pid}`, `${hostname()}.${2 ** 22 + 1}`, 'another-machine.1'].map((whose) =>
+    path.join(out, `.rock-field-${whose}.7.7.tmp`),
+  ) as [string, string, string];
+  for (const file of [living, dead, elsewhere]) writeFileSync(file, 'x');
+  assert.equal((await batch('merge', out)).code, 0);
+  assert.deepEqual(
+    [living, dead, elsewhere].map((file) => existsSync(file)),
+    [true, false, false],
+  );
 });
 
 test('a folder of another list, other options, another version or no batch is refused before anything is written', async () => {

@@ -3,11 +3,13 @@
 import assert from 'node:assert/strict';
 import { spawn, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
+import { once } from 'node:events';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import os from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
 import { fileURLToPath } from 'node:url';
+import { Worker } from 'node:worker_threads';
 import { clearLeft, writeWhole } from '../../www/cli/whole-file.ts';
 
 const CLI = fileURLToPath(new URL('../../dist/cli.js', import.meta.url));
@@ -131,7 +133,7 @@ test('stopped at 50 random moments, by Ctrl-C, SIGTERM and SIGKILL, no file is h
     if (code === 130)
       assert.match(
         err,
-        /stopped(: \d+ of \d+ files are there, each of them whole; the same command with --skip-existing|; nothing was written)/,
+        /stopped(: (\d+) of (\2 files are there, each of them whole\n|\d+ files are there, each of them whole; the same command with --skip-existing)|; nothing was written)/,
       );
     assert.ok(k < 500, 'most runs end before they are stopped');
   }
@@ -169,6 +171,28 @@ test('when whatever reads the output has gone, the run ends, and leaves whole fi
   assert.equal(code, 141, err);
   assert.match(err, /whatever read the output has gone/);
   assert.deepEqual(await checkWhole(cwd), []);
+});
+
+test('a file whose temporary file was removed while it was written is written again, and whole', async () => {
+  const cwd = path.join(folder, 'removed');
+  mkdirSync(cwd);
+  // Removes the first that it sees, as a merge on another machine may.
+  const remover = new Worker(
+    `const { readdirSync, rmSync } = require('node:fs');
+    require('node:worker_threads').parentPort.postMessage('ready');
+    for (let name; !name; ) {
+      name = readdirSync(${JSON.stringify(cwd)}).find((name) => name.endsWith('.tmp'));
+      if (name) rmSync(${JSON.stringify(`${cwd}/`)} + name);
+    }`,
+    { eval: true },
+  );
+  await once(remover, 'message');
+  const gone = once(remover, 'exit');
+  const bytes = new Uint8Array(2 ** 26).fill(7);
+  writeWhole(path.join(cwd, 'a.glb'), bytes);
+  await gone;
+  assert.deepEqual(readdirSync(cwd), ['a.glb']);
+  assert.ok(readFileSync(path.join(cwd, 'a.glb')).equals(bytes));
 });
 
 test('temporary files of a process that has gone are removed by the next that writes there, those of living ones are not', () => {

@@ -126,7 +126,7 @@ export function flushed({ out }: Pick<Streams, 'out'>): Promise<void> {
 }
 
 function left(reason: string, done: number, { tasks, goOn }: Plan): string {
-  if (tasks.length === 1) return `${reason}; nothing was written`;
+  if (tasks.length === 1 && done === 0) return `${reason}; nothing was written`;
   const rest = done < tasks.length && goOn !== '' ? `; ${goOn}` : '';
   return `${reason}: ${done} of ${tasks.length} files are there, each of them whole${rest}`;
 }

@@ -15,6 +15,8 @@ const HOST =
   hostname()
     .replaceAll(/[^\w-]/g, '_')
     .slice(0, 64) || 'localhost';
+/** A merge on another machine may take a temporary file for one that was left behind: then it is written again. */
+const MOST_TRIES = 5;
 const TEMPORARY = /^\.rock-field-(?<host>[\w-]+)\.(?<pid>\d+)\.\d+\.\d+\.tmp$/;
 
 /**
@@ -32,6 +34,17 @@ const cleared = new Set<string>();
  * @throws the error of the file system; there is no new file then, and no temporary one.
  */
 export function writeWhole(file: string, bytes: Uint8Array): void {
+  for (let left = MOST_TRIES - 1; ; left--) {
+    try {
+      writeOnce(file, bytes);
+      return;
+    } catch (thrown) {
+      if (left === 0 || (thrown as NodeJS.ErrnoException).code !== 'ENOENT') throw thrown;
+    }
+  }
+}
+
+function writeOnce(file: string, bytes: Uint8Array): void {
   const place = placeOf(file);
   const folder = path.dirname(place);
   mkdirSync(folder, { recursive: true });
@@ -69,6 +82,12 @@ export function placeOf(file: string): string {
 /** Removes the temporary files of processes of this machine that are gone. */
 export function clearLeft(folder: string): void {
   clear(folder, (host, pid) => host === HOST && !isAlive(pid));
+}
+
+/** Whether it is a temporary file that no process of this machine is writing; of those of other machines nothing can be known. */
+export function isAbandoned(name: string): boolean {
+  const { host = '', pid = '' } = TEMPORARY.exec(name)?.groups ?? {};
+  return host !== '' && (host !== HOST || !isAlive(Number(pid)));
 }
 
 /** Removes those of this process: for when it is stopped, and its workers have ended. */

@@ -2,7 +2,7 @@
 
 import { existsSync, readFileSync, readdirSync, rmSync } from 'node:fs';
 import path from 'node:path';
-import { writeWhole } from '../whole-file.ts';
+import { isAbandoned, writeWhole } from '../whole-file.ts';
 import { checkFolder } from './check.ts';
 import type { Checked, Finding } from './check.ts';
 import { MANIFEST } from './folder.ts';
@@ -27,22 +27,19 @@ async function examine(folder: string, onFinding: (finding: Finding) => void, on
 
 /** Checks a folder, and its manifest where it has one. */
 export async function verify(folder: string, onFinding: (finding: Finding) => void): Promise<Merged> {
-  const found = await examine(folder, onFinding);
-  const said = manifestRoot(folder);
-  if (said === undefined || said === found.merkle || found.merkle === null) return found;
+  const file = path.join(folder, MANIFEST);
+  if (!existsSync(file)) return examine(folder, onFinding);
+  const lines: string[] = [];
+  const found = await examine(folder, onFinding, (line) => lines.push(line));
+  if (found.merkle === null || readFileSync(file).equals(manifestOf(found, lines))) return found;
   onFinding({ status: 'foreign', file: MANIFEST });
   return { ...found, foreign: found.foreign + 1 };
 }
 
-/** What a manifest says; undefined where there is none, null where it cannot be read. */
-function manifestRoot(folder: string): string | null | undefined {
-  const file = path.join(folder, MANIFEST);
-  if (!existsSync(file)) return undefined;
-  try {
-    return (JSON.parse(readFileSync(file, 'utf8')) as { merkle: string }).merkle;
-  } catch {
-    return null;
-  }
+/** A line for each item, so that other programs can read it by lines, and people can compare two of them. */
+function manifestOf({ batch, bytes, merkle }: Merged, lines: readonly string[]): Buffer {
+  const head = JSON.stringify({ version: batch.version, items: batch.items, bytes, merkle, list: batch.list, options: batch.options });
+  return Buffer.from(`${head.slice(0, -1)},"files":[\n${lines.join(',\n')}\n]}\n`);
 }
 
 /**
@@ -52,12 +49,8 @@ function manifestRoot(folder: string): string | null | undefined {
 export async function merge(folder: string, onFinding: (finding: Finding) => void): Promise<Merged> {
   const lines: string[] = [];
   const merged = await examine(folder, onFinding, (line) => lines.push(line));
-  const { batch, bytes, merkle } = merged;
-  if (merkle === null) return merged;
-  const head = JSON.stringify({ version: batch.version, items: batch.items, bytes, merkle, list: batch.list, options: batch.options });
-  // A line for each item, so that other programs can read it by lines, and people can compare two of them.
-  const text = `${head.slice(0, -1)},"files":[\n${lines.join(',\n')}\n]}\n`;
-  writeWhole(path.join(folder, MANIFEST), Buffer.from(text));
+  if (merged.merkle === null) return merged;
+  writeWhole(path.join(folder, MANIFEST), manifestOf(merged, lines));
   clearTemporary(folder);
   return merged;
 }
@@ -65,6 +58,7 @@ export async function merge(folder: string, onFinding: (finding: Finding) => voi
 /** Everything is there, so that whatever a killed run has left can go, also one of another machine. */
 function clearTemporary(folder: string): void {
   for (const name of readdirSync(folder, { recursive: true, encoding: 'utf8' })) {
-    if (/^\.rock-field-.*\.tmp$|^\.batch\.json-.*\.tmp$/.test(path.basename(name))) rmSync(path.join(folder, name), { force: true });
+    const own = path.basename(name);
+    if (isAbandoned(own) || /^\.batch\.json-.*\.tmp$/.test(own)) rmSync(path.join(folder, name), { force: true });
   }
 }

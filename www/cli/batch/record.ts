@@ -36,15 +36,22 @@ export function readRecord(folder: string, item: number): ItemRecord | null {
 }
 
 export function writeRecord(folder: string, item: number, { batch, key, file, bytes, sha256 }: ItemRecord): void {
-  const text = `${JSON.stringify({ batch, key, file, bytes, sha256 })}\n`;
+  const record = { batch, key, file, bytes, sha256 };
+  const text = `${JSON.stringify({ ...record, check: checkOf(record) })}\n`;
   writeWhole(inFolder(folder, recordPath(item)), Buffer.from(text));
 }
 
 function isRecord(item: number, read: unknown): read is ItemRecord {
   if (typeof read !== 'object' || read === null) return false;
-  const { batch, key, file, bytes, sha256 } = read as Partial<Record<keyof ItemRecord, unknown>>;
+  const { batch, key, file, bytes, sha256, check } = read as Partial<Record<keyof ItemRecord | 'check', unknown>>;
   const areHashes = [batch, key, sha256].every((hash) => typeof hash === 'string' && HASH.test(hash));
-  return areHashes && Number.isSafeInteger(bytes) && typeof file === 'string' && isSceneOf(item, file);
+  if (!areHashes || !Number.isSafeInteger(bytes) || typeof file !== 'string' || !isSceneOf(item, file)) return false;
+  return check === checkOf(read as ItemRecord);
+}
+
+/** Of the record itself: its key is in the Merkle root, and no file tells whether it is still what was written. */
+function checkOf({ batch, key, file, bytes, sha256 }: ItemRecord): string {
+  return sha256Of(JSON.stringify([batch, key, file, bytes, sha256]));
 }
 
 /** `whole`: the file is what the record says. */
