@@ -97,7 +97,7 @@ fn no_level_has_a_crack_or_another_outline_than_its_rim() {
                 }
             }
             let open = sides.values().filter(|count| **count != 0).count() as u32;
-            let rim = (body.triangles / body.segments().pow(2) + 2) / 3 * body.segments();
+            let rim = (body.triangles / body.segments().pow(2)).div_ceil(3) * body.segments();
             assert_eq!(open, rim / body.step(l), "rock {rock}, level {l}");
         }
     }
