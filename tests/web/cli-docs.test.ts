@@ -104,7 +104,10 @@ test('--help names every command, that of a command every option that it takes, 
     const { out, status } = help(name, '--help');
     assert.equal(status, 0);
     for (const { options } of command.groups)
-      for (const option of options) assert.match(out, new RegExp(`--(\\[no-\\])?${option.name}\\b`));
+      for (const { name: typed, choices, values } of options) {
+        assert.match(out, new RegExp(`--(\\[no-\\])?${typed}\\b`));
+        if (choices && values !== undefined) assert.deepEqual(values.split(';')[0]!.split(', '), choices, `${name} --${typed}`);
+      }
   }
   const everything = help('help', 'parameters').out;
   for (const { name } of (await COMMANDS.export.load()).command.others ?? []) assert.ok(everything.includes(`  --${name}`), name);

@@ -10,6 +10,7 @@ import { refuseWords, scenesOf } from '../scenes.ts';
 import { howOf } from './export.ts';
 
 const FORMATS = Object.keys(MAPS_OF);
+const MAP = OPTIONS.map.choices;
 
 export const command: Command = {
   usage: '--preset NAME | --link URL | --from FILE [options]',
@@ -22,9 +23,20 @@ export const command: Command = {
     {
       title: 'The maps',
       options: MAPS.map((option) => {
-        if (option.name === 'map') return { ...option, isList: true, doc: `${option.doc} May be given several times.` };
+        if (option.name === 'map')
+          return {
+            ...option,
+            isList: true,
+            values: MAP.join(', '),
+            doc: 'Which map: `all` are in a ZIP, each of the others in a file of its own. May be given several times.',
+          };
         return option.name === 'format'
-          ? { ...option, choices: FORMATS, doc: 'The kind of file: PNG, raw 16 bits without a header, OpenEXR, or a ZIP.' }
+          ? {
+              ...option,
+              choices: FORMATS,
+              values: `${FORMATS.join(', ')}; zip, and png with --map`,
+              doc: 'The kind of file: PNG, raw 16 bits without a header, OpenEXR, or a ZIP.',
+            }
           : option;
       }),
     },
@@ -51,7 +63,7 @@ export const command: Command = {
     const maps = args.all('map');
     const isPlain = maps.length > 0 && !maps.includes('all');
     const preferred = { format: isPlain ? 'png' : 'zip' } as const;
-    const isKnown = OPTIONS.map.choices.some((map) => maps.includes(map));
+    const isKnown = MAP.some((map) => maps.includes(map));
     return make({ tasks: exportTasks(args, scenes, isKnown ? [...new Set(maps)] : [''], preferred), ...howOf(args) }, surroundings);
   },
 };
