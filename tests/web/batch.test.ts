@@ -267,6 +267,9 @@ test('a slip in any line is told with what was meant, in every shard, and nothin
 });
 
 test('what a shard, a folder or a list cannot be is refused in words', async () => {
+  // As Windows PowerShell writes what is led to a file.
+  const utf16 = list('utf16.txt');
+  writeFileSync(utf16, '\ufeffpreset=journal-fig1&seed=1\r\n', 'utf16le');
   const file = list('one.txt', 'preset=journal-fig1&w=64&h=64');
   const out = fresh();
   const cases: [string[], RegExp][] = [
@@ -279,7 +282,10 @@ test('what a shard, a folder or a list cannot be is refused in words', async () 
     [['--out', out], /which scene\?/],
     [[file, '--out', out, '--preset', 'riverbed'], /--preset and a list cannot be given together/],
     [[file, file, '--out', out], /two lists/],
-    [[path.join(folder, 'nothing.txt'), '--out', out], /cannot be read/],
+    [[path.join(folder, 'nothing.txt'), '--out', out], /nothing\.txt cannot be read: there is no such file or folder$/m],
+    [[folder, '--out', out], /cannot be read: there is a folder of this name$/m],
+    [[utf16, '--out', out], /utf16\.txt is no text in UTF-8/],
+    [['verfy', out], /Did you mean rock-field batch verify\?/],
     [[list('empty.txt', '# nothing'), '--out', out], /no lines with a scene/],
     [[file, '--out', out, '--mash', 'one'], /Did you mean --mesh\?/],
     [[file, '--out', file], /one\.txt is a file/],

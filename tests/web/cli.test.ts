@@ -1,9 +1,10 @@
 /** The command line, as it is typed: `dist/cli.js` in processes of its own, in folders of their own. */
 
 import assert from 'node:assert/strict';
-import { spawnSync } from 'node:child_process';
+import { spawn, spawnSync } from 'node:child_process';
 import { createHash } from 'node:crypto';
-import { existsSync, mkdtempSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { chmodSync, closeSync, existsSync, mkdtempSync, openSync, readdirSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { once } from 'node:events';
 import os from 'node:os';
 import path from 'node:path';
 import { after, test } from 'node:test';
@@ -236,6 +237,53 @@ test('info reads what each command writes, and says why it cannot read the rest'
   const stl = rockField('info s.stl', cwd);
   assert.deepEqual([stl.status, stl.err], [1, 'rock-field: s.stl brings no scene back: files of this kind do not say what made them\n']);
   assert.equal(rockField('info none.glb', cwd).status, 2);
+});
+
+test('an output that cannot be written is told, and the exit code tells, whatever the command', {
+  skip: !existsSync('/dev/full') && 'there is no device that is always full',
+}, async () => {
+  const { cwd } = rockField(['generate', '--preset', 'scree', ...SMALL, '--out', 'd.json']);
+  writeFileSync(path.join(cwd, 'list.txt'), 'preset=scree&w=48&h=48');
+  for (const line of ['--help', '--version', 'presets --json', 'schema', 'info d.json', 'batch plan list.txt', 'generate --from d.json']) {
+    const full = openSync('/dev/full', 'w');
+    const { status, stderr } = spawnSync(process.execPath, [CLI, ...line.split(' ')], { cwd, stdio: ['ignore', full, 'pipe'] });
+    closeSync(full);
+    assert.deepEqual(
+      [status, String(stderr).trim()],
+      [3, 'rock-field: the output cannot be written: there is no space left on the device'],
+      line,
+    );
+  }
+  for (const line of ['presets --json', 'schema', 'generate --from d.json']) {
+    const child = spawn(process.execPath, [CLI, ...line.split(' ')], { cwd, stdio: ['ignore', 'pipe', 'pipe'] });
+    child.stdout.destroy();
+    let err = '';
+    child.stderr.on('data', (text) => {
+      err += text;
+    });
+    const [status] = await once(child, 'close');
+    assert.deepEqual([status, err.trim()], [141, 'rock-field: whatever read the output has gone'], line);
+  }
+});
+
+test('a file that may not be read is not called damaged', {
+  skip: process.getuid?.() !== 0 && 'only root can become somebody else',
+}, (t) => {
+  const { cwd } = rockField(['generate', '--preset', 'scree', ...SMALL, '--out', 'd.json']);
+  chmodSync(cwd, 0o755);
+  chmodSync(path.join(cwd, 'd.json'), 0o600);
+  const asNobody = (...args: string[]): { status: number | null; err: string } => {
+    const { status, stderr } = spawnSync(process.execPath, [CLI, ...args], { cwd, encoding: 'utf8', uid: 65534, gid: 65534 });
+    return { status, err: stderr };
+  };
+  if (asNobody('--version').status !== 0) return t.skip('nobody else can read the program');
+  for (const args of [
+    ['info', 'd.json'],
+    ['export', '--from', 'd.json'],
+  ]) {
+    const { status, err } = asNobody(...args);
+    assert.deepEqual([status, err.trim()], [2, 'rock-field: d.json cannot be read: permission denied']);
+  }
 });
 
 test('arrays for NumPy are those of the field, with their shapes', async () => {

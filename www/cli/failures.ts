@@ -54,6 +54,17 @@ const STORAGE: Readonly<Record<string, string>> = {
   ENOENT: 'there is no such file or folder',
 };
 
+/** What was written to the standard output is lost. */
+export function outputLost(error: NodeJS.ErrnoException): Ending {
+  if (error.code === 'EPIPE') return new Ending('pipe', 'whatever read the output has gone');
+  return new Ending('storage', `the output cannot be written: ${failureOf(error).message}`);
+}
+
+/** A file that was named cannot be read. */
+export function unreadable(file: string, cause: unknown): Ending {
+  return new Ending('usage', `${file} cannot be read: ${failureOf(cause).message.replace(`${file}: `, '')}`, { cause });
+}
+
 /** What was thrown, as data. */
 export function failureOf(thrown: unknown): Failure {
   if (!(thrown instanceof Error)) return { name: 'Internal', message: String(thrown), isStorage: false };

@@ -2,7 +2,7 @@
 
 import { VERSION } from '../data/version.ts';
 import type { Command } from './command.ts';
-import { Ending, EXITS, failureOf, misuse } from './failures.ts';
+import { Ending, EXITS, failureOf, misuse, outputLost } from './failures.ts';
 import type { Exit } from './failures.ts';
 import type { Surroundings } from './make.ts';
 import { didYouMean } from './suggest.ts';
@@ -26,9 +26,16 @@ type CommandName = keyof typeof COMMANDS;
 /** Returns the exit code. */
 export async function main(argv: readonly string[], surroundings: Surroundings): Promise<number> {
   // A reader that has gone is heard of where something is written; without this it would be a crash.
-  for (const stream of [surroundings.out, surroundings.err]) stream.on('error', () => undefined);
+  let lost: Ending | undefined;
+  surroundings.out.on('error', (error) => {
+    lost ??= outputLost(error);
+  });
+  surroundings.err.on('error', () => undefined);
   try {
-    return EXITS[await run(argv, surroundings)].code;
+    const exit = await run(argv, surroundings);
+    await new Promise((resolve) => surroundings.out.write('', () => setImmediate(resolve)));
+    if (lost) throw lost;
+    return EXITS[exit].code;
   } catch (thrown) {
     if (thrown instanceof Ending) {
       surroundings.err.write(`rock-field: ${thrown.message}\n`);

@@ -3,7 +3,7 @@
 import { availableParallelism, totalmem } from 'node:os';
 import path from 'node:path';
 import type { Worker } from 'node:worker_threads';
-import { Ending, type EXITS, misuse } from './failures.ts';
+import { Ending, type EXITS, misuse, outputLost } from './failures.ts';
 import type { Exit, Failure } from './failures.ts';
 import { Jobs } from './jobs.ts';
 import { Reporter } from './reporter.ts';
@@ -126,6 +126,7 @@ export function flushed({ out }: Pick<Streams, 'out'>): Promise<void> {
 }
 
 function left(reason: string, done: number, { tasks, goOn }: Plan): string {
+  if (tasks.some(({ file }) => file === null)) return reason;
   if (tasks.length === 1 && done === 0) return `${reason}; nothing was written`;
   const rest = done < tasks.length && goOn !== '' ? `; ${goOn}` : '';
   return `${reason}: ${done} of ${tasks.length} files are there, each of them whole${rest}`;
@@ -146,12 +147,7 @@ export function whenStopped({ out }: Pick<Streams, 'out'>): { promise: Promise<n
       process.on(signal, handler);
       undo.push(() => process.off(signal, handler));
     }
-    const onError = (error: NodeJS.ErrnoException): void =>
-      reject(
-        error.code === 'EPIPE'
-          ? new Ending('pipe', 'whatever read the output has gone')
-          : new Ending('storage', `the output cannot be written: ${error.message}`),
-      );
+    const onError = (error: NodeJS.ErrnoException): void => reject(outputLost(error));
     out.on('error', onError);
     undo.push(() => out.off('error', onError));
   });

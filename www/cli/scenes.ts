@@ -1,6 +1,6 @@
 /** The scenes that a command line asks for: presets, links or files, with parameters put in their place, for each of the seeds. */
 
-import { existsSync, openAsBlob, statSync } from 'node:fs';
+import { accessSync, constants, existsSync, openAsBlob, statSync } from 'node:fs';
 import { RockFieldError } from '../base/errors.ts';
 import { isReadable } from '../table/link.ts';
 import type { Row } from '../table/row.ts';
@@ -10,7 +10,7 @@ import { sceneInFile } from '../export/origin/scene-in-file.ts';
 import type { FileOrigin } from '../export/origin/scene-in-file.ts';
 import { PRESETS } from '../rocks/params.ts';
 import { groundOf } from '../wood-ear/table.ts';
-import { Ending, failureOf, misuse } from './failures.ts';
+import { Ending, misuse, unreadable } from './failures.ts';
 import { GENERATORS, generatorOfPreset, sceneOfLink } from './generators.ts';
 import type { AnyGenerator, AnyParams, GeneratorName, LinkedScene } from './generators.ts';
 import { inOptions, PARAMETER_OPTIONS, PARAMETERS } from './options.ts';
@@ -92,9 +92,11 @@ export async function originOfFile(file: string): Promise<FileOrigin> {
   try {
     // Of a folder there is a blob, too.
     if (!statSync(file).isFile()) throw new Error('this is no file');
+    // A blob says no more than that it cannot be read, and only when that is tried.
+    accessSync(file, constants.R_OK);
     blob = await openAsBlob(file);
   } catch (cause) {
-    throw misuse(`${file} cannot be read: ${cause instanceof Error ? failureOf(cause).message.replace(`${file}: `, '') : String(cause)}`);
+    throw unreadable(file, cause);
   }
   try {
     const found = await sceneInFile(blob);

@@ -5,7 +5,7 @@ import { createReadStream } from 'node:fs';
 import { RockFieldError } from '../../base/errors.ts';
 import type { ExportOptions, ResolvedOptions } from '../../export/options.ts';
 import { VERSION } from '../../data/version.ts';
-import { Ending, misuse } from '../failures.ts';
+import { Ending, misuse, unreadable } from '../failures.ts';
 import { resolvedFor } from '../export-tasks.ts';
 import { generatorOfPreset, sceneOfLink } from '../generators.ts';
 import { linkOfRequest } from '../scenes.ts';
@@ -58,7 +58,7 @@ export async function readList(file: string, options: ExportOptions, shard: Shar
       collector.add(scene, { ...options, ...own }, Object.keys(own).length > 0);
     } catch (thrown) {
       if (!(thrown instanceof Ending) || thrown.exit !== 'usage') throw thrown;
-      wrong.push(`${file === '-' ? 'standard input' : file}, line ${number}: ${thrown.message}`);
+      wrong.push(`${calledOf(file)}, line ${number}: ${thrown.message}`);
     }
   }
   if (wrong.length > 0) {
@@ -66,7 +66,7 @@ export async function readList(file: string, options: ExportOptions, shard: Shar
     throw misuse([...wrong.slice(0, MOST_TOLD), ...(others > 0 ? [`… and ${others} other lines`] : [])].join('\n'));
   }
   const list = collector.list();
-  if (list.count === 0) throw misuse(`${file === '-' ? 'the standard input' : file} has no lines with a scene`);
+  if (list.count === 0) throw misuse(`${calledOf(file)} has no lines with a scene`);
   return list;
 }
 
@@ -143,21 +143,29 @@ function requested(request: Record<string, unknown>): Scene {
   }
 }
 
+/** As a list is called in messages. */
+function calledOf(file: string): string {
+  return file === '-' ? 'the standard input' : file;
+}
+
 /** The lines of a file, one by one, without their ends. */
 async function* linesOf(file: string): AsyncGenerator<string> {
+  const called = calledOf(file);
   const stream = file === '-' ? process.stdin : createReadStream(file);
   stream.setEncoding('utf8');
   let rest = '';
   try {
     for await (const piece of stream) {
+      // As Windows PowerShell writes what is led to a file.
+      if (String(piece).includes('\0')) throw misuse(`${called} is no text in UTF-8: save it as that`);
       const lines = (rest + String(piece)).split('\n');
       rest = lines.pop() ?? '';
-      if (rest.length > MOST_LINE) throw misuse(`${file} has a line of more than ${MOST_LINE} characters: it is no list`);
+      if (rest.length > MOST_LINE) throw misuse(`${called} has a line of more than ${MOST_LINE} characters: it is no list`);
       yield* lines;
     }
   } catch (cause) {
     if (cause instanceof Ending) throw cause;
-    throw new Ending('usage', `${file} cannot be read: ${(cause as Error).message}`, { cause });
+    throw unreadable(called, cause);
   }
   yield rest;
 }

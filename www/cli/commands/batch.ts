@@ -19,6 +19,10 @@ import type { Surroundings } from '../make.ts';
 import { EXPORT, OUTPUT, PARAMETER_OPTIONS, SAYING, SCENE } from '../options.ts';
 import type { Arguments } from '../parse.ts';
 import { scenesOf } from '../scenes.ts';
+import { didYouMean } from '../suggest.ts';
+
+/** What may follow `rock-field batch` in the place of a list. */
+const WORDS = ['plan', 'verify', 'merge'];
 
 export const command: Command = {
   usage: 'LIST --out DIR [--shard K/N] [options]\n       rock-field batch plan LIST [--out DIR] | verify DIR | merge DIR',
@@ -63,7 +67,10 @@ export const command: Command = {
 
 async function shard(args: Arguments, lists: readonly (string | undefined)[], surroundings: Surroundings): Promise<Exit> {
   const folder = args.get('out');
-  if (folder === undefined) throw misuse('--out is missing: the folder of the batch');
+  if (folder === undefined) {
+    const [first = ''] = lists;
+    throw misuse(`--out is missing: the folder of the batch.${didYouMean(first, WORDS, (word) => `rock-field batch ${word}`)}`);
+  }
   const part = args.get('shard') === undefined ? WHOLE : shardOf(args.get('shard')!);
   const { list, options } = await asked(args, lists, part, surroundings);
   const isJson = args.is('json') || !surroundings.out.isTTY;
