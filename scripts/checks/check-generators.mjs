@@ -109,6 +109,7 @@ function textLines(generator, read) {
       ['www/entries/variants/inline-worker.ts', `export function ${addressFunction(worker)}()`],
       ['www/entries/variants/inlined.d.ts', `declare module 'inlined:${worker}'`],
     ]),
+    ['www/cli/generators.ts', `'../${generator.name}/table.ts'`],
     ['README.md', `<${tag}`],
   ];
   return lacking(lines, read);
