@@ -129,6 +129,17 @@ test('what is there and whole is left as it is; what is missing, corrupt, of ano
   assert.deepEqual(last(await batch('merge', out)).merkle, root);
 });
 
+test('what a file could not have is told in its line, and once on a terminal, as by export', async () => {
+  const scene = ['--preset', 'scree', ...SMALL, '--textures', '1k'];
+  const exported = await rockField(['export', ...scene, '--out', `${fresh()}/`]);
+  const ran = await batch(...scene, '--out', fresh());
+  assert.ok((last(ran).notes as string[]).includes('no-device'));
+  assert.deepEqual(last(ran).notes, last(exported).notes);
+  const { err } = await rockField(['batch', ...scene, '--seeds', '1..3', '--out', fresh()], { isTTY: true });
+  assert.match(err, /note: .*graphics device.* \(in all files\)/);
+  assert.equal(err.split('note: ').length - 1, (last(exported).notes as string[]).length);
+});
+
 test('foreign files are named, and do not stand in the way of the manifest', async () => {
   const out = fresh();
   await batch(...SIX, '--out', out);

@@ -1,6 +1,7 @@
 /** What is said while files are made: how far it is on a terminal, a line of JSON for each file in a pipe, errors always. */
 
 import type { Failure } from './failures.ts';
+import { Notes } from './notes.ts';
 import { inOptions } from './options.ts';
 import type { Made, Task } from './work.ts';
 
@@ -36,8 +37,7 @@ export class Reporter {
   readonly #manner: Manner;
   readonly #begin = performance.now();
   readonly #fractions = new Map<number, number>();
-  /** By their code: what is said first of it, and of how many files. */
-  readonly #notes = new Map<string, { message: string; count: number }>();
+  readonly #notes = new Notes();
   #done = 0;
   #failed = 0;
   #bytes = 0;
@@ -71,8 +71,7 @@ export class Reporter {
     this.#done += 1;
     this.#bytes += facts.bytes;
     this.#fractions.delete(item);
-    for (const { code, message } of notes)
-      this.#notes.set(code, { message, ...this.#notes.get(code), count: (this.#notes.get(code)?.count ?? 0) + 1 });
+    this.#notes.add(notes);
     const { total, isJson, isQuiet, isFile } = this.#manner;
     if (isJson && !isFile && !isQuiet) this.#json({ item, preset, seed, link, file, ...facts, notes: notes.map(({ code }) => code) });
     else if (!isFile && !isQuiet && total <= MOST_NAMED) this.#line(this.#streams.out, `${file ?? ''}  ${megabytes(facts.bytes)}`);
@@ -99,10 +98,7 @@ export class Reporter {
     this.#erase();
     const { total, isQuiet, isJson } = this.#manner;
     if (isStopped || isQuiet || isJson || !this.#streams.err.isTTY) return;
-    for (const { message, count } of this.#notes.values()) {
-      const of = total > 1 ? ` (in ${count === total ? 'all' : `${count} of ${total}`} files)` : '';
-      this.say(`note: ${inOptions({ message })}${of}`);
-    }
+    for (const line of this.#notes.lines(total)) this.say(line);
     if (total <= 1) return;
     const seconds = (performance.now() - this.#begin) / 1000;
     this.say(`${this.#done} of ${total} files, ${megabytes(this.#bytes)}, in ${duration(seconds)}`);

@@ -2,6 +2,7 @@
 
 import type { Failure } from '../failures.ts';
 import type { Streams } from '../reporter.ts';
+import { Notes } from '../notes.ts';
 import { inOptions } from '../options.ts';
 import type { ItemDone } from './item.ts';
 import type { Item } from './list.ts';
@@ -18,6 +19,7 @@ export class Teller {
   readonly #isQuiet: boolean;
   #drawn = -Infinity;
   #isDrawn = false;
+  readonly #notes = new Notes();
   readonly counts = { made: 0, skipped: 0, failed: 0 };
 
   constructor(streams: Streams, { total, isJson, isQuiet }: { total: number; isJson: boolean; isQuiet: boolean }) {
@@ -27,9 +29,11 @@ export class Teller {
     this.#isQuiet = isQuiet;
   }
 
-  done({ index, scene: { link } }: Item, { status, file, bytes, sha256 }: ItemDone): void {
+  done({ index, scene: { link } }: Item, { status, file, bytes, sha256, notes }: ItemDone): void {
     this.counts[status] += 1;
-    if (!this.#isQuiet) this.#json({ index, status, file, bytes, sha256, link });
+    this.#notes.add(notes);
+    const codes = status === 'made' ? { notes: notes.map(({ code }) => code) } : {};
+    if (!this.#isQuiet) this.#json({ index, status, file, bytes, sha256, link, ...codes });
     this.#draw();
   }
 
@@ -50,7 +54,9 @@ export class Teller {
 
   end(): void {
     this.#erase();
-    if (this.#streams.err.isTTY && !this.#isQuiet) this.say(this.#words());
+    if (!this.#streams.err.isTTY || this.#isQuiet) return;
+    for (const line of this.#notes.lines(this.counts.made)) this.say(line);
+    this.say(this.#words());
   }
 
   #json(line: object): void {
