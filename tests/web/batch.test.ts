@@ -258,10 +258,11 @@ test('a slip in any line is told with what was meant, in every shard, and nothin
     ['v=9&preset=riverbed&seed=1', /line 2: the link is of version 9/],
     ['preset=riverbed&seed=1&sed=3', /line 2: .*sed/],
     ['preset=riverbed&seed=-1', /line 2: .*seed/],
-    ['{"preset": "riverbed", "seeed": 1}', /line 2: .*seeed/],
+    ['{"preset": "riverbed", "seeed": 1}', /line 2: .*seeed.* Did you mean seed\?/],
+    ['{"preset": "riverbed", "layers": [{"radus": 9}]}', /line 2: .*radus.* Did you mean radius\?/],
     ['{"preset": "riverbed", "seed": 1.5}', /line 2: .*seed/],
     ['{"preset": "riverbed"', /line 2: .*JSON/],
-    ['{"preset": "riverbed", "export": {"mash": "one"}}', /line 2: .*mash/],
+    ['{"preset": "riverbed", "export": {"mash": "one"}}', /line 2: .*mash.* Did you mean mesh\?/],
     ['{"preset": "riverbed", "export": {"format": "stl", "mesh": "kit"}}', /line 2: .*mesh/],
     ['{"preset": "riverbed", "export": 5}', /line 2: export/],
     ['what is this', /line 2: this is no link/],
@@ -273,7 +274,7 @@ test('a slip in any line is told with what was meant, in every shard, and nothin
     assert.match(ran.err, words);
   }
   const many = await batch(list('many.txt', ...Array.from({ length: 30 }, () => 'preset=riverbad')), '--out', out);
-  assert.match(many.err, /… and 20 other lines/);
+  assert.match(many.err, /… and 20 more/);
   assert.ok(!existsSync(out));
 });
 

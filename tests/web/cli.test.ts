@@ -111,6 +111,13 @@ test('what was mistyped is named with what was meant, and nothing is written', (
   assert.deepEqual(readdirSync(cwd), []);
 });
 
+test('a slip in parameters as JSON is told with what was meant', () => {
+  const cwd = emptyFolder();
+  writeFileSync(path.join(cwd, 'p.json'), '{"preset": "scree", "imageWidht": 48}');
+  const { err } = rockField('export --from p.json', cwd);
+  assert.match(err, /^rock-field: p\.json: there is no parameter called "imageWidht"\. Did you mean imageWidth\?$/m);
+});
+
 test('with --format a file may end as other programs want it', () => {
   const { status, err, cwd } = rockField([
     'maps',

@@ -7,7 +7,7 @@ import { MAPS, OPTIONS, resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import { colonyOptions } from '../wood-ear/export-options.ts';
 import { Ending, misuse } from './failures.ts';
-import { EXPORT_KEYS, inOptions } from './options.ts';
+import { EXPORT_KEYS, inOptions, ofCode } from './options.ts';
 import type { Arguments } from './parse.ts';
 import { filesOf } from './pattern.ts';
 import type { Values } from './pattern.ts';
@@ -135,7 +135,7 @@ export function resolvedFor(generator: Scene['generator'], given: ExportOptions)
   try {
     return (generator === 'rocks' ? resolveOptions : colonyOptions)(given);
   } catch (thrown) {
-    throw thrown instanceof RockFieldError ? misuse(inOptions(thrown)) : thrown;
+    throw thrown instanceof RockFieldError ? misuse(thrown.name === 'UnknownKey' ? ofCode(thrown) : inOptions(thrown)) : thrown;
   }
 }
 

@@ -49,7 +49,7 @@ export async function make(plan: Plan, { startWorker, ...streams }: Surroundings
   const { tasks, isQuiet } = plan;
   const isFile = tasks.some(({ file }) => file === null);
   if (isFile && streams.out.isTTY && !tasks.every(isText))
-    throw misuse('--out -: a terminal cannot show this file; lead it to another program, or to a file with >');
+    throw misuse('--out -: a terminal cannot show this file; pipe it to another program, or redirect it to a file with >');
   const isJson = plan.isJson || !streams.out.isTTY;
   const reporter = new Reporter(streams, { total: tasks.length, isJson, isQuiet, isFile });
   let isStorage = false;

@@ -3,12 +3,14 @@
  * `imageWidth` is `--image-width`. The rest is listed here.
  */
 
+import type { RockFieldError } from '../base/errors.ts';
 import { attributesOf } from '../element/attribute-reader.ts';
 import { OPTIONS, TARGETS } from '../export/options.ts';
 import type { OptionKey } from '../export/options.ts';
 import { ROCKS } from '../rocks/table.ts';
 import type { Row } from '../table/row.ts';
 import { WOOD_EARS } from '../wood-ear/table.ts';
+import { didYouMean } from './suggest.ts';
 
 export interface Option {
   /** Without the hyphens before it. */
@@ -49,6 +51,18 @@ export function inOptions({ message, key }: { message: string; key?: string | un
       alone ? `--${kebab(alone)}` : `--${kebab(before)} ${values.replaceAll('"', '')}`,
     )
     .replace(/(?<= or )"(\w+)"(?=$|[:;,)])/g, '$1');
+}
+
+/** The names that parameters and options of exports have in code. */
+const NAMES = new Set([
+  ...[ROCKS.rows, ROCKS.itemRows, WOOD_EARS.rows, WOOD_EARS.itemRows].flatMap((rows) => rows.map(({ key }) => key)),
+  ...['preset', 'layers', 'bases', 'ground', ...KEYS],
+]);
+
+/** What is wrong with parameters or options that code passes, with what was meant by a name that there is not. */
+export function ofCode({ name, message, key = '' }: RockFieldError): string {
+  const meant = name === 'UnknownKey' ? didYouMean(key, NAMES) : '';
+  return meant === '' ? message : `${message}.${meant}`;
 }
 
 export const HELP: Option = { name: 'help', short: 'h', doc: 'Says this.' };

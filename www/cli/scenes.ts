@@ -13,7 +13,7 @@ import { groundOf } from '../wood-ear/table.ts';
 import { Ending, misuse, unreadable } from './failures.ts';
 import { GENERATORS, generatorOfPreset, sceneOfLink } from './generators.ts';
 import type { AnyGenerator, AnyParams, GeneratorName, LinkedScene } from './generators.ts';
-import { inOptions, PARAMETER_OPTIONS, PARAMETERS } from './options.ts';
+import { inOptions, ofCode, PARAMETER_OPTIONS, PARAMETERS } from './options.ts';
 import type { Arguments } from './parse.ts';
 import { MOST_SCENES, seedsOf } from './seeds.ts';
 import { didYouMean } from './suggest.ts';
@@ -102,7 +102,7 @@ export async function originOfFile(file: string): Promise<FileOrigin> {
     const found = await sceneInFile(blob);
     return 'link' in found ? found : { link: linkOfRequest(found.request), hash: '', version: '', options: {} };
   } catch (thrown) {
-    if (thrown instanceof RockFieldError) throw new Ending('failed', `${file}: ${thrown.message}`, { cause: thrown });
+    if (thrown instanceof RockFieldError) throw new Ending('failed', `${file}: ${ofCode(thrown)}`, { cause: thrown });
     if (!(thrown instanceof Refused)) throw thrown;
     const foreign = MUTE.test(file)
       ? 'files of this kind do not say what made them'

@@ -8,6 +8,7 @@ import { VERSION } from '../../data/version.ts';
 import { Ending, misuse, unreadable } from '../failures.ts';
 import { resolvedFor } from '../export-tasks.ts';
 import { generatorOfPreset, sceneOfLink } from '../generators.ts';
+import { ofCode } from '../options.ts';
 import { linkOfRequest } from '../scenes.ts';
 import type { Scene } from '../scenes.ts';
 import { MOST_ITEMS } from './folder.ts';
@@ -63,7 +64,7 @@ export async function readList(file: string, options: ExportOptions, shard: Shar
   }
   if (wrong.length > 0) {
     const others = wrong.length - MOST_TOLD;
-    throw misuse([...wrong.slice(0, MOST_TOLD), ...(others > 0 ? [`… and ${others} other lines`] : [])].join('\n'));
+    throw misuse([...wrong.slice(0, MOST_TOLD), ...(others > 0 ? [`… and ${others} more`] : [])].join('\n'));
   }
   const list = collector.list();
   if (list.count === 0) throw misuse(`${calledOf(file)} has no lines with a scene`);
@@ -139,7 +140,7 @@ function requested(request: Record<string, unknown>): Scene {
   try {
     return linked(linkOfRequest(request));
   } catch (thrown) {
-    throw thrown instanceof RockFieldError ? misuse(thrown.message) : thrown;
+    throw thrown instanceof RockFieldError ? misuse(ofCode(thrown)) : thrown;
   }
 }
 
