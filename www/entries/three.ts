@@ -7,9 +7,8 @@ import type { RockFieldOptions } from '../three/options.ts';
 
 export { RockFieldError } from '../base/errors.ts';
 export type { ErrorInfo, ErrorName } from '../base/errors.ts';
-export type { BuildRun, FoundRock } from '../three/rock-field.ts';
+export type { BuildProgress, BuildRun, FoundRock } from '../three/rock-field.ts';
 export type { RockFieldOptions } from '../three/options.ts';
-export type { Progress, StageName } from '../generator/protocol.ts';
 export type { FieldRequest, LayerRequest } from '../rocks/request.ts';
 export type { Layer, Params, PresetName, Triple } from '../rocks/params.ts';
 

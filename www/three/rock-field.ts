@@ -14,10 +14,13 @@ import type { RockFieldOptions, Wanted } from './options.ts';
 import { checkRevision } from './revision.ts';
 
 /** As of `generate`; the stage `scene` is that in which the meshes are made. */
+export type BuildProgress = Progress<StageName | 'scene'>;
+
+/** Who waits for a build. */
 export interface BuildRun {
   /** Aborting rejects with the signal's reason; the field that was there stays. */
   signal?: AbortSignal | undefined;
-  onProgress?: ((progress: Progress<StageName | 'scene'>) => void) | undefined;
+  onProgress?: ((progress: BuildProgress) => void) | undefined;
   /** Default 1.5 GiB, 512 MiB on devices that report 4 GB or less. */
   maxBytes?: number | undefined;
 }
