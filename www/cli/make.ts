@@ -30,11 +30,11 @@ export interface Plan {
 const MEMORY_OF_ONE = 2 * 2 ** 30;
 const MOST_JOBS = 256;
 
-/** How many at a time: as many as were asked for, or as there are cores, and memory for. */
+/** How many at a time: as many as were asked for; or one more than there are cores, since one of them waits for the disk, as far as there is memory. */
 export function jobsOf(typed: string | undefined, tasks: number): number {
   // Of a container the share that it has; 0 where nothing limits it.
   const memory = Math.min(totalmem(), process.constrainedMemory() || Infinity);
-  const wanted = typed === undefined ? Math.min(availableParallelism(), Math.floor(memory / MEMORY_OF_ONE)) : Number(typed);
+  const wanted = typed === undefined ? Math.min(availableParallelism() + 1, Math.floor(memory / MEMORY_OF_ONE)) : Number(typed);
   if (typed !== undefined && !(/^\d+$/.test(typed) && wanted >= 1 && wanted <= MOST_JOBS))
     throw misuse(`--jobs ${typed}: it must be a whole number from 1 to ${MOST_JOBS}`);
   return Math.max(1, Math.min(wanted, tasks));

@@ -106,7 +106,7 @@ export const OUTPUT: readonly Option[] = [
     name: 'jobs',
     short: 'j',
     value: 'N',
-    doc: 'How many are made at a time. Default: one for each core, if there are 2 GB of memory for each.',
+    doc: 'How many are made at a time. Default: one more than there are cores, if there are 2 GB of memory for each.',
   },
 ];
 
