@@ -4,7 +4,7 @@ import { after, before, test } from 'node:test';
 import { dist } from '../../scripts/lib/env.mjs';
 import { plainName } from '../../scripts/build/hashed-names.mjs';
 import { serve } from '../../scripts/lib/serve.mjs';
-import { holdTimers } from './browser.mjs';
+import { holdTimers, until } from './browser.mjs';
 import { SMALL, button, focused, launchControls, openControls, openPanel, panel } from './controls-page.mjs';
 import { boxOf, closeClean } from './shown.mjs';
 
@@ -186,16 +186,13 @@ test('an element that is removed leaves no panel and no listener behind', async 
   });
   await page.waitForFunction(() => a.shadowRoot.querySelector('.controls-panel') === null);
   assert.deepEqual(await page.evaluate(() => [...listeners.values()]), []);
-  // What the mouse was pressed on last is the browser's for as long.
-  await page.locator('h1').click();
-  await page.waitForFunction(
-    () => {
-      gc?.();
-      return gone[0].deref() === undefined;
-    },
-    undefined,
-    { polling: 500 },
-  );
+  const session = await page.context().newCDPSession(page);
+  await until(async () => {
+    // What the mouse was pressed on last is the browser's for as long.
+    await page.locator('h1').click();
+    await session.send('HeapProfiler.collectGarbage');
+    return page.evaluate(() => gone[0].deref() === undefined);
+  }, 'the panel is collected');
   // And it comes back.
   await page.evaluate(() => document.querySelector('main').append(a));
   await openPanel(page);
