@@ -2,6 +2,9 @@
 
 import { nextTask } from '../base/next-task.ts';
 
+/** Of making the file or the scene of a field: the share of the work that is done when the field is there. */
+export const GENERATED = 0.6;
+
 /** After this much work others have their turn, ms. */
 const SLICE_MS = 16;
 /** So many small things are done before the time is looked at. */

@@ -8,7 +8,7 @@ import type { Model } from '../export/model.ts';
 import { isMap, resolveOptions } from '../export/options.ts';
 import type { ExportOptions, ResolvedOptions } from '../export/options.ts';
 import { coloured } from '../export/origin/written-options.ts';
-import { Pace } from '../export/pace.ts';
+import { GENERATED, Pace } from '../export/pace.ts';
 import type { Waiting } from '../export/pace.ts';
 import type { Progress, StageName } from '../generator/protocol.ts';
 import { sceneOf } from '../export/scene.ts';
@@ -125,9 +125,6 @@ export interface ExportRun extends Omit<GenerateOptions, 'onProgress'> {
   /** Called every 16 ms or so. */
   onProgress?: ((progress: Progress<StageName | 'file'>) => void) | undefined;
 }
-
-/** The share of the work that is done when the field is there. */
-const GENERATED = 0.6;
 
 /**
  * Generates and exports in one call: what `entries/export.ts` and `export.node.ts` share.

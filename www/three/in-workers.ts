@@ -3,11 +3,9 @@
 import { EXPORTER } from '../rocks/export-task.ts';
 import { GeneratorClient } from '../rocks/client.ts';
 import { inWorker } from '../generator/one-task.ts';
+import { GENERATED } from '../export/pace.ts';
 import type { SceneParts } from '../export/scene.ts';
 import type { Grower } from './rock-field.ts';
-
-/** The share of the work that is done when the field is there. */
-const GENERATED = 0.6;
 
 /** How long the stages of a run are kept for the next one, ms: sliders are moved again and again, but most fields are built once and stay. */
 export const KEPT_MS = 10_000;

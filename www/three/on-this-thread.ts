@@ -1,14 +1,12 @@
 /** Fields for scenes where there are no workers of the page's kind, in slices of about 16 ms. */
 
 import type { Field } from '../data/field.ts';
+import { GENERATED } from '../export/pace.ts';
 import { fieldScene } from '../rocks/export.ts';
 import type { GroundRealm } from '../rocks/ground.ts';
 import type { GenerateOptions } from '../rocks/headless.ts';
 import type { FieldRequest } from '../rocks/request.ts';
 import type { Grower } from './rock-field.ts';
-
-/** The share of the work that is done when the field is there. */
-const GENERATED = 0.6;
 
 /** @param generate as of `rock-field/core`. */
 export function onThisThread(generate: (request?: FieldRequest, options?: GenerateOptions) => Promise<Field>, ground: GroundRealm): Grower {

@@ -137,7 +137,8 @@ impl Arrangement {
         let cell = |low: f32, high: f32, size: f32| {
             ((0.5 * (low + high) / size.max(1.0) * cells as f32) as usize).min(cells - 1)
         };
-        // What rocks of a group have in common, and below it their numbers: layers, subdivisions and cells are small.
+        // What rocks of a group have in common, and in the lower half their numbers. Of a layer's id the lowest 16 bits must do: layers that
+        // agree in them may share groups, and are drawn as well.
         let key = |(rock, body): (usize, &Body)| {
             let [column, row] = [cell(body.low.x, body.high.x, image[0]), cell(body.low.y, body.high.y, image[1])];
             let place = (row * cells + column) as u64 | u64::from(body.segments()) << 8;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{Mat4, Vec3, Vec4};
 
-use super::{Arrangement, Body, LEVELS, Sight, coarser};
+use super::{Arrangement, Body, Group, LEVELS, Sight, coarser};
 use crate::Mesh;
 use crate::params::{PRESETS, Params};
 use crate::rocks::generate;
@@ -162,4 +162,27 @@ fn what_is_in_the_picture_is_drawn_and_what_is_behind_the_eye_is_not() {
         }
     }
     assert!(left_out > positions.len() as u32, "a quarter at least is behind the eyes");
+}
+
+#[test]
+fn what_is_nearer_is_drawn_first() {
+    let mesh = mesh_of(&preset("riverbed"));
+    let arranged = Arrangement::of(&bodies(&mesh), [SIZE as f32; 2]);
+    for (x, y) in [(64.0, -100.0), (200.0, 64.0), (-50.0, 150.0)] {
+        let sight = sight(Vec3::new(x, y, 60.0), 0.0);
+        let distance = |start: u32| {
+            let group = arranged.groups.iter().find(|group| group.ranges[0].contains(&start)).expect("a group");
+            sight.distance(group).expect("in the picture")
+        };
+        let distances: Vec<f32> = arranged.seen(&sight).iter().map(|range| distance(range.start)).collect();
+        assert!(distances.len() > 3 && distances.is_sorted(), "{distances:?}");
+    }
+}
+
+#[test]
+fn a_rock_that_sinks_into_the_picture_is_drawn() {
+    let high = Group { low: Vec3::new(60.0, 60.0, 150.0), high: Vec3::new(68.0, 68.0, 155.0), ..Group::EMPTY };
+    let sight = sight(Vec3::new(64.0, -200.0, 20.0), 0.0);
+    assert!(sight.distance(&high).is_none());
+    assert!(Sight { sunk: 150.0, ..sight }.distance(&high).is_some());
 }
