@@ -1,11 +1,15 @@
 //! The graphics device, which all canvases of a page share.
 
 use std::cell::{Cell, RefCell};
+use std::rc::Rc;
+
+use glam::Vec3;
 
 use super::RenderError;
 use super::maps::MapSets;
 use super::pipelines::Pipelines;
 use super::surface::{Kind, Screen};
+use crate::shading::Sky;
 
 /// Device, queue, pipelines and maps, shared by many canvases ([`super::View`]) and fields ([`super::Scene`]).
 pub(crate) struct Gpu {
@@ -19,6 +23,8 @@ pub(crate) struct Gpu {
     /// their pictures are copied.
     pub(crate) shared: Option<RefCell<Screen>>,
     numbers: Cell<u64>,
+    /// The sky that was asked for last, and the sine of its sun's elevation.
+    sky: RefCell<Option<(f32, Rc<Sky>)>>,
 }
 
 /// Called once, with a reason, when the device is lost or out of memory.
@@ -56,6 +62,7 @@ impl Gpu {
             kind,
             maps: RefCell::default(),
             numbers: Cell::new(0),
+            sky: RefCell::default(),
         })
     }
 
@@ -68,6 +75,19 @@ impl Gpu {
     pub(crate) fn next_number(&self) -> u64 {
         self.numbers.set(self.numbers.get() + 1);
         self.numbers.get()
+    }
+
+    /// The sky around the sun in this direction.
+    pub(crate) fn sky(&self, sun: Vec3) -> Rc<Sky> {
+        let mut last = self.sky.borrow_mut();
+        match &*last {
+            Some((height, sky)) if *height == sun.z => sky.clone(),
+            _ => {
+                let sky = Rc::new(Sky::new(sun.z.asin()));
+                *last = Some((sun.z, sky.clone()));
+                sky
+            }
+        }
     }
 
     /// Frees the device's memory now, and not only when JavaScript collects the device.

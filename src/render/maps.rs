@@ -1,10 +1,12 @@
-//! The shadow and height maps that lighting reads: a few sets, which are lent to the fields that are drawn.
+//! The shadow, height and sky maps that lighting reads: a few sets, which are lent to the fields that are drawn.
 //!
 //! A set takes 25 MB, and a page may show dozens of fields of which one is being moved. A canvas therefore keeps the
 //! set it drew last as long as there are enough sets, and otherwise draws its maps again.
 
+use super::Gpu;
 use super::pass::{HEIGHT_FORMAT, SHADOW_FORMAT};
 use super::surface::texture;
+use crate::shading::{SKY_COLUMNS, SKY_ROWS, Sky};
 
 /// Side of the shadow map and of the height map, texels. For the papers' fields of 1024 px, a texel is 0.7 px.
 const MAP_SIDE: u32 = 2048;
@@ -18,8 +20,23 @@ pub(crate) struct Maps {
     pub(crate) group: wgpu::BindGroup,
     pub(crate) shadow: wgpu::TextureView,
     pub(crate) height: wgpu::TextureView,
+    sky: wgpu::TextureView,
     /// Scratch texture, shared by all sets.
     pub(crate) height_depth: wgpu::TextureView,
+}
+
+impl Maps {
+    /// Puts a sky into its map.
+    pub(crate) fn write_sky(&self, gpu: &Gpu, sky: &Sky) {
+        let texels = sky.texels();
+        let [width, height] = [SKY_COLUMNS, SKY_ROWS].map(|side| side as u32);
+        gpu.queue.write_texture(
+            self.sky.texture().as_image_copy(),
+            bytemuck::cast_slice(&texels),
+            wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(8 * width), rows_per_image: None },
+            wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+        );
+    }
 }
 
 struct Set {
@@ -79,6 +96,7 @@ impl MapSets {
             if set.view == view {
                 set.maps.shadow.texture().destroy();
                 set.maps.height.texture().destroy();
+                set.maps.sky.texture().destroy();
             }
             set.view != view
         });
@@ -94,15 +112,17 @@ impl MapSets {
         let height = map("rock-field/height/map", HEIGHT_FORMAT);
         let height_depth =
             self.height_depth.get_or_insert_with(|| map("rock-field/height/depth", SHADOW_FORMAT)).clone();
-        Maps { group: group(device, layout, &shadow, &height), shadow, height, height_depth }
+        let usage = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::TEXTURE_BINDING;
+        let size = (SKY_COLUMNS as u32, SKY_ROWS as u32);
+        let sky = texture(device, "rock-field/sky/map", size, 1, wgpu::TextureFormat::Rgba16Float, usage);
+        Maps { group: group(device, layout, [&shadow, &height, &sky]), shadow, height, sky, height_depth }
     }
 }
 
 fn group(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
-    shadow: &wgpu::TextureView,
-    height: &wgpu::TextureView,
+    [shadow, height, sky]: [&wgpu::TextureView; 3],
 ) -> wgpu::BindGroup {
     let sampler = |label, compare| {
         device.create_sampler(&wgpu::SamplerDescriptor {
@@ -129,6 +149,8 @@ fn group(
             entry(3, wgpu::BindingResource::Sampler(&linear)),
             entry(4, wgpu::BindingResource::TextureView(shadow)),
             entry(5, wgpu::BindingResource::Sampler(&nearest)),
+            entry(6, wgpu::BindingResource::TextureView(sky)),
+            entry(7, wgpu::BindingResource::Sampler(&linear)),
         ],
     })
 }

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | 0 `frame` | frame and view | 0 `Globals` |
 //! | 1 `field` | field | 0 `FieldUniforms` |
-//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler |
+//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler |
 
 use std::cell::{OnceCell, RefCell};
 
@@ -335,6 +335,8 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             entry(3, sampler(wgpu::SamplerBindingType::Filtering)),
             entry(4, texture(wgpu::TextureSampleType::Float { filterable: false })),
             entry(5, sampler(wgpu::SamplerBindingType::NonFiltering)),
+            entry(6, texture(wgpu::TextureSampleType::Float { filterable: true })),
+            entry(7, sampler(wgpu::SamplerBindingType::Filtering)),
         ],
     })
 }

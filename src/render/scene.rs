@@ -175,6 +175,9 @@ impl Scene {
         let mut uniforms = field_uniforms(sun, self.image, low, high, MapSets::side(gpu.max_side()) as f32);
         uniforms.ground[2] = if self.is_buried { 1.0 } else { 0.0 };
         uniforms.size[2] = self.high.z.max(1.0);
+        let sky = gpu.sky(sun);
+        uniforms.sunshine = sky.sunshine.extend(0.0).to_array();
+        uniforms.sky = sky.uniforms(sun);
         if let Some(axis) = props.axis() {
             uniforms.log = [axis.middle, axis.half, axis.radius, axis.height];
             uniforms.bow = axis.bow;
@@ -232,7 +235,7 @@ impl Scene {
         self.buffers.set_edges(gpu, indices)
     }
 
-    /// Draws the shadow and height maps. They change only with the field, the sun and the props, so drawing them once
+    /// Draws the shadow and height maps, and writes the sky's. They change only with the field, the sun and the props, so drawing them once
     /// is enough.
     pub(crate) fn draw_maps(
         &self,
@@ -242,6 +245,7 @@ impl Scene {
         maps: &Maps,
         props: &Props,
     ) {
+        maps.write_sky(gpu, &gpu.sky(self.sun));
         let height_color = wgpu::RenderPassColorAttachment {
             view: &maps.height,
             depth_slice: None,
@@ -356,5 +360,7 @@ fn field_uniforms(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) 
         ground: [0.36 * image[0].max(image[1]), texel, 0.0, 0.0],
         log: [0.0; 4],
         bow: [0.0; 4],
+        sunshine: [0.0; 4],
+        sky: [[0.0; 4]; 6],
     }
 }

@@ -34,7 +34,7 @@ pub(crate) struct Globals {
     pub(crate) flesh: [f32; 4],
 }
 
-/// Written once per field. Size 160 B.
+/// Written once per field. Size 272 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FieldUniforms {
@@ -51,4 +51,8 @@ pub(crate) struct FieldUniforms {
     pub(crate) log: [f32; 4],
     /// y of the log's axis, px: the coefficients of a polynomial in t, −1…1 from end to end.
     pub(crate) bow: [f32; 4],
+    /// The sun's light; w is not used.
+    pub(crate) sunshine: [f32; 4],
+    /// [`super::Sky::diffuse`]; w of the first two: the sun's azimuth as a direction.
+    pub(crate) sky: [[f32; 4]; 6],
 }

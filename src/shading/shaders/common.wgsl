@@ -32,7 +32,7 @@ struct Globals {
 }
 
 // Group 1, once per field.
-// size 160 B, align 16; mirrored by FieldUniforms in uniforms.rs
+// size 272 B, align 16; mirrored by FieldUniforms in uniforms.rs
 struct FieldUniforms {
   // World to the sun's clip space, depth 0…1
   sun_from_world: mat4x4f,
@@ -49,6 +49,10 @@ struct FieldUniforms {
   log: vec4f,
   // y of its axis, px: a polynomial in t, -1…1 from end to end
   bow: vec4f,
+  // The sun's light; w unused
+  sunshine: vec4f,
+  // What the sky lights, by the direction of a surface (sky.rs); w of the first two: the direction of the sun's azimuth
+  sky: array<vec4f, 6>,
 }
 
 @group(0) @binding(0) var<uniform> globals: Globals;
@@ -92,6 +96,12 @@ fn finish(linear: vec3f, pixel: vec2f) -> vec4f {
   let c = clamp(linear, vec3f(0.0), vec3f(1.0));
   let encoded = linear_to_srgb(c) + (dither(pixel) - 0.5) / 255.0;
   return vec4f(select(encoded, c, target_is_srgb), 1.0);
+}
+
+// Like `finish`, of a colour that is encoded already.
+fn shown_as(encoded: vec3f, pixel: vec2f) -> vec4f {
+  let dithered = clamp(encoded, vec3f(0.0), vec3f(1.0)) + (dither(pixel) - 0.5) / 255.0;
+  return vec4f(select(dithered, srgb_to_linear(max(encoded, vec3f(0.0))), target_is_srgb), 1.0);
 }
 
 // Of the plane z = 0, at (x, y) of the tile in -1…1: the ray's point on it, divided by how far along the ray it is. Stays

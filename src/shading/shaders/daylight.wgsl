@@ -117,17 +117,11 @@ fn glint(n_h: f32, n_v: f32, n_l: f32, v_h: f32, rough: f32) -> f32 {
   return a * a / (3.14159 * d * d) * masking * fresnel * n_l;
 }
 
-// The sun's light: low, it is warmer; and the camera adjusts.
-fn sunshine() -> vec3f {
-  return mix(vec3f(2.8, 1.95, 1.2), vec3f(2.66, 2.46, 2.16), smoothstep(0.05, 0.75, field.sun.z));
-}
-
 // Light from a surface to the eye. `face` without its relief, `normal` with it; `seen` from `sky_seen`.
 fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
   let sun = field.sun.xyz;
   let sun_color = sunshine();
-  let sky_color = vec3f(0.36, 0.40, 0.45);
-  let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.45 + sky_color * 0.6);
+  let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.45 + sky_light(vec3f(0.0, 0.0, 1.0)) * 0.6);
 
   let n_l = dot(normal, sun);
   let facing = smoothstep(-0.05, 0.2, dot(face, sun));
@@ -135,8 +129,9 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   if n_l > 0.0 && facing > 0.0 {
     direct = sun_seen(world, face) * facing * mix(0.8, 1.0, seen);
   }
-  let up = dot(normal, normalize(open_towards + vec3f(0.0, 0.0, 0.4)));
-  let ambient = mix(bounce_color, sky_color, 0.5 + 0.5 * up) * seen * seen;
+  // Towards where it is open; what is not sky is ground.
+  let open = normalize(normal + vec3f(0.7 * open_towards.xy, 0.0));
+  let ambient = (sky_light(open) + bounce_color * (0.5 - 0.5 * open.z)) * seen * seen;
   var light = albedo * (sun_color * max(n_l, 0.0) * direct + ambient);
 
   let n_v = max(dot(normal, to_eye), 0.05);
@@ -147,21 +142,13 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   let r = vec4f(-1.0, -0.0275, -0.572, 0.022) * rough + vec4f(1.0, 0.0425, 1.04, -0.04);
   let a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
   let mirrored = reflect(-to_eye, normal);
-  let sky = mix(bounce_color, sky_color * 1.3, smoothstep(-0.3, 0.5, mirrored.z));
+  // What is rough shows so much of the sky at once that it is as the light on a matte surface.
+  let above = mix(sky_radiance(mirrored), sky_light(mirrored), smoothstep(0.15, 0.6, rough));
+  let sky = mix(bounce_color, above, smoothstep(-0.3, 0.3, mirrored.z));
   return light + sky * (0.04 * (-1.04 * a + r.z) + 1.04 * a + r.w) * seen * seen;
 }
 
 // Relief and roughness: facets of the relief that are too small to be seen scatter the light.
 fn bumped(normal: vec3f, slope: vec3f) -> vec3f {
   return normalize(normal - (slope - normal * dot(slope, normal)));
-}
-
-// From light to the picture: exposure for the sun's height, a film's curve (in the form of
-// Narkowicz' fit of ACES, with less of a toe), and far away the air.
-fn developed(light: vec3f, distance: f32, pixel: vec2f) -> vec4f {
-  let exposure = 0.42 / (0.42 + 0.8 * field.sun.z);
-  let x = light * exposure;
-  let film = (x * (2.2 * x + 0.25)) / (x * (2.2 * x + 0.75) + 0.2);
-  let air = 1.0 - exp(-distance / (150.0 * max(field.size.x, field.size.y)));
-  return finish(mix(film, globals.backdrop_low.rgb, air), pixel);
 }

@@ -46,7 +46,7 @@ fn mirrored_sky(film: f32, base: vec3f, slope: vec3f, to_eye: vec3f, seen: f32) 
   let gaps = smoothstep(0.0, 0.45, noise3(mirrored * 2.3 + 17.0).w) * smoothstep(-0.1, 0.5, mirrored.z);
   let grazing = 1.0 - max(dot(level, to_eye), 0.0);
   let square = grazing * grazing;
-  return vec3f(0.95, 1.0, 1.06) * (film * film * gaps * seen * (0.05 + 0.8 * square * square * grazing));
+  return sky_radiance(mirrored) * (3.0 * film * film * gaps * seen * (0.05 + 0.8 * square * square * grazing));
 }
 
 // Light through the flesh: of the sun and the sky behind it, redder the thicker it is, and most at the rim. `thin` how much of it
@@ -61,7 +61,7 @@ fn light_through(thin: f32, toward_rim: f32, vein: f32, world: vec3f, base: vec3
   let scatter = 0.6 + 1.2 * pow(max(dot(-to_eye, sun), 0.0), 4.0);
   let depth = mix(1.5, 0.5, toward_rim);
   let tint = exp(-depth * vec3f(0.75, 2.1, 3.4) * (1.0 + 0.5 * vein));
-  return tint * thin * (sunshine() * direct * scatter * 0.6 + vec3f(0.36, 0.4, 0.45) * 0.12 * seen);
+  return tint * thin * (sunshine() * direct * scatter * 0.6 + sky_light(vec3f(0.0, 0.0, 1.0)) * 0.12 * seen);
 }
 
 @fragment
@@ -135,5 +135,5 @@ fn fs_main(
   if thin > 0.0 {
     light += light_through(thin, own.x, vein, world, base, to_eye, seen);
   }
-  return developed(light, far, pixel.xy);
+  return developed(light, from_eye, pixel.xy);
 }

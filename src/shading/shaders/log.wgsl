@@ -187,5 +187,5 @@ fn fs_main(
   rough = mix(rough, 0.45, wet);
   let towards = normalize(bent + to_eye * max(0.0, 0.02 - dot(bent, to_eye)));
   let light = daylight(albedo, rough, world, base, towards, to_eye, seen * open);
-  return developed(light, far, pixel.xy);
+  return developed(light, from_eye, pixel.xy);
 }

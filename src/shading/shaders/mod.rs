@@ -9,13 +9,14 @@ const RECIPE: &str = include_str!("recipe.wgsl");
 const NOISE: &str = include_str!("noise.wgsl");
 const STONE: &str = include_str!("stone.wgsl");
 const COVER: &str = include_str!("cover.wgsl");
+const SKY: &str = include_str!("sky.wgsl");
 const DAYLIGHT: &str = include_str!("daylight.wgsl");
 
 /// Prepended to the passes in natural colours.
-const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, DAYLIGHT];
+const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, DAYLIGHT];
 
 /// Prepended to the passes that draw rocks in natural colours.
-const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, DAYLIGHT, include_str!("surface.wgsl")];
+const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, DAYLIGHT, include_str!("surface.wgsl")];
 
 /// The shader of a pass.
 #[derive(Clone, Copy)]

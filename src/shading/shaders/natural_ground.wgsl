@@ -21,14 +21,15 @@ fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
 @fragment
 fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @location(0) vec4f {
   let at = place_of(pixel.xy);
-  let backdrop = mix(globals.backdrop_low.rgb, globals.backdrop_high.rgb, smoothstep(-1.0, 1.0, at.y));
   let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
   if is_ground < 0.5 || ray.z > -0.0001 {
-    return select(finish(backdrop, pixel.xy), backing(1.0, 1.0), globals.soil.w > 0.5);
+    if globals.soil.w > 0.5 {
+      return backing(1.0, 1.0);
+    }
+    return shown_as(toned(sky_seen_by_eye(normalize(ray))), pixel.xy);
   }
   let steps = globals.eye.z / -ray.z;
   let world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);
-  let far = steps * length(ray);
   let to_eye = -ray / length(ray);
   // px of the world under a pixel, nearer to the longer side of what it covers than to the shorter: flat pebbles would break
   // into dashes towards the horizon.
@@ -59,10 +60,5 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   albedo *= 1.0 - 0.5 * shaded;
   let light = daylight(albedo, rough, world, up, bumped(up, slope), to_eye, seen * mix(0.6, 1.0, cover_open));
 
-  // Far outside the field it runs out into the backdrop.
-  let half_size = 0.5 * field.size.xy;
-  let outside = length(max(abs(world.xy - half_size) - half_size, vec2f(0.0))) / max(field.size.x, field.size.y);
-  let gone = smoothstep(0.6, 5.0, outside);
-  let earth = developed(light, far, pixel.xy);
-  return mix(earth, finish(backdrop, pixel.xy), gone);
+  return developed(light, world - globals.eye.xyz, pixel.xy);
 }

@@ -53,5 +53,5 @@ fn fs_main(
   let square = surface_rough * surface_rough;
   let rough = sqrt(sqrt(min(square * square + spread, 1.0)));
   let light = daylight(surface_albedo, rough, world, base, towards, to_eye, seen);
-  return developed(light, far, pixel.xy);
+  return developed(light, from_eye, pixel.xy);
 }
