@@ -3,7 +3,6 @@
 //! A set takes 25 MB, and a page may show dozens of fields of which one is being moved. A canvas therefore keeps the
 //! set it drew last as long as there are enough sets, and otherwise draws its maps again.
 
-use super::Gpu;
 use super::pass::{HEIGHT_FORMAT, SHADOW_FORMAT};
 use super::surface::texture;
 use crate::shading::{SKY_COLUMNS, SKY_ROWS, Sky};
@@ -27,10 +26,10 @@ pub(crate) struct Maps {
 
 impl Maps {
     /// Puts a sky into its map.
-    pub(crate) fn write_sky(&self, gpu: &Gpu, sky: &Sky) {
+    pub(crate) fn write_sky(&self, queue: &wgpu::Queue, sky: &Sky) {
         let texels = sky.texels();
         let [width, height] = [SKY_COLUMNS, SKY_ROWS].map(|side| side as u32);
-        gpu.queue.write_texture(
+        queue.write_texture(
             self.sky.texture().as_image_copy(),
             bytemuck::cast_slice(&texels),
             wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(8 * width), rows_per_image: None },

@@ -245,7 +245,7 @@ impl Scene {
         maps: &Maps,
         props: &Props,
     ) {
-        maps.write_sky(gpu, &gpu.sky(self.sun));
+        maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
         let height_color = wgpu::RenderPassColorAttachment {
             view: &maps.height,
             depth_slice: None,
