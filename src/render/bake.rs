@@ -62,7 +62,7 @@ impl Bake {
         &self,
         gpu: &Gpu,
         mut encoder: wgpu::CommandEncoder,
-        groups: [&wgpu::BindGroup; 3],
+        groups: [&wgpu::BindGroup; 4],
         pipeline: &wgpu::RenderPipeline,
         draw: impl Fn(&mut wgpu::RenderPass<'_>, &wgpu::RenderPipeline),
     ) {

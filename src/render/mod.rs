@@ -31,6 +31,7 @@ mod gpu;
 mod indices;
 mod maps;
 mod pass;
+mod patterns;
 mod pipelines;
 mod plan;
 mod props;

@@ -61,15 +61,15 @@ pub(crate) enum Target {
 
 /// Makes pipelines.
 pub(crate) struct Maker {
-    /// Of the groups frame, field and maps.
-    layouts: [wgpu::BindGroupLayout; 3],
+    /// Of the groups frame, field, maps and patterns.
+    layouts: [wgpu::BindGroupLayout; 4],
     kind: Kind,
     /// The shaders that were needed until now, by their passes' names: several pipelines have the same.
     modules: RefCell<Vec<(&'static str, wgpu::ShaderModule)>>,
 }
 
 impl Maker {
-    pub(crate) fn new(layouts: [wgpu::BindGroupLayout; 3], kind: Kind) -> Self {
+    pub(crate) fn new(layouts: [wgpu::BindGroupLayout; 4], kind: Kind) -> Self {
         Self { layouts, kind, modules: RefCell::default() }
     }
 
@@ -88,20 +88,20 @@ impl Maker {
     }
 }
 
-/// Makes the pipeline of a pass, whose shader is `module`. Group 2, the maps, is bound only if the pass is lit.
+/// Makes the pipeline of a pass, whose shader is `module`, with as many groups as the pass reads.
 fn pipeline(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,
-    [frame, field, maps]: &[wgpu::BindGroupLayout; 3],
+    layouts: &[wgpu::BindGroupLayout; 4],
     Kind { format, samples }: Kind,
     pass: Pass<'_>,
 ) -> wgpu::RenderPipeline {
     let label = pass.shader.label();
     let label = Some(label.as_str());
-    let groups = [Some(frame), Some(field), Some(maps)];
+    let groups = layouts.each_ref().map(Some);
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label,
-        bind_group_layouts: if pass.shader.is_lit() { &groups } else { &groups[..2] },
+        bind_group_layouts: groups.get(..pass.shader.groups()).unwrap_or(&groups),
         immediate_size: 0,
     });
     let recipe = pass.recipe.map(Recipe::constants);

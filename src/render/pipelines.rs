@@ -5,9 +5,11 @@
 //! | 0 `frame` | frame and view | 0 `Globals` |
 //! | 1 `field` | field | 0 `FieldUniforms` |
 //! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler |
+//! | 3 `patterns` | device | 0 volume of noise, 1 plane of noise, 2 lattice of points, 3 the sampler of the first two |
 
 use std::cell::{OnceCell, RefCell};
 
+use super::patterns;
 use super::pass::{Depth, Maker, Pass, Sides, Target};
 use super::surface::Kind;
 use crate::shading::shaders::{self, Shader};
@@ -67,6 +69,8 @@ pub(crate) struct Pipelines {
     pub(crate) frame_layout: wgpu::BindGroupLayout,
     pub(crate) field_layout: wgpu::BindGroupLayout,
     pub(crate) maps_layout: wgpu::BindGroupLayout,
+    patterns_layout: wgpu::BindGroupLayout,
+    patterns: OnceCell<wgpu::BindGroup>,
     maker: Maker,
     pub(crate) shadow: wgpu::RenderPipeline,
     pub(crate) height: wgpu::RenderPipeline,
@@ -87,7 +91,9 @@ impl Pipelines {
         let frame_layout = uniform_layout::<Globals>(device, "rock-field/layout/frame");
         let field_layout = uniform_layout::<FieldUniforms>(device, "rock-field/layout/field");
         let maps_layout = maps_layout(device);
-        let maker = Maker::new([frame_layout.clone(), field_layout.clone(), maps_layout.clone()], kind);
+        let patterns_layout = patterns_layout(device);
+        let layouts = [&frame_layout, &field_layout, &maps_layout, &patterns_layout];
+        let maker = Maker::new(layouts.map(Clone::clone), kind);
         let make = |pass| maker.make(device, pass);
         let shadow = make(Pass {
             shader: shaders::SHADOW,
@@ -124,6 +130,8 @@ impl Pipelines {
             frame_layout,
             field_layout,
             maps_layout,
+            patterns_layout,
+            patterns: OnceCell::new(),
             shadow,
             height,
             ground,
@@ -141,6 +149,11 @@ impl Pipelines {
 
     fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
         self.maker.make(device, pass)
+    }
+
+    /// The textures that all passes in natural colours share. They are made when the first of these passes is drawn.
+    pub(crate) fn patterns(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> &wgpu::BindGroup {
+        self.patterns.get_or_init(|| patterns::group(device, queue, &self.patterns_layout))
     }
 
     /// Draws the ground's depth in the papers' style, for scenes that extend below it.
@@ -318,25 +331,44 @@ fn uniform_layout<T>(device: &wgpu::Device, label: &'static str) -> wgpu::BindGr
 }
 
 fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
-    let entry =
-        |binding, ty| wgpu::BindGroupLayoutEntry { binding, visibility: wgpu::ShaderStages::FRAGMENT, ty, count: None };
-    let texture = |sample_type| wgpu::BindingType::Texture {
-        sample_type,
-        view_dimension: wgpu::TextureViewDimension::D2,
-        multisampled: false,
-    };
-    let sampler = |kind| wgpu::BindingType::Sampler(kind);
-    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor {
-        label: Some("rock-field/layout/maps"),
-        entries: &[
-            entry(0, texture(wgpu::TextureSampleType::Depth)),
-            entry(1, sampler(wgpu::SamplerBindingType::Comparison)),
-            entry(2, texture(wgpu::TextureSampleType::Float { filterable: true })),
-            entry(3, sampler(wgpu::SamplerBindingType::Filtering)),
-            entry(4, texture(wgpu::TextureSampleType::Float { filterable: false })),
-            entry(5, sampler(wgpu::SamplerBindingType::NonFiltering)),
-            entry(6, texture(wgpu::TextureSampleType::Float { filterable: true })),
-            entry(7, sampler(wgpu::SamplerBindingType::Filtering)),
+    use wgpu::TextureSampleType::{Depth, Float};
+    let texture = |sample_type| texture(sample_type, wgpu::TextureViewDimension::D2);
+    let sampler = wgpu::BindingType::Sampler;
+    fragment_layout(
+        device,
+        "rock-field/layout/maps",
+        &[
+            texture(Depth),
+            sampler(wgpu::SamplerBindingType::Comparison),
+            texture(Float { filterable: true }),
+            sampler(wgpu::SamplerBindingType::Filtering),
+            texture(Float { filterable: false }),
+            sampler(wgpu::SamplerBindingType::NonFiltering),
+            texture(Float { filterable: true }),
+            sampler(wgpu::SamplerBindingType::Filtering),
         ],
-    })
+    )
+}
+
+fn patterns_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    use wgpu::TextureViewDimension::{D2, D3};
+    let texture = |dimension| texture(wgpu::TextureSampleType::Float { filterable: true }, dimension);
+    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+    fragment_layout(device, "rock-field/layout/patterns", &[texture(D3), texture(D2), texture(D3), sampler])
+}
+
+fn texture(sample_type: wgpu::TextureSampleType, view_dimension: wgpu::TextureViewDimension) -> wgpu::BindingType {
+    wgpu::BindingType::Texture { sample_type, view_dimension, multisampled: false }
+}
+
+/// A layout of what fragment shaders read, in the order of its bindings.
+fn fragment_layout(device: &wgpu::Device, label: &str, types: &[wgpu::BindingType]) -> wgpu::BindGroupLayout {
+    let entry = |(binding, &ty)| wgpu::BindGroupLayoutEntry {
+        binding,
+        visibility: wgpu::ShaderStages::FRAGMENT,
+        ty,
+        count: None,
+    };
+    let entries: Vec<_> = (0..).zip(types).map(entry).collect();
+    device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }

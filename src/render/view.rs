@@ -204,7 +204,9 @@ impl View {
         globals.scene[2] = 0.0;
         gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
         let pipeline = gpu.pipelines.natural(&gpu.device, Natural::Bake, Recipe::of_bodies(Quality::High, &self.look));
-        bake.draw(gpu, encoder, [&self.frame_group, &scene.field_group, &maps.group], &pipeline, |pass, pipeline| {
+        let patterns = gpu.pipelines.patterns(&gpu.device, &gpu.queue);
+        let groups = [&self.frame_group, &scene.field_group, &maps.group, patterns];
+        bake.draw(gpu, encoder, groups, &pipeline, |pass, pipeline| {
             scene.draw_rocks(pass, pipeline, &scene.whole());
         });
     }
@@ -256,6 +258,7 @@ impl View {
     ) {
         let pipeline = |what, recipe| gpu.pipelines.natural(&gpu.device, what, recipe);
         let bodies = Recipe::of_bodies(self.quality, &self.look);
+        pass.set_bind_group(3, gpu.pipelines.patterns(&gpu.device, &gpu.queue), &[]);
         pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device));
         pass.draw(0..3, 0..1);
         scene.draw_rocks(pass, &pipeline(Natural::Rocks, bodies), seen);

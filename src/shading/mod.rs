@@ -7,6 +7,7 @@ mod levels;
 mod look;
 mod order;
 pub(crate) mod palette;
+pub(crate) mod patterns;
 mod recipe;
 pub(crate) mod shaders;
 mod sink;

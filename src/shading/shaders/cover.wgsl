@@ -129,7 +129,8 @@ fn litter(at: vec2f, period: f32, axis: vec2f, here: f32, footprint: f32) {
 
 // The bare ground at a point of z = 0.
 fn ground_cover(at: vec2f, footprint: f32) {
-  let patches = noise2(at / 71.0) + 0.5 * noise2(at / 23.0);
+  let widest = noises2(at / 71.0);
+  let patches = widest.x + 0.5 * noise2(at / 23.0);
   let fine = noise2(at / 2.1) * shown(2.1, footprint);
   let grit = noise2(at / 0.7) * shown(0.7, footprint);
   cover_top = 0.0;
@@ -137,14 +138,14 @@ fn ground_cover(at: vec2f, footprint: f32) {
   cover_leaf = 0.0;
   cover_slope = vec2f(0.0);
   cover_open = 0.8;
-  let warm = 0.05 * noise2(at / 47.0 + 9.0);
+  let warm = 0.05 * widest.y;
   let hue = vec3f(1.0 + warm, 1.0, 1.0 - warm);
   cover_albedo = soil_albedo(ground_kind) * hue * (1.0 + 0.13 * patches + 0.16 * fine + 0.2 * grit);
   if ground_kind == 1.0 {
     // Wind ripples, and now and then a pebble.
     const ACROSS = vec2f(0.4, 0.29);
-    let phase = dot(at, ACROSS) + 3.0 * noise2(at / 43.0) + 1.5 * noise2(at / 15.0);
-    let strength = (0.5 + 0.5 * noise2(at / 61.0)) * shown(12.0, footprint);
+    let phase = dot(at, ACROSS) + 3.0 * widest.z + 1.5 * noise2(at / 15.0);
+    let strength = (0.5 + 0.5 * widest.w) * shown(12.0, footprint);
     cover_albedo *= 1.0 + 0.05 * sin(phase) * strength;
     cover_slope += ACROSS * 0.24 * cos(phase) * strength;
     cover_open = 1.0;
@@ -200,21 +201,49 @@ fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f3
     return 0.0;
   }
   let moss = globals.weather.z;
-  // Slanted through space: straight down the patches would run down the walls as streaks.
-  let q = at.xy + vec2f(0.7, -0.6) * at.z;
-  let patches = noise2(q / 83.0 + 31.0) + 0.55 * noise2(q / 29.0) + 0.3 * noise2(q / 9.0);
-  let edge = 0.3 * noise2(q / 2.6) * shown(2.6, footprint);
-  let want = patches + edge + 0.4 * (upward - 0.7) + 0.9 * sheltered - 0.012 * height
-    - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
+  let q = TURN * at;
+  var patches = 2.0 * noise3(q / 83.0 + 31.3).w + 1.1 * noise3(q / 29.0).w;
+  if quality > 0.0 {
+    patches += 0.6 * noise3(q / 9.0).w + 0.55 * noise3(q / 2.6).w * shown(2.6, footprint);
+  }
+  let want = patches + 0.4 * (upward - 0.7) + 0.9 * sheltered - 0.012 * height - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
   // Half the moss covers about a third.
   return smoothstep(0.0, 0.32, want - mix(1.25, -0.75, moss)) * smoothstep(0.1, 0.5, upward);
 }
 
-// Olive to yellow-green; fuzzy: dark between its tips.
-fn moss_albedo(at: vec3f, footprint: f32) -> vec3f {
-  let q = at.xy + vec2f(0.7, -0.6) * at.z;
-  let hue = 0.5 + 0.5 * noise2(q / 13.0 + 3.0);
-  let tips = 0.45 * noise2(q / 5.0) + 0.3 * noise2(q / 17.0) + 0.5 * noise2((at.xy + 0.7 * at.z) / 0.8) * shown(0.8, footprint)
-    + 0.4 * noise2((at.xy - 0.7 * at.z) / 1.9) * shown(1.9, footprint);
-  return mix(vec3f(0.05, 0.058, 0.019), vec3f(0.135, 0.126, 0.042), hue) * (1.0 + 0.8 * tips);
+// What `moss_coat` found.
+var<private> moss_albedo: vec3f;
+// Slope of its cushions and stems; px per px
+var<private> moss_slope: vec3f;
+// How high it stands here among the rest, about -1…1
+var<private> moss_high: f32;
+
+// Olive to yellow-green; cushions of stems, dark between their tips.
+fn moss_coat(at: vec3f, footprint: f32) {
+  let q = TURN * at;
+  let broad = noise3(q / 13.0 + 3.3);
+  let lump = noise3(q / 4.7 + 9.2);
+  var high = 0.5 * lump.w;
+  var slope = 0.3 * lump.xyz;
+  if quality > 0.0 {
+    // Stems are drawn out upwards.
+    const STEMS = vec3f(1.0, 1.0, 0.7);
+    var period = 1.9;
+    var p = TURN * (at * STEMS) / period;
+    for (var i = 0; i < 4; i++) {
+      let seen = shown(period, footprint);
+      if seen <= 0.0 {
+        break;
+      }
+      let tips = noise3(p) * seen;
+      high += 0.5 * tips.w;
+      slope += 0.4 * tips.xyz;
+      period /= 2.7;
+      p = p * 2.7 + 4.3;
+    }
+  }
+  let hue = 0.5 + 0.8 * broad.w + 0.15 * broad.x;
+  moss_albedo = mix(vec3f(0.05, 0.058, 0.019), vec3f(0.135, 0.126, 0.042), clamp(hue, 0.0, 1.0)) * max(1.0 + 1.1 * high + 0.5 * broad.w, 0.25);
+  moss_slope = slope * TURN;
+  moss_high = high;
 }

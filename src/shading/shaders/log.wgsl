@@ -170,17 +170,11 @@ fn fs_main(
   albedo *= mix(vec3f(1.0), vec3f(0.5, 0.58, 0.42), damp);
   var moss = moss_cover(world, base.z, 0.35 * world.z, 1.0 - seen + 0.35 + 0.25 * (1.0 - high), footprint) * (1.0 - 0.7 * bare);
   if moss > 0.0 {
-    // Cushions, and the tips of their stems; each ends where it ends.
-    let lump = noise3(world / 5.3 + 9.0);
-    let cushion = noise3(world / 1.9) * shown(1.9, footprint);
-    var tips = vec4f(0.0);
-    if quality > 0.0 {
-      tips = noise3(world / vec3f(0.34, 0.34, 0.6)) * shown(0.34, footprint);
-    }
-    moss = smoothstep(0.25, 0.5, moss + 0.35 * lump.w + 0.3 * cushion.w + 0.4 * tips.w);
-    albedo = mix(albedo, moss_albedo(world, footprint) * (1.0 + 0.5 * lump.w + 0.5 * cushion.w + 0.7 * tips.w), moss);
-    bent = normalize(mix(relief, bumped(base, 0.4 * lump.xyz + 0.35 * cushion.xyz + 0.45 * tips.xyz), moss));
-    open = mix(open, 1.0 + 0.4 * min(cushion.w + tips.w, 0.0), moss);
+    moss_coat(world, footprint);
+    moss = smoothstep(0.25, 0.5, moss + 0.6 * moss_high);
+    albedo = mix(albedo, moss_albedo, moss);
+    bent = normalize(mix(relief, bumped(base, moss_slope), moss));
+    open = mix(open, 1.0 + 0.5 * min(moss_high, 0.0), moss);
   }
   let wet = wet_cover(world.xy) * (1.0 - 0.5 * moss);
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);

@@ -43,9 +43,16 @@ impl Shader {
         [&[COMMON], self.before, &[self.source]].concat().concat()
     }
 
-    /// Whether the pass lights what it draws, and therefore reads the shadow and height maps.
-    pub(crate) fn is_lit(self) -> bool {
-        !self.before.is_empty()
+    /// How many bind groups the pass reads: whatever lights what it draws reads the shadow and height maps, which are the third, and
+    /// natural colours the patterns, which are the fourth.
+    pub(crate) fn groups(self) -> usize {
+        if self.before.contains(&NOISE) {
+            4
+        } else if self.before.is_empty() {
+            2
+        } else {
+            3
+        }
     }
 }
 

@@ -48,11 +48,13 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   let damp = 1.0 - smoothstep(0.35, 0.95, seen);
   let wet = max(0.35 * damp, wet_cover(world.xy));
   var rough = mix(0.92, 0.4, globals.weather.y * wet);
-  let moss = moss_cover(world, 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3)
+  var moss = moss_cover(world, 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3)
     * (1.0 - cover_leaf);
   if moss > 0.0 {
-    albedo = mix(albedo, moss_albedo(world, footprint), moss);
-    slope *= 1.0 - 0.7 * moss;
+    moss_coat(world, footprint);
+    moss = smoothstep(0.15, 0.5, moss + 0.3 * moss_high);
+    albedo = mix(albedo, moss_albedo, moss);
+    slope = mix(slope, vec3f(moss_slope.xy, 0.0), moss);
     rough = mix(rough, 0.95, moss);
   }
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);

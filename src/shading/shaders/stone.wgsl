@@ -45,28 +45,17 @@ fn individual(albedo: vec3f, own: vec3f) -> vec3f {
   return albedo * value * vec3f(1.0 + warm, 1.0, 1.0 - warm);
 }
 
-// Interlocking grains of this size: dark mica, pale feldspar, grey quartz between them. What they add to the value and to the warmth.
-fn granite(at: vec3f, grain: f32, footprint: f32) -> vec2f {
-  let seen = shown(grain, footprint) * min(quality, 1.0);
-  if seen <= 0.0 {
-    return vec2f(0.0);
+// What the grain of stones that have one adds to the value and to the warmth; `cell` from `grains`. Of granite interlocking crystals:
+// dark mica, pale feldspar, grey quartz between them. Of basalt gas bubbles, cut open.
+fn speckled(kind: f32, cell: vec4f) -> vec2f {
+  if kind == 1.0 {
+    let mica = 1.0 - smoothstep(0.15, 0.19, cell.y);
+    let feldspar = smoothstep(0.52, 0.58, cell.y);
+    let value = 0.24 * feldspar - 0.55 * mica + 0.3 * (cell.z - 0.5) + 0.01;
+    return vec2f(value, (0.1 + 0.1 * (cell.w - 0.5)) * feldspar);
   }
-  let cell = grains(at / grain, max(1.5 * footprint / grain, 0.08));
-  let mica = 1.0 - smoothstep(0.15, 0.19, cell.y);
-  let feldspar = smoothstep(0.52, 0.58, cell.y);
-  let value = seen * (0.24 * feldspar - 0.55 * mica + 0.3 * (cell.z - 0.5) + 0.01);
-  return vec2f(value, seen * (0.1 + 0.1 * (cell.w - 0.5)) * feldspar);
-}
-
-// Gas bubbles of this size, cut open: how much darker they are.
-fn pits(at: vec3f, size: f32, footprint: f32) -> f32 {
-  let seen = shown(size, footprint) * min(quality, 1.0);
-  if seen <= 0.0 {
-    return 0.0;
-  }
-  let cell = grains(at / size, 0.05);
   let pit = select(0.0, 1.0 - smoothstep(0.1, 0.16 + 0.28 * cell.z, cell.x), cell.y < 0.55);
-  return 0.55 * pit * seen;
+  return vec2f(-0.55 * pit, 0.0);
 }
 
 // Some stones are cut by a white line or two: 1 on it. `broad` and `mid` are noise that bends it.
@@ -80,69 +69,72 @@ fn veins(kind: f32, own: vec3f, at: vec3f, broad: f32, mid: f32) -> f32 {
 // `own` three random numbers of the rock, `at` in its own space, footprint px of the world under a pixel.
 fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let coarse = 0.75 + 0.6 * own.z;
-  var value = 0.0;
-  var warm = 0.0;
-  var slope = vec3f(0.0);
-  var pale = 0.0;
+  let turned_at = TURN * at;
 
-  // What all stones have: patches, mottling and grain over four octaves; in places worn smooth, in others rugged.
-  let broad = noise3(at / 19.0);
-  value += 0.3 * broad.w;
-  warm += 0.045 * broad.x;
-  slope += 0.1 * broad.xyz;
+  // What all stones have: patches and mottling; in places worn smooth, in others rugged.
+  let broad = noise3(turned_at / 19.0);
   let rugged = 0.3 + 0.9 * smoothstep(-0.3, 0.4, broad.w + 0.6 * (own.y - 0.5));
   let mid_seen = shown(5.0, footprint);
-  var mid = vec4f(0.0);
-  if quality > 0.0 && mid_seen > 0.0 {
-    mid = noise3(at / 5.0 + 17.0) * mid_seen;
-    value += 0.26 * mid.w;
-    warm += 0.03 * mid.x;
-    slope += 0.12 * rugged * mid.xyz;
-  }
-  let fine_seen = shown(1.7, footprint);
-  if quality > 0.0 && fine_seen > 0.0 {
-    let fine = noise3(at / 1.7 + 5.0) * fine_seen;
-    value += 0.34 * fine.w;
-    slope += 0.2 * rugged * fine.xyz;
-  }
-  let micro_seen = shown(0.55, footprint);
-  if quality > 1.0 && micro_seen > 0.0 {
-    let micro = noise3(at / 0.55) * micro_seen;
-    value += 0.3 * micro.w;
-    slope += 0.22 * rugged * micro.xyz;
+  let mid = noise3(turned_at / 5.0 + 17.0) * mid_seen;
+  var value = 0.3 * broad.w + 0.26 * mid.w;
+  var warm = 0.045 * broad.x + 0.03 * mid.x;
+  var slope = 0.1 * broad.xyz + 0.12 * rugged * mid.xyz;
+  var pale = 0.0;
+  // And grain upon grain, down to the pixel.
+  if quality > 0.0 {
+    let least = select(1.5, 1.0, quality > 1.0) * footprint;
+    var period = 1.7;
+    var q = turned_at / period + 5.0;
+    var strength = 1.0;
+    for (var i = 0; i < 6; i++) {
+      let seen = shown(period, least) * strength;
+      if seen <= 0.0 {
+        break;
+      }
+      let fine = noise3(q) * seen;
+      value += 0.34 * fine.w;
+      slope += 0.2 * rugged * fine.xyz;
+      period /= 3.1;
+      q = q * 3.1 + 3.7;
+      strength *= 0.92;
+    }
   }
 
   var albedo = kind_albedo(kind);
   var rough = 0.82;
-  // The bed of layered stones, tilted differently in every rock.
-  let tilt = vec2f(own.x - 0.5, own.y - 0.5) * 1.4;
-  let bed = normalize(vec3f(tilt, 1.0));
-  let along = dot(at, bed);
-  if kind == 1.0 {
-    let speckled = granite(at + 0.35 * mid.xyz, 0.5 * coarse, footprint);
-    value += speckled.x;
-    warm += speckled.y;
-    rough = 0.75;
-  } else if kind == 2.0 {
-    value -= pits(at, 2.4 * coarse, footprint);
-    slope *= 1.2;
+  if kind == 1.0 || kind == 2.0 {
+    let size = select(2.4, 0.5, kind == 1.0) * coarse;
+    let seen = shown(size, footprint);
+    if quality > 0.0 && seen > 0.0 {
+      let blur = select(0.05, max(1.5 * footprint / size, 0.08), kind == 1.0);
+      let found = seen * speckled(kind, grains((turned_at + select(0.0, 0.35, kind == 1.0) * mid.xyz) / size, blur));
+      value += found.x;
+      warm += found.y;
+    }
     rough = 0.7;
-  } else if kind == 3.0 || kind == 7.0 {
-    let thick = 3.2 * coarse;
-    let layer = noise3(vec3f(along / thick + 0.5 * mid.w, 0.5 + 4.0 * own.z, 0.5)) * shown(thick, footprint);
-    value += 0.36 * layer.w;
-    warm += 0.16 * layer.y;
-    slope += 0.22 * layer.x * bed;
+    slope *= select(1.2, 1.0, kind == 1.0);
+  } else if kind == 3.0 || kind == 7.0 || kind == 5.0 {
+    // The bed of layered stones, tilted differently in every rock: layers of sandstone, leaves of slate.
+    let tilt = vec2f(own.x - 0.5, own.y - 0.5) * 1.4;
+    let bed = normalize(vec3f(tilt, 1.0));
+    let along = dot(at, bed);
+    let is_slate = kind == 5.0;
+    let thick = select(3.2 * coarse, 1.25, is_slate);
+    // Through the volume aslant, so that no layer comes again.
+    const ASLANT = vec3f(0.64, 0.48, 0.6);
+    let layer_at = ASLANT * (along / thick + 0.5 * mid.w) + 4.0 * own.zxy;
+    let leaf_at = (at - along * bed) / 9.0 + bed * along / thick;
+    let layer = noise3(select(layer_at, leaf_at, is_slate)) * shown(thick, footprint);
+    value += select(0.36, 0.3, is_slate) * layer.w;
+    warm += select(0.16 * layer.y, 0.0, is_slate);
+    let rise = dot(layer.xyz, select(ASLANT, bed, is_slate)) * select(0.22, 0.3, is_slate);
+    // Back by `slope * TURN` with the others.
+    slope += TURN * (rise * bed);
+    rough = select(rough, 0.6, is_slate);
   } else if kind == 4.0 {
     value += 0.1 * mid.w;
     pale = smoothstep(0.1, 0.5, broad.w) * 0.3;
     slope *= 0.9;
-  } else if kind == 5.0 {
-    let flat = at - along * bed;
-    let leaf = noise3(flat / 9.0 + bed * along / 1.25) * shown(1.25, footprint);
-    value += 0.3 * leaf.w;
-    slope += 0.3 * dot(leaf.xyz, bed) * bed;
-    rough = 0.6;
   } else if kind == 6.0 {
     let rust = smoothstep(0.05, 0.45, broad.w + 0.5 * mid.w);
     albedo = mix(albedo, vec3f(0.34, 0.235, 0.135), 0.5 * rust);
@@ -152,6 +144,6 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   }
   albedo = mix(individual(albedo, own), vec3f(0.45, 0.44, 0.41), max(pale, 0.75 * veins(kind, own, at, broad.w, mid.w) * mid_seen));
   stone_albedo = max(albedo * max(1.0 + value, 0.2) * vec3f(1.0 + warm, 1.0, 1.0 - warm), vec3f(0.01));
-  stone_slope = slope;
+  stone_slope = slope * TURN;
   stone_rough = rough;
 }

@@ -40,21 +40,21 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
 
   // Dust and splashed soil: near the ground, and where it can lie.
   let dust = globals.weather.w;
-  var loose = 0.0;
-  if quality > 0.0 {
-    loose = noise2(world.xy / 6.3) * 0.5 + noise2(world.yz / 2.7 + 5.0) * 0.35 * shown(2.7, footprint);
-  }
+  let loose = noise3(TURN * world / 5.3).w;
   let low = exp(-max(world.z, 0.0) / (2.0 + 0.1 * field.size.z)) * 1.1;
   let lies = smoothstep(0.45, 1.0, relief.z) * 0.55 + low;
-  let dusty = dust * smoothstep(0.25, 1.0, lies + 0.5 * loose + 0.4 * dust - 0.2 * wear);
+  let dusty = dust * smoothstep(0.25, 1.0, lies + 0.6 * loose + 0.4 * dust - 0.2 * wear);
   albedo = mix(albedo, soil_albedo(globals.scene.x) * 1.15, 0.7 * dusty);
   rough = mix(rough, 0.95, dusty);
 
-  let moss = moss_cover(world, base.z, world.z, 1.0 - seen, footprint);
+  var moss = moss_cover(world, base.z, world.z, 1.0 - seen, footprint);
   if moss > 0.0 {
-    albedo = mix(albedo, moss_albedo(world, footprint), moss);
+    moss_coat(world, footprint);
+    // Each cushion ends where it ends.
+    moss = smoothstep(0.15, 0.5, moss + 0.3 * moss_high);
+    albedo = mix(albedo, moss_albedo, moss);
     rough = mix(rough, 0.95, moss);
-    bent = normalize(mix(relief, base, 0.5 * moss));
+    bent = normalize(mix(relief, bumped(base, moss_slope), moss));
   }
 
   // Water fills the pores: darker, more saturated, and it shines.
