@@ -3,6 +3,7 @@
 //   npm run bench -- --json      one JSON object on stdout (npm's own two lines go away with npm run -s)
 //   npm run bench -- --browser   the same in a worker of Chromium instead of Node, and what frames cost
 //   npm run bench -- --embed     what an embed makes its visitors wait for, in Chromium
+//   npm run bench -- --shaders DIR   nothing is measured: writes the complete WGSL of every pipeline at each quality, for offline compilers
 //   npm run bench -- --rounds 9  fewer runs of each than the usual 15; medians are of these
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -18,7 +19,13 @@ import { measureWoodEar, reportWoodEar } from './wood-ear.mjs';
 const FIG1 = ['rocks', 'full', 'literal', 'npmRocks', 'npm', 'shapeEdit', 'selectEdit'];
 
 await main(async () => {
-  const { json, browser, embed, rounds } = readArguments();
+  const { json, browser, embed, shaders, rounds } = readArguments();
+  if (shaders !== undefined) {
+    const { writeShaders } = await import('./shaders.mjs');
+    const files = await writeShaders(shaders);
+    say(`✓ ${files.length} shaders are in ${shaders}`);
+    return;
+  }
   if (embed) {
     const { measureEmbed, reportEmbed } = await import('./embed.mjs');
     const measured = await measureEmbed(rounds);
@@ -47,6 +54,7 @@ function readArguments() {
       json: { type: 'boolean' },
       browser: { type: 'boolean' },
       embed: { type: 'boolean' },
+      shaders: { type: 'string' },
       rounds: { type: 'string', default: '15' },
     };
     ({ values } = parseArgs({ options }));

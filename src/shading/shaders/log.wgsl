@@ -43,7 +43,7 @@ var<private> bark_high: f32;
 // How much paler it is here than its colour
 var<private> bark_value: f32;
 
-// Ridges between fissures along the axis, cut across into plates, and scaly. `at` as the log has it, `broad` and `fiber` noise
+// Ridges between fissures along the axis, cut across into plates, and scaly. `at` along its grain, `broad` and `fiber` noise
 // there, `hue` 0 brown to 1 grey.
 fn bark(at: vec3f, broad: vec4f, fiber: vec4f, hue: f32, footprint: f32) {
   let warped = at + vec3f(0.0, 0.6, 0.6) * broad.w;
@@ -128,18 +128,20 @@ fn fs_main(
   let to_eye = -from_eye / far;
 
   let at = about_log(world);
-  let broad = noise3(at * LONG / 7.0 + 3.0);
+  // The grain winds about the trunk a little, so that nothing comes again along it.
+  let grown = at + vec3f(0.0, 0.037, 0.023) * at.x;
+  let broad = noise3(grown * LONG / 7.0 + 3.0);
   let fiber_seen = shown(0.5, footprint);
   var fiber = vec4f(0.0);
   if quality > 0.0 && fiber_seen > 0.0 {
-    fiber = noise3(at * LONG / 0.5) * fiber_seen;
+    fiber = noise3(grown * LONG / 0.5) * fiber_seen;
   }
   let end = smoothstep(0.35, 0.65, kind) * (1.0 - smoothstep(1.35, 1.65, kind));
   let splinter = smoothstep(1.35, 1.65, kind);
   let bare = end + splinter;
 
   let hue = 0.5 + broad.x * 0.35;
-  bark(at, broad, fiber, hue, footprint);
+  bark(grown, broad, fiber, hue, footprint);
   let high = bark_high;
   var albedo = bark_albedo;
   var slope = bark_slope;

@@ -86,4 +86,6 @@ shaders! {
 }
 
 #[cfg(test)]
+mod complete;
+#[cfg(test)]
 mod tests;

@@ -78,7 +78,7 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let mid = noise3(turned_at / 5.0 + 17.0) * mid_seen;
   var value = 0.3 * broad.w + 0.26 * mid.w;
   var warm = 0.045 * broad.x + 0.03 * mid.x;
-  var slope = 0.1 * broad.xyz + 0.12 * rugged * mid.xyz;
+  var slope = 0.12 * broad.xyz + 0.15 * rugged * mid.xyz;
   var pale = 0.0;
   // And grain upon grain, down to the pixel.
   if quality > 0.0 {
@@ -93,7 +93,7 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
       }
       let fine = noise3(q) * seen;
       value += 0.34 * fine.w;
-      slope += 0.2 * rugged * fine.xyz;
+      slope += 0.25 * rugged * fine.xyz;
       period /= 3.1;
       q = q * 3.1 + 3.7;
       strength *= 0.92;

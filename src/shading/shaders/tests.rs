@@ -10,13 +10,16 @@ use super::super::uniforms;
 use super::{ALL, Shader};
 
 fn module(shader: Shader) -> Module {
-    let source = shader.code();
-    let parsed = naga::front::wgsl::parse_str(&source);
-    parsed.unwrap_or_else(|error| panic!("{}: {}", shader.name, error.emit_to_string(&source)))
+    parsed(shader.name, &shader.code())
+}
+
+pub(super) fn parsed(name: &str, source: &str) -> Module {
+    let parsed = naga::front::wgsl::parse_str(source);
+    parsed.unwrap_or_else(|error| panic!("{name}: {}", error.emit_to_string(source)))
 }
 
 /// No capability beyond plain WebGPU.
-fn validate(name: &str, module: &Module) -> ModuleInfo {
+pub(super) fn validate(name: &str, module: &Module) -> ModuleInfo {
     Validator::new(ValidationFlags::all(), Capabilities::empty())
         .validate(module)
         .unwrap_or_else(|error| panic!("{name}: {error:?}"))
