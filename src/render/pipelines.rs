@@ -9,8 +9,8 @@
 
 use std::cell::{OnceCell, RefCell};
 
-use super::patterns;
 use super::pass::{Depth, Maker, Pass, Sides, Target};
+use super::patterns;
 use super::surface::Kind;
 use crate::shading::shaders::{self, Shader};
 use crate::shading::{FieldUniforms, Globals, Recipe};

@@ -168,7 +168,8 @@ mod tests {
     fn random_bytes_fill_their_range_evenly() {
         for bytes in [plane(), points()] {
             for channel in 0..4 {
-                let mean = bytes.iter().skip(channel).step_by(4).map(|&b| f64::from(b)).sum::<f64>() / (bytes.len() / 4) as f64;
+                let mean = bytes.iter().skip(channel).step_by(4).map(|&b| f64::from(b)).sum::<f64>()
+                    / (bytes.len() / 4) as f64;
                 assert!((mean - 127.5).abs() < 1.5, "{channel}: {mean}");
             }
         }

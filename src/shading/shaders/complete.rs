@@ -10,8 +10,7 @@ use super::{ALL, NATURAL_GROUND, RECIPE, Shader, tests};
 /// Names the folder to write to.
 const FOLDER: &str = "ROCK_FIELD_SHADERS";
 
-const QUALITIES: [(&str, Quality); 3] =
-    [("low", Quality::Low), ("medium", Quality::Medium), ("high", Quality::High)];
+const QUALITIES: [(&str, Quality); 3] = [("low", Quality::Low), ("medium", Quality::Medium), ("high", Quality::High)];
 
 const GROUNDS: [&str; 3] = ["soil", "sand", "gravel"];
 
@@ -59,7 +58,8 @@ fn with_constants(shader: Shader, constants: &[(&str, f64)]) -> String {
         let Some((declared, default)) = line.strip_prefix("override ").and_then(|rest| rest.split_once(" = ")) else {
             return format!("{line}\n");
         };
-        let given = constants.iter().find(|(name, _)| declared.split(':').next() == Some(name)).map(|&(_, value)| value);
+        let given =
+            constants.iter().find(|(name, _)| declared.split(':').next() == Some(name)).map(|&(_, value)| value);
         match given {
             Some(value) if declared.ends_with("bool") => format!("const {declared} = {};\n", value != 0.0),
             Some(value) => format!("const {declared} = {value:?};\n"),
