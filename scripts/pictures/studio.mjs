@@ -122,11 +122,11 @@ async function show(attributes) {
   };
 }
 
-async function take({ width, height, camera }) {
+async function take({ width, height, camera, samples }) {
   const element = /** @type {Rocks | WoodEars} */ (document.body.firstElementChild);
   element.camera = camera;
   const start = performance.now();
-  const blob = await element.toBlob({ width, height });
+  const blob = await element.toBlob({ width, height, ...(samples && { samples }) });
   const ms = performance.now() - start;
   const url = await new Promise((resolve) => {
     const reader = new FileReader();

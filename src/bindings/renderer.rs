@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{Bake, Camera, Gpu, Layer, Mesh, Plan, Prop, Props, RenderError, Rocks, Scene, Tile, View};
+use crate::render::{Bake, Camera, Gpu, Layer, Mesh, Plan, Prop, Props, RenderError, Rocks, Scene, Still, Tile, View};
 use crate::shading::{ColorMode, Look, Mode, Quality};
 
 thread_local! {
@@ -81,6 +81,7 @@ pub struct Renderer {
     plan: Option<Plan>,
     layers: Vec<Layer>,
     pub(super) bake: Option<Bake>,
+    still: Option<Still>,
 }
 
 #[wasm_bindgen]
@@ -101,6 +102,7 @@ impl Renderer {
             plan: None,
             layers: Vec::new(),
             bake: None,
+            still: None,
         })
     }
 
@@ -232,6 +234,37 @@ impl Renderer {
     /// Draws one frame.
     pub fn render(&mut self) {
         self.view.render(&self.gpu, self.scene.as_mut(), &self.props, self.plan.as_ref());
+    }
+
+    /// Begins a still of what the view shows, of the size and through the camera that are set, in place of another. It needs natural
+    /// colours; what it shows must not change until [`Renderer::end_still`].
+    #[wasm_bindgen(js_name = beginStill)]
+    pub fn begin_still(&mut self) -> Result<(), js_sys::Error> {
+        self.still = None;
+        self.still = Some(Still::new(&self.gpu, &self.view).map_err(|error| to_js(&error))?);
+        Ok(())
+    }
+
+    /// Draws one more sample of the still, out of sight.
+    #[wasm_bindgen(js_name = addSample)]
+    pub fn add_sample(&mut self) {
+        if let (Some(still), Some(scene)) = (&mut self.still, &mut self.scene) {
+            still.add(&self.gpu, &self.view, scene, &self.props);
+        }
+    }
+
+    /// Shows the mean of the still's samples.
+    #[wasm_bindgen(js_name = showStill)]
+    pub fn show_still(&self) {
+        if let (Some(still), Some(scene)) = (&self.still, &self.scene) {
+            still.show(&self.gpu, &self.view, scene);
+        }
+    }
+
+    /// Frees the still.
+    #[wasm_bindgen(js_name = endStill)]
+    pub fn end_still(&mut self) {
+        self.still = None;
     }
 
     /// Frees what other renderers of the device may use. Call it before `free`.

@@ -19,7 +19,7 @@ pub(crate) struct Maps {
     pub(crate) group: wgpu::BindGroup,
     pub(crate) shadow: wgpu::TextureView,
     pub(crate) height: wgpu::TextureView,
-    sky: wgpu::TextureView,
+    pub(crate) sky: wgpu::TextureView,
     /// Scratch texture, shared by all sets.
     pub(crate) height_depth: wgpu::TextureView,
 }
@@ -114,14 +114,17 @@ impl MapSets {
         let usage = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::TEXTURE_BINDING;
         let size = (SKY_COLUMNS as u32, SKY_ROWS as u32);
         let sky = texture(device, "rock-field/sky/map", size, 1, wgpu::TextureFormat::Rgba16Float, usage);
-        Maps { group: group(device, layout, [&shadow, &height, &sky]), shadow, height, sky, height_depth }
+        Maps { group: group(device, layout, [&shadow; 3], &height, &sky), shadow, height, sky, height_depth }
     }
 }
 
-fn group(
+/// `shadows` of the sun, and for a still of the sky and of the ground.
+pub(crate) fn group(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
-    [shadow, height, sky]: [&wgpu::TextureView; 3],
+    [shadow, high, below]: [&wgpu::TextureView; 3],
+    height: &wgpu::TextureView,
+    sky: &wgpu::TextureView,
 ) -> wgpu::BindGroup {
     let sampler = |label, compare| {
         device.create_sampler(&wgpu::SamplerDescriptor {
@@ -150,6 +153,8 @@ fn group(
             entry(5, wgpu::BindingResource::Sampler(&nearest)),
             entry(6, wgpu::BindingResource::TextureView(sky)),
             entry(7, wgpu::BindingResource::Sampler(&linear)),
+            entry(8, wgpu::BindingResource::TextureView(high)),
+            entry(9, wgpu::BindingResource::TextureView(below)),
         ],
     })
 }

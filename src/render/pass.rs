@@ -4,7 +4,7 @@ use std::cell::RefCell;
 
 use super::surface::{DEPTH_FORMAT, Kind};
 use crate::shading::Recipe;
-use crate::shading::shaders::Shader;
+use crate::shading::shaders::{Reads, Shader};
 
 /// f32 has enough precision for a low sun over a wide field. It is filtered through a comparison sampler on both
 /// backends.
@@ -17,6 +17,12 @@ pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Un
 
 /// The eight bytes of a texel that `bake.wgsl` writes.
 pub(crate) const BAKE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
+
+/// Light, which may be brighter than white.
+pub(crate) const SAMPLE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba16Float;
+
+/// Of a mean of thousands of samples, half floats would lose what the later ones add.
+pub(crate) const MEAN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba32Float;
 
 /// Everything in which passes differ.
 pub(crate) struct Pass<'a> {
@@ -55,21 +61,27 @@ pub(crate) enum Target {
     ViewDepth,
     Shadow,
     Height,
+    /// A sample of a still.
+    Sample,
+    /// Only its depth.
+    SampleDepth,
+    /// The mean of a still's samples, without depth.
+    Mean,
     /// A tile of an atlas, without depth.
     Bake,
 }
 
 /// Makes pipelines.
 pub(crate) struct Maker {
-    /// Of the groups frame, field, maps and patterns.
-    layouts: [wgpu::BindGroupLayout; 4],
+    /// Of the groups frame, field, maps, patterns and still.
+    layouts: [wgpu::BindGroupLayout; 5],
     kind: Kind,
     /// The shaders that were needed until now, by their passes' names: several pipelines have the same.
     modules: RefCell<Vec<(&'static str, wgpu::ShaderModule)>>,
 }
 
 impl Maker {
-    pub(crate) fn new(layouts: [wgpu::BindGroupLayout; 4], kind: Kind) -> Self {
+    pub(crate) fn new(layouts: [wgpu::BindGroupLayout; 5], kind: Kind) -> Self {
         Self { layouts, kind, modules: RefCell::default() }
     }
 
@@ -88,20 +100,26 @@ impl Maker {
     }
 }
 
-/// Makes the pipeline of a pass, whose shader is `module`, with as many groups as the pass reads.
+/// Makes the pipeline of a pass, whose shader is `module`, with the groups that the pass reads.
 fn pipeline(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,
-    layouts: &[wgpu::BindGroupLayout; 4],
+    [frame, field, maps, patterns, still]: &[wgpu::BindGroupLayout; 5],
     Kind { format, samples }: Kind,
     pass: Pass<'_>,
 ) -> wgpu::RenderPipeline {
     let label = pass.shader.label();
     let label = Some(label.as_str());
-    let groups = layouts.each_ref().map(Some);
+    let groups: &[_] = match pass.shader.reads() {
+        Reads::Uniforms => &[frame, field],
+        Reads::Maps => &[frame, field, maps],
+        Reads::Patterns => &[frame, field, maps, patterns],
+        Reads::Still => &[frame, field, still],
+    };
+    let groups: Vec<_> = groups.iter().copied().map(Some).collect();
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label,
-        bind_group_layouts: groups.get(..pass.shader.groups()).unwrap_or(&groups),
+        bind_group_layouts: &groups,
         immediate_size: 0,
     });
     let recipe = pass.recipe.map(Recipe::constants);
@@ -117,6 +135,9 @@ fn pipeline(
         Target::ViewDepth => (Some(color(format, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), samples),
         Target::Shadow => (None, Some(SHADOW_FORMAT), 1),
         Target::Height => (Some(color(HEIGHT_FORMAT, None, all)), Some(SHADOW_FORMAT), 1),
+        Target::Sample => (Some(color(SAMPLE_FORMAT, None, all)), Some(DEPTH_FORMAT), 1),
+        Target::SampleDepth => (Some(color(SAMPLE_FORMAT, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), 1),
+        Target::Mean => (Some(color(MEAN_FORMAT, None, all)), None, 1),
         Target::Bake => (Some(color(BAKE_FORMAT, None, all)), None, 1),
     };
     let (depth_compare, depth_write, bias, slope_scale) = match pass.depth {

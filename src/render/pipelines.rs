@@ -4,8 +4,9 @@
 //! |---|---|---|
 //! | 0 `frame` | frame and view | 0 `Globals` |
 //! | 1 `field` | field | 0 `FieldUniforms` |
-//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler |
+//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler, 8 and 9 more shadow maps of a still |
 //! | 3 `patterns` | device | 0 volume of noise, 1 plane of noise, 2 lattice of points, 3 the sampler of the first two |
+//! | 2 `still` | sample | 0 mean of the samples, 1 the newest one |
 
 use std::cell::{OnceCell, RefCell};
 
@@ -71,6 +72,7 @@ pub(crate) struct Pipelines {
     pub(crate) maps_layout: wgpu::BindGroupLayout,
     patterns_layout: wgpu::BindGroupLayout,
     patterns: OnceCell<wgpu::BindGroup>,
+    pub(crate) still_layout: wgpu::BindGroupLayout,
     maker: Maker,
     pub(crate) shadow: wgpu::RenderPipeline,
     pub(crate) height: wgpu::RenderPipeline,
@@ -79,6 +81,8 @@ pub(crate) struct Pipelines {
     /// For outsides, then for insides.
     pub(crate) rock: [wgpu::RenderPipeline; 2],
     natural_floor: OnceCell<wgpu::RenderPipeline>,
+    sample_floor: OnceCell<wgpu::RenderPipeline>,
+    still: OnceCell<[wgpu::RenderPipeline; 2]>,
     natural: RefCell<Vec<(Natural, Recipe, wgpu::RenderPipeline)>>,
     plain_wood: OnceCell<wgpu::RenderPipeline>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
@@ -92,7 +96,8 @@ impl Pipelines {
         let field_layout = uniform_layout::<FieldUniforms>(device, "rock-field/layout/field");
         let maps_layout = maps_layout(device);
         let patterns_layout = patterns_layout(device);
-        let layouts = [&frame_layout, &field_layout, &maps_layout, &patterns_layout];
+        let still_layout = still_layout(device);
+        let layouts = [&frame_layout, &field_layout, &maps_layout, &patterns_layout, &still_layout];
         let maker = Maker::new(layouts.map(Clone::clone), kind);
         let make = |pass| maker.make(device, pass);
         let shadow = make(Pass {
@@ -132,12 +137,15 @@ impl Pipelines {
             maps_layout,
             patterns_layout,
             patterns: OnceCell::new(),
+            still_layout,
             shadow,
             height,
             ground,
             floor: OnceCell::new(),
             rock,
             natural_floor: OnceCell::new(),
+            sample_floor: OnceCell::new(),
+            still: OnceCell::new(),
             natural: RefCell::default(),
             plain_wood: OnceCell::new(),
             wire: OnceCell::new(),
@@ -158,12 +166,28 @@ impl Pipelines {
 
     /// Draws the ground's depth in the papers' style, for scenes that extend below it.
     pub(crate) fn floor(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        self.floor.get_or_init(|| self.make(device, floor_pass(Depth::TestJustBehind)))
+        self.floor.get_or_init(|| self.make(device, floor_pass(Depth::TestJustBehind, Target::ViewDepth)))
     }
 
     /// Draws the ground's depth before anything else in natural colours: what it hides is not shaded.
-    pub(crate) fn natural_floor(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        self.natural_floor.get_or_init(|| self.make(device, floor_pass(NATURAL_FLOOR)))
+    pub(crate) fn natural_floor(&self, device: &wgpu::Device, is_sampled: bool) -> &wgpu::RenderPipeline {
+        let (floor, target) = if is_sampled {
+            (&self.sample_floor, Target::SampleDepth)
+        } else {
+            (&self.natural_floor, Target::ViewDepth)
+        };
+        floor.get_or_init(|| self.make(device, floor_pass(NATURAL_FLOOR, target)))
+    }
+
+    /// Adds a sample of a still to the mean, and makes a picture of the mean.
+    pub(crate) fn still(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
+        let pass = |shader, target, depth| Pass { shader, buffers: &[], target, ..wood_pass(shader, depth) };
+        self.still.get_or_init(|| {
+            [
+                self.make(device, pass(shaders::GATHER, Target::Mean, Depth::Ignore)),
+                self.make(device, pass(shaders::DEVELOP, Target::View { blend: false }, Depth::Ignore)),
+            ]
+        })
     }
 
     /// The pipeline of a pass in natural colours that is made for `recipe`.
@@ -171,7 +195,11 @@ impl Pipelines {
         let mut made = self.natural.borrow_mut();
         let known = made.iter().find(|(other, its, _)| (*other, *its) == (what, recipe));
         known.map(|(.., pipeline)| pipeline.clone()).unwrap_or_else(|| {
-            let pipeline = self.make(device, Pass { recipe: Some(recipe), ..what.pass() });
+            let mut pass = Pass { recipe: Some(recipe), ..what.pass() };
+            if recipe.is_sampled() {
+                pass.target = Target::Sample;
+            }
+            let pipeline = self.make(device, pass);
             made.push((what, recipe, pipeline.clone()));
             pipeline
         })
@@ -277,14 +305,14 @@ impl Natural {
     }
 }
 
-fn floor_pass(depth: Depth) -> Pass<'static> {
+fn floor_pass(depth: Depth, target: Target) -> Pass<'static> {
     Pass {
         shader: shaders::FLOOR,
         buffers: &[],
         topology: wgpu::PrimitiveTopology::TriangleList,
         sides: Sides::Both,
         depth,
-        target: Target::ViewDepth,
+        target,
         recipe: None,
     }
 }
@@ -346,6 +374,8 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             sampler(wgpu::SamplerBindingType::NonFiltering),
             texture(Float { filterable: true }),
             sampler(wgpu::SamplerBindingType::Filtering),
+            texture(Depth),
+            texture(Depth),
         ],
     )
 }
@@ -371,4 +401,9 @@ fn fragment_layout(device: &wgpu::Device, label: &str, types: &[wgpu::BindingTyp
     };
     let entries: Vec<_> = (0..).zip(types).map(entry).collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
+}
+
+fn still_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    let texture = texture(wgpu::TextureSampleType::Float { filterable: false }, wgpu::TextureViewDimension::D2);
+    fragment_layout(device, "rock-field/layout/still", &[texture, texture])
 }

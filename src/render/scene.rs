@@ -2,17 +2,23 @@
 
 use std::ops::Range;
 
-use glam::{Mat4, Vec3};
+use bytemuck::Zeroable;
+use glam::Vec3;
 
 use super::buffers::{Mesh, MeshBuffers, VertexBuffers};
 use super::indices::arranged;
 use super::maps::{MapSets, Maps};
 use super::surface::depth_attachment;
 use super::{Gpu, Props, RenderError, upload};
-use crate::shading::{Arrangement, Body, ColorMode, FieldUniforms, Look, Sight, Stands, Turned, palette};
+use crate::shading::{
+    Arrangement, Body, Bounds, ColorMode, FieldUniforms, Look, Sample, Sight, Stands, Turned, beam, palette,
+};
 
 /// How large the triangles of the shadow and height maps may be on the mean, texels².
 const TEXELS: f32 = 12.0;
+
+/// Lower than anything is.
+const LOWEST: f32 = -1.0e9;
 
 /// What distinguishes the rocks from each other. It is small, and kept so that they can be coloured again.
 pub(crate) struct Rocks {
@@ -62,6 +68,8 @@ pub(crate) struct Scene {
     texel: f32,
     low: Vec3,
     high: Vec3,
+    /// The same with the props.
+    pub(crate) bounds: Bounds,
     /// Middle and radius of a sphere around everything.
     pub(crate) center: Vec3,
     pub(crate) radius: f32,
@@ -71,6 +79,8 @@ pub(crate) struct Scene {
     pub(crate) is_buried: bool,
     pub(crate) image: [f32; 2],
     uniforms: wgpu::Buffer,
+    /// What was written to them last.
+    lit: FieldUniforms,
     pub(crate) field_group: wgpu::BindGroup,
 }
 
@@ -151,12 +161,14 @@ impl Scene {
             texel: 0.0,
             low,
             high,
+            bounds: [low, high],
             center: (low + high) * 0.5,
             radius: (high - low).length() * 0.5,
             is_turned,
             is_buried: low.z < 0.0,
             image,
             uniforms,
+            lit: FieldUniforms::zeroed(),
             field_group,
         })
     }
@@ -184,6 +196,26 @@ impl Scene {
         }
         self.texel = uniforms.ground[1];
         gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
+        self.lit = uniforms;
+        self.bounds = [low, high];
+    }
+
+    /// The uniforms of a sample of a still that shows what is in the box `lit`, and of the shadow maps of its three lights: of the
+    /// sun, the sky and the ground.
+    pub(crate) fn sampled(&self, sample: &Sample, lit: Bounds) -> (FieldUniforms, [FieldUniforms; 3]) {
+        let beams = [sample.sun, sample.sky, sample.below].map(|way| {
+            let (from_world, across) = beam(way, lit, self.bounds);
+            (from_world.to_cols_array_2d(), way.extend(across).to_array())
+        });
+        let lights = beams.map(|(from_world, way)| {
+            let mut light = FieldUniforms { sun_from_world: from_world, sun: way, ..self.lit };
+            light.ground[3] = if way[2] < 0.0 { 0.0 } else { LOWEST };
+            light
+        });
+        let [(sun_from_world, sun), (sky_from_world, sky_way), (below_from_world, below_way)] = beams;
+        let field =
+            FieldUniforms { sun_from_world, sun, sky_from_world, sky_way, below_from_world, below_way, ..self.lit };
+        (field, lights)
     }
 
     /// Marks the rocks as painted with other materials, so that natural colours are painted again.
@@ -282,6 +314,27 @@ impl Scene {
         }
     }
 
+    /// Draws the shadow map of a light whose uniforms are in `light`; a texel of it is so many px wide.
+    pub(crate) fn draw_shadows(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        [frame, light]: [&wgpu::BindGroup; 2],
+        map: &wgpu::TextureView,
+        texel: f32,
+        props: &Props,
+    ) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("rock-field/still/shadow"),
+            depth_stencil_attachment: Some(depth_attachment(map, wgpu::StoreOp::Store)),
+            ..Default::default()
+        });
+        pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(1, light, &[]);
+        self.draw_rocks(&mut pass, &gpu.pipelines.shadow, &self.arrangement.all(TEXELS * texel * texel));
+        props.draw(&mut pass, [&gpu.pipelines.shadow; 2]);
+    }
+
     pub(crate) fn vertices(&self) -> u32 {
         self.buffers.vertices()
     }
@@ -323,44 +376,21 @@ fn id_at(list: &[u32], at: usize) -> u32 {
 
 /// Fits the sun's orthographic camera and the height map to the box `low`…`high`.
 fn field_uniforms(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUniforms {
-    // If the sun is straight above, any direction will do.
-    let right = Vec3::Z.cross(sun).try_normalize().unwrap_or(Vec3::X);
-    let up = sun.cross(right);
     // There must be room on the ground for the longest shadow, so that none is cut off at the map's edge.
     let reach = high.z * (sun.truncate().length() / sun.z);
-    let (from, to) = (low - Vec3::new(reach, reach, 0.0), high + Vec3::new(reach, reach, 0.0));
-    let mut least = Vec3::INFINITY;
-    let mut most = Vec3::NEG_INFINITY;
-    for corner in 0..8 {
-        let pick = |bit: u32, a: f32, b: f32| if corner >> bit & 1 == 0 { a } else { b };
-        let at = Vec3::new(pick(0, from.x, to.x), pick(1, from.y, to.y), pick(2, from.z, to.z));
-        let seen = Vec3::new(at.dot(right), at.dot(up), -at.dot(sun));
-        least = least.min(seen);
-        most = most.max(seen);
-    }
-    let view = Mat4::from_cols(
-        Vec3::new(right.x, up.x, -sun.x).extend(0.0),
-        Vec3::new(right.y, up.y, -sun.y).extend(0.0),
-        Vec3::new(right.z, up.z, -sun.z).extend(0.0),
-        glam::Vec4::W,
-    );
-    let span = most - least;
-    let to_clip = Mat4::from_scale(Vec3::new(2.0 / span.x, 2.0 / span.y, 1.0 / span.z))
-        * Mat4::from_translation(Vec3::new(-(least.x + most.x) * 0.5, -(least.y + most.y) * 0.5, -least.z));
+    let bounds = [low - Vec3::new(reach, reach, 0.0), high + Vec3::new(reach, reach, 0.0)];
+    let (sun_from_world, across) = beam(sun, bounds, bounds);
     // With a margin of four texels, samples at the border read empty ground.
     let extent = (high - low).truncate();
     let texel = extent.max_element() / (side - 8.0);
     let corner = low.truncate() - glam::Vec2::splat(4.0 * texel);
     let scale = (extent + glam::Vec2::splat(8.0 * texel)).recip();
     FieldUniforms {
-        sun_from_world: (to_clip * view).to_cols_array_2d(),
-        sun: sun.extend(span.x.max(span.y)).to_array(),
+        sun_from_world: sun_from_world.to_cols_array_2d(),
+        sun: sun.extend(across).to_array(),
         map: [corner.x, corner.y, scale.x, scale.y],
         size: [image[0], image[1], high.z.max(1.0), high.z.max(1.0)],
-        ground: [0.36 * image[0].max(image[1]), texel, 0.0, 0.0],
-        log: [0.0; 4],
-        bow: [0.0; 4],
-        sunshine: [0.0; 4],
-        sky: [[0.0; 4]; 6],
+        ground: [0.36 * image[0].max(image[1]), texel, 0.0, LOWEST],
+        ..FieldUniforms::zeroed()
     }
 }

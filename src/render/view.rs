@@ -6,6 +6,7 @@ use glam::{Mat4, Vec3, Vec4};
 
 use super::bake::{Bake, SIDE as BAKE_SIDE};
 use super::camera::FOV_Y;
+use super::maps::Maps;
 use super::pipelines::Natural;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
@@ -19,21 +20,26 @@ pub(crate) struct Tile {
     pub(crate) corner: [f32; 2],
 }
 
+/// A picture, or a part of one: through which camera, and of what size in device pixels.
+#[derive(Clone, Copy)]
+pub(crate) struct Shot {
+    pub(crate) camera: Camera,
+    pub(crate) width: u32,
+    pub(crate) height: u32,
+    pub(crate) tile: Option<Tile>,
+}
+
 /// The state of one canvas.
 pub(crate) struct View {
     /// A number that no other view or scene of the device has.
     number: u64,
     /// `None` if all views share one screen: [`Gpu::shared`].
     own: Option<Screen>,
-    /// Size in device pixels.
-    width: u32,
-    height: u32,
-    tile: Option<Tile>,
+    pub(super) shot: Shot,
     /// 1 or 2 where black or white stands in for ground and backdrop, else 0.
     backing: u8,
     globals: wgpu::Buffer,
-    frame_group: wgpu::BindGroup,
-    camera: Camera,
+    pub(super) frame_group: wgpu::BindGroup,
     pub(crate) mode: Mode,
     color: ColorMode,
     look: Look,
@@ -61,13 +67,15 @@ impl View {
         Ok(Self {
             number: gpu.next_number(),
             own,
-            width: 1,
-            height: 1,
-            tile: None,
+            shot: Shot {
+                camera: Camera { azimuth: 0.0, elevation: 1.0, distance: 1000.0, target: [0.0; 3] },
+                width: 1,
+                height: 1,
+                tile: None,
+            },
             backing: 0,
             globals,
             frame_group,
-            camera: Camera { azimuth: 0.0, elevation: 1.0, distance: 1000.0, target: [0.0; 3] },
             mode: Mode::Rocks,
             color: ColorMode::Layer,
             look: Look::default(),
@@ -78,23 +86,23 @@ impl View {
     }
 
     pub(crate) fn set_camera(&mut self, camera: Camera) {
-        self.camera = camera.sanitised();
+        self.shot.camera = camera.sanitised();
     }
 
     /// Draws a part of a picture from now on, as large as the view; `backing` is what stands in for ground and backdrop.
     pub(crate) fn set_tile(&mut self, tile: Tile, backing: u8) {
-        (self.tile, self.backing) = (Some(tile), backing);
+        (self.shot.tile, self.backing) = (Some(tile), backing);
     }
 
     /// Sets the size in device pixels, clamped to what a texture can hold, and the device pixels per CSS pixel. The
     /// picture is drawn whole again.
     pub(crate) fn resize(&mut self, gpu: &Gpu, width: u32, height: u32, ratio: f32) {
-        (self.tile, self.backing) = (None, 0);
+        (self.shot.tile, self.backing) = (None, 0);
         self.ratio = if ratio.is_finite() { ratio.max(0.25) } else { 1.0 };
         let max = gpu.max_side();
-        (self.width, self.height) = (width.clamp(1, max), height.clamp(1, max));
+        (self.shot.width, self.shot.height) = (width.clamp(1, max), height.clamp(1, max));
         if let Some(screen) = &mut self.own {
-            screen.resize(&gpu.device, gpu.kind, self.width, self.height);
+            screen.resize(&gpu.device, gpu.kind, self.shot.width, self.shot.height);
         }
     }
 
@@ -135,8 +143,13 @@ impl View {
     /// Draws one frame, which shows only the backdrop if `scene` is `None`. If the screen is shared, the frame is in
     /// its top left corner until another view is drawn.
     pub(crate) fn render(&self, gpu: &Gpu, scene: Option<&mut Scene>, props: &Props, plan: Option<&Plan>) {
+        self.show(gpu, |encoder, screen, frame| self.encode(gpu, encoder, screen, frame, scene, props, plan));
+    }
+
+    /// Shows what `encode` draws on the screen's next texture.
+    pub(super) fn show(&self, gpu: &Gpu, encode: impl FnOnce(&mut wgpu::CommandEncoder, &Screen, &wgpu::TextureView)) {
         if let Some(screen) = &gpu.shared {
-            screen.borrow_mut().grow(&gpu.device, gpu.kind, self.width, self.height);
+            screen.borrow_mut().grow(&gpu.device, gpu.kind, self.shot.width, self.shot.height);
         }
         let shared = gpu.shared.as_ref().map(|screen| screen.borrow());
         let Some(screen) = self.own.as_ref().or(shared.as_deref()) else {
@@ -146,30 +159,56 @@ impl View {
             return;
         };
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        encode(&mut encoder, screen, &texture.texture.create_view(&Default::default()));
+        gpu.queue.submit([encoder.finish()]);
+        gpu.queue.present(texture);
+    }
+
+    /// Makes the scene ready to be drawn, with its maps.
+    pub(super) fn prepare(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        scene: &mut Scene,
+        props: &Props,
+    ) -> Option<Maps> {
+        scene.light(gpu, self.look.sun, props);
+        self.is_solid().then(|| {
+            scene.paint(gpu, self.shown_color(), &self.look);
+            let (maps, stale) =
+                gpu.maps.borrow_mut().lend(&gpu.device, &gpu.pipelines.maps_layout, self.number, scene.number);
+            if stale {
+                scene.draw_maps(gpu, encoder, &self.frame_group, &maps, props);
+            }
+            maps
+        })
+    }
+
+    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
+    fn encode(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        screen: &Screen,
+        frame: &wgpu::TextureView,
+        scene: Option<&mut Scene>,
+        props: &Props,
+        plan: Option<&Plan>,
+    ) {
         let scene = scene.map(|scene| {
-            scene.light(gpu, self.look.sun, props);
-            let maps = self.is_solid().then(|| {
-                scene.paint(gpu, self.shown_color(), &self.look);
-                let (maps, stale) =
-                    gpu.maps.borrow_mut().lend(&gpu.device, &gpu.pipelines.maps_layout, self.number, scene.number);
-                if stale {
-                    scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps, props);
-                }
-                maps
-            });
+            let maps = self.prepare(gpu, encoder, scene, props);
             (&*scene, maps)
         });
-        let globals = self.globals(scene.as_ref().map(|(scene, _)| *scene));
-        gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
-        let frame = texture.texture.create_view(&Default::default());
-        let (color, depth) = screen.attachments(&frame, self.clear_color(gpu));
+        let globals = self.globals(&self.shot, scene.as_ref().map(|(scene, _)| *scene));
+        self.write(gpu, &globals);
+        let (color, depth) = screen.attachments(frame, self.clear_color(gpu));
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("rock-field/view/pass"),
             color_attachments: &[Some(color)],
             depth_stencil_attachment: Some(depth),
             ..Default::default()
         });
-        pass.set_viewport(0.0, 0.0, self.width as f32, self.height as f32, 0.0, 1.0);
+        pass.set_viewport(0.0, 0.0, self.shot.width as f32, self.shot.height as f32, 0.0, 1.0);
         if let Some((scene, maps)) = scene {
             if let Some(maps) = &maps {
                 pass.set_bind_group(2, &maps.group, &[]);
@@ -179,9 +218,11 @@ impl View {
             let seen = scene.seen(&self.sight(&globals, scene));
             self.draw(&mut pass, gpu, scene, &seen, props, plan);
         }
-        drop(pass);
-        gpu.queue.submit([encoder.finish()]);
-        gpu.queue.present(texture);
+    }
+
+    /// Sets the uniforms of what is submitted next.
+    pub(super) fn write(&self, gpu: &Gpu, globals: &Globals) {
+        gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(globals));
     }
 
     /// Draws a tile of the scene's atlas: the one whose upper left corner is `corner`, texels. Rocks stand where the
@@ -196,7 +237,7 @@ impl View {
         if stale {
             scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps, &Props::default());
         }
-        let mut globals = self.globals(None);
+        let mut globals = self.globals(&self.shot, None);
         let half = 0.5 * BAKE_SIDE as f32;
         globals.plan = [corner[0] + half, corner[1] + half, 1.0 / half, -1.0 / half];
         globals.eye = [0.0; 4];
@@ -222,7 +263,7 @@ impl View {
         plan: Option<&Plan>,
     ) {
         match (self.mode, plan) {
-            (Mode::Rocks, _) if self.is_natural() => self.draw_natural(pass, gpu, scene, seen, props),
+            (Mode::Rocks, _) if self.is_natural() => self.draw_natural(pass, gpu, scene, seen, props, false),
             (Mode::Rocks, _) => {
                 draw_ground(pass, gpu, scene);
                 for sides in &gpu.pipelines.rock {
@@ -248,18 +289,23 @@ impl View {
         }
     }
 
-    fn draw_natural(
+    /// The same in natural colours; `is_sampled` in the light of a still's sample.
+    pub(super) fn draw_natural(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         gpu: &Gpu,
         scene: &Scene,
         seen: &[Range<u32>],
         props: &Props,
+        is_sampled: bool,
     ) {
-        let pipeline = |what, recipe| gpu.pipelines.natural(&gpu.device, what, recipe);
+        let pipeline = |what, recipe: Recipe| {
+            let recipe = if is_sampled { recipe.sampled() } else { recipe };
+            gpu.pipelines.natural(&gpu.device, what, recipe)
+        };
         let bodies = Recipe::of_bodies(self.quality, &self.look);
         pass.set_bind_group(3, gpu.pipelines.patterns(&gpu.device, &gpu.queue), &[]);
-        pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device));
+        pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device, is_sampled));
         pass.draw(0..3, 0..1);
         scene.draw_rocks(pass, &pipeline(Natural::Rocks, bodies), seen);
         if scene.is_turned {
@@ -278,7 +324,7 @@ impl View {
     }
 
     /// In natural colours, rocks have as many triangles as can be told apart. In the papers' style every facet is seen.
-    fn sight(&self, globals: &Globals, scene: &Scene) -> Sight {
+    pub(super) fn sight(&self, globals: &Globals, scene: &Scene) -> Sight {
         let natural = self.is_natural();
         Sight {
             clip_from_eye: Mat4::from_cols_array_2d(&globals.clip_from_eye),
@@ -293,7 +339,12 @@ impl View {
         matches!(self.mode, Mode::Rocks | Mode::Wireframe)
     }
 
-    fn is_natural(&self) -> bool {
+    /// The direction of the sun's middle.
+    pub(super) fn sun(&self) -> Vec3 {
+        self.look.sun
+    }
+
+    pub(super) fn is_natural(&self) -> bool {
         self.mode == Mode::Rocks && self.color == ColorMode::Natural
     }
 
@@ -317,20 +368,20 @@ impl View {
         wgpu::Color { r, g, b, a: 1.0 }
     }
 
-    fn globals(&self, scene: Option<&Scene>) -> Globals {
+    pub(super) fn globals(&self, shot: &Shot, scene: Option<&Scene>) -> Globals {
         let theme = if self.dark { &DARK } else { &LIGHT };
-        let own = [self.width as f32, self.height as f32];
+        let own = [shot.width as f32, shot.height as f32];
         let Tile { whole: [width, height], corner: [x, y] } =
-            self.tile.unwrap_or(Tile { whole: own, corner: [0.0; 2] });
+            shot.tile.unwrap_or(Tile { whole: own, corner: [0.0; 2] });
         // From the whole picture's clip space to the tile's.
         let scale = [width / own[0], height / own[1]];
         let shift = [(width - 2.0 * x - own[0]) / own[0], (2.0 * y + own[1] - height) / own[1]];
         let aspect = width / height;
-        let frame = self.camera.frame();
+        let frame = shot.camera.frame();
         let (center, radius) = scene.map_or((frame.eye, 1.0), |scene| (scene.center, scene.radius));
         let tangent = (0.5 * FOV_Y).tan();
         // At the target's distance, a plan shows as much as the 3D view: half the height is distance · tan.
-        let zoom = 1.0 / (self.camera.distance * tangent);
+        let zoom = 1.0 / (shot.camera.distance * tangent);
         let natural = self.is_natural();
         let wireframe = if self.mode == Mode::Wireframe { 1.0 } else { 0.0 };
         Globals {
@@ -343,8 +394,8 @@ impl View {
             ray_up: (frame.up * tangent).extend(height).to_array(),
             ray_forward: frame.forward.extend(wireframe).to_array(),
             plan: [
-                self.camera.target[0] - shift[0] / (zoom / aspect * scale[0]),
-                self.camera.target[1] - shift[1] / (zoom * scale[1]),
+                shot.camera.target[0] - shift[0] / (zoom / aspect * scale[0]),
+                shot.camera.target[1] - shift[1] / (zoom * scale[1]),
                 zoom / aspect * scale[0],
                 zoom * scale[1],
             ],

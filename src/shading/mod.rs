@@ -3,12 +3,14 @@
 //!
 //! Nothing here needs a graphics device, so that tests run it natively; [`crate::render`] puts it on one.
 
+mod beam;
 mod levels;
 mod look;
 mod order;
 pub(crate) mod palette;
 pub(crate) mod patterns;
 mod recipe;
+mod sample;
 pub(crate) mod shaders;
 mod sink;
 mod sky;
@@ -16,10 +18,12 @@ mod turned;
 mod uniforms;
 pub(crate) mod wood;
 
+pub(crate) use beam::{Bounds, beam, in_sight};
 pub(crate) use levels::{Arrangement, Body, LEVELS, Sight, coarser};
 pub(crate) use look::Look;
 pub(crate) use order::{ColorMode, Mode, Quality};
 pub(crate) use recipe::Recipe;
+pub(crate) use sample::Sample;
 pub(crate) use sink::Stands;
 pub(crate) use sky::{COLUMNS as SKY_COLUMNS, ROWS as SKY_ROWS, Sky};
 pub(crate) use turned::Turned;

@@ -11,28 +11,39 @@ pub(crate) struct Recipe {
     has_moss: bool,
     is_wet: bool,
     has_log: bool,
+    is_sampled: bool,
 }
 
 impl Recipe {
     /// For what stands on the ground: it takes the ground's kind from the uniforms.
     pub(crate) fn of_bodies(quality: Quality, look: &Look) -> Self {
         let [_, wetness, moss, _] = look.weather;
-        Self { quality, ground: 0, has_moss: moss > 0.0, is_wet: wetness > 0.0, has_log: false }
+        Self { quality, ground: 0, has_moss: moss > 0.0, is_wet: wetness > 0.0, has_log: false, is_sampled: false }
     }
 
     pub(crate) fn of_ground(quality: Quality, look: &Look, has_log: bool) -> Self {
         Self { ground: look.ground as u8, has_log, ..Self::of_bodies(quality, look) }
     }
 
+    /// The same for a sample of a still.
+    pub(crate) fn sampled(self) -> Self {
+        Self { is_sampled: true, ..self }
+    }
+
+    pub(crate) fn is_sampled(self) -> bool {
+        self.is_sampled
+    }
+
     /// By the names that the shaders give them.
-    pub(crate) fn constants(self) -> [(&'static str, f64); 5] {
-        let Self { quality, ground, has_moss, is_wet, has_log } = self;
+    pub(crate) fn constants(self) -> [(&'static str, f64); 6] {
+        let Self { quality, ground, has_moss, is_wet, has_log, is_sampled } = self;
         [
             ("quality", f64::from(quality as u8)),
             ("ground_kind", f64::from(ground)),
             ("has_moss", f64::from(u8::from(has_moss))),
             ("is_wet", f64::from(u8::from(is_wet))),
             ("has_log", f64::from(u8::from(has_log))),
+            ("is_sampled", f64::from(u8::from(is_sampled))),
         ]
     }
 }

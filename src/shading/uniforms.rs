@@ -28,13 +28,13 @@ pub(crate) struct Globals {
     pub(crate) dust: [f32; 4],
     /// Variation, wetness, moss, dust.
     pub(crate) weather: [f32; 4],
-    /// x ground, y is not used, z 1 in natural colours, w kind of the debris (0 mixed).
+    /// x ground, y 1 / the number of a still's sample, z 1 in natural colours, w kind of the debris (0 mixed).
     pub(crate) scene: [f32; 4],
     /// Moisture, variation, translucency and velvet of wood ears.
     pub(crate) flesh: [f32; 4],
 }
 
-/// Written once per field. Size 272 B.
+/// Written once per field, and for every sample of a still. Size 432 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FieldUniforms {
@@ -45,7 +45,8 @@ pub(crate) struct FieldUniforms {
     pub(crate) map: [f32; 4],
     /// xy image width and height, z top of the highest rock, w top of everything, px.
     pub(crate) size: [f32; 4],
-    /// x width of the soil's fade, y one texel of the height map, px; z 1 if something extends below the ground.
+    /// x width of the soil's fade, y one texel of the height map, px; z 1 if something extends below
+    /// the ground; w the least height that casts a shadow.
     pub(crate) ground: [f32; 4],
     /// x middle of the log along x, y half its length (0 if there is no log), z its radius, w height of its axis, px.
     pub(crate) log: [f32; 4],
@@ -55,4 +56,10 @@ pub(crate) struct FieldUniforms {
     pub(crate) sunshine: [f32; 4],
     /// [`super::Sky::diffuse`]; w of the first two: the sun's azimuth as a direction.
     pub(crate) sky: [[f32; 4]; 6],
+    /// Of a sample of a still: the light from a point of the sky, as for the sun above.
+    pub(crate) sky_from_world: [[f32; 4]; 4],
+    pub(crate) sky_way: [f32; 4],
+    /// The same for the light from a point of the ground.
+    pub(crate) below_from_world: [[f32; 4]; 4],
+    pub(crate) below_way: [f32; 4],
 }

@@ -56,6 +56,10 @@ export interface RawRenderer {
   resize(width: number, height: number, ratio: number): void;
   setTile(width: number, height: number, x: number, y: number, backing: number): void;
   render(): void;
+  beginStill(): void;
+  addSample(): void;
+  showStill(): void;
+  endStill(): void;
   close(): void;
   free(): void;
 }

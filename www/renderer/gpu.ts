@@ -1,5 +1,6 @@
 /** The wasm renderer, on WebGPU or WebGL2, behind the page's `SceneRenderer`. */
 
+import { lazily } from '../base/lazy.ts';
 import type { Field } from '../data/field.ts';
 import type { RawRenderer } from './artefact.ts';
 import { joinDevice } from './device.ts';
@@ -7,7 +8,7 @@ import type { CameraState, GpuBackend, Quality } from '../base/view.ts';
 import type { LossListener, SharedDevice } from './device.ts';
 import { COLORS, FLESH, LOOK, QUALITIES, VIEWS } from './order.gen.ts';
 import type { Look } from '../data/look.ts';
-import type { SceneRenderer, SceneStyle, Tile, Wood } from './renderer.ts';
+import type { SceneRenderer, SceneStyle, Stills, Tile, Wood } from './renderer.ts';
 
 /** Layer id and site index of every rock: what a rock's colour is drawn from, whatever happens to the others. */
 export function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
@@ -162,18 +163,40 @@ export class GpuRenderer implements SceneRenderer {
   }
 
   render(): void {
+    this.#show(() => this.#raw.render());
+  }
+
+  renderTile(tile: Tile): void {
+    this.#setTile(tile);
+    this.render();
+  }
+
+  readonly stills: Stills = {
+    begin: (tile) => {
+      if (tile) this.#setTile(tile);
+      this.#guard(() => this.#raw.beginStill());
+    },
+    add: async () => {
+      this.#guard(() => this.#raw.addSample());
+      const { deviceDone } = await lazily(() => import('./done.ts'));
+      await deviceDone(this.#device.canvas ?? this.canvas, this.backend);
+    },
+    show: () => this.#show(() => this.#raw.showStill()),
+    end: () => this.#guard(() => this.#raw.endStill()),
+  };
+
+  #show(draw: () => void): void {
     this.#guard(() => {
-      this.#raw.render();
+      draw();
       const { width, height } = this.canvas;
       // At once: in the next task the device's canvas may be blank, or another's.
       if (this.#device.canvas) this.#context?.drawImage(this.#device.canvas, 0, 0, width, height, 0, 0, width, height);
     });
   }
 
-  renderTile({ whole, corner, size, backing }: Tile): void {
+  #setTile({ whole, corner, size, backing }: Tile): void {
     this.resize(...size);
     this.#guard(() => this.#raw.setTile(...whole, ...corner, ['none', 'black', 'white'].indexOf(backing)));
-    this.render();
   }
 
   dispose(): void {

@@ -37,6 +37,17 @@ export interface Tile {
   backing: 'none' | 'black' | 'white';
 }
 
+export interface Stills {
+  /** Begins one of what the camera shows now, at the present size; `tile` is of a part. What is drawn must not change until `end`. */
+  begin(tile?: Tile): void;
+  /** Draws one more sample, out of sight. Resolves when the device is done with it. */
+  add(): Promise<void>;
+  /** Shows the mean of the samples now, at the size of `begin`. */
+  show(): void;
+  /** Frees what the still holds. */
+  end(): void;
+}
+
 export interface SceneRenderer {
   readonly backend: Backend;
   readonly canvas: HTMLCanvasElement;
@@ -56,6 +67,11 @@ export interface SceneRenderer {
   readonly maxSide?: number;
   /** Draws a part of a picture now, which may be larger than the device draws; `resize` comes next. Absent without a GPU. */
   renderTile?(tile: Tile): void;
+  /**
+   * Makes stills: the mean of many samples of a picture in natural colours, which converges to what the sun, the sky and one bounce of light
+   * give. Absent without a GPU.
+   */
+  readonly stills?: Stills;
   /** The device or context is lost, or about to be told so: what is drawn now is blank. */
   readonly isLost: boolean;
   /** Resolves, and never rejects, with a reason when the device or context is lost. */

@@ -26,6 +26,11 @@ export interface PictureOptions {
   type?: string;
   /** 0 … 1, of lossy types. */
   quality?: number;
+  /**
+   * How many samples the picture is the mean of, in natural colours, 1 … 4096: each in the light of another point of the sun, the sky and the
+   * ground. Left out, light and shade are worked out at once, and less exactly.
+   */
+  samples?: number;
   /** Whether ground and backdrop are in it. Without them a PNG is transparent around the rocks, but for their shadows. True by default. */
   ground?: boolean;
   /** Ends a picture that takes longer, which is one of more pixels than a screen has. */
@@ -52,6 +57,9 @@ export interface PictureSource {
 }
 
 const PNG = 'image/png';
+
+/** Of a picture: twice as many would halve what nobody sees any more. */
+const MAX_SAMPLES = 4096;
 
 /** Of a picture that has no place on the screen, px. */
 const UNSEEN_SIZE: [number, number] = [300, 150];
@@ -107,7 +115,11 @@ export async function picture(options: PictureOptions, scene: Pictured): Promise
         scene.pacer.redraw();
       },
     };
-    const blob = await (isTiled ? takeTiles(shot, options, scene) : take(shot, options)).catch((thrown: unknown) => {
+    // Other styles have no light to be sampled.
+    const samples = scene.pacer.best ? options.samples : undefined;
+    const taken =
+      isTiled ? takeTiles(shot, samples, options, scene) : samples ? takeStill(shot, samples, options, scene) : take(shot, options);
+    const blob = await taken.catch((thrown: unknown) => {
       if (!renderer.isLost || options.signal?.aborted) throw thrown;
     });
     if (blob && (await isSound(renderer))) return options.link !== false && blob.type === PNG ? withOrigin(blob, source) : blob;
@@ -126,13 +138,33 @@ function take({ renderer, size, camera, prepare, restore }: Shot, options: Pictu
   return taken;
 }
 
-/** In parts; undefined where the scene changed meanwhile. */
-async function takeTiles(shot: Shot, { ground = true, signal, onProgress }: PictureOptions, scene: Pictured): Promise<Blob | undefined> {
-  const { tiledPicture } = await lazily(() => import('./tiles.ts'));
-  const before = scene.drawn();
-  const isSame = (): boolean => scene.drawn().every((value, k) => value === before[k]);
+/** Sample by sample; undefined where the scene changed meanwhile. */
+async function takeStill(shot: Shot, samples: number, options: PictureOptions, scene: Pictured): Promise<Blob | undefined> {
+  const { stillPicture } = await lazily(() => import('./still.ts'));
+  const { signal, onProgress } = options;
   try {
-    return await tiledPicture({ ...shot, isBare: !ground, isSame, signal, onProgress });
+    return await stillPicture({ ...shot, samples, isSame: sameness(scene), signal, onProgress }, () => encoded(shot.renderer, options));
+  } catch (thrown) {
+    throw signal?.aborted ? thrown : pictureError(thrown);
+  }
+}
+
+/** Whether a scene is drawn as it is now. */
+function sameness(scene: Pictured): () => boolean {
+  const before = scene.drawn();
+  return () => scene.drawn().every((value, k) => value === before[k]);
+}
+
+/** In parts; undefined where the scene changed meanwhile. */
+async function takeTiles(
+  shot: Shot,
+  samples: number | undefined,
+  { ground = true, signal, onProgress }: PictureOptions,
+  scene: Pictured,
+): Promise<Blob | undefined> {
+  const { tiledPicture } = await lazily(() => import('./tiles.ts'));
+  try {
+    return await tiledPicture({ ...shot, samples, isBare: !ground, isSame: sameness(scene), signal, onProgress });
   } catch (thrown) {
     throw signal?.aborted ? thrown : pictureError(thrown);
   }
@@ -181,7 +213,8 @@ function sizeOf({ width, height }: PictureOptions, [ownWidth, ownHeight]: readon
  * @throws {RockFieldError} `OutOfRange` for a type of file that is not written so, `NoPicture` where this renderer does not draw so.
  */
 function needsTiles(options: PictureOptions, own: readonly [number, number], { renderTile, maxSide = MAX_SIDE }: SceneRenderer): boolean {
-  const { type = PNG, ground = true } = options;
+  const { type = PNG, ground = true, samples } = options;
+  checkSamples(samples, ground);
   const [width, height] = sizeOf(options, own);
   if (ground && (type !== PNG || !renderTile)) return false;
   if (type !== PNG) {
@@ -190,6 +223,20 @@ function needsTiles(options: PictureOptions, own: readonly [number, number], { r
   }
   if (!renderTile) throw new RockFieldError({ name: 'NoPicture', message: 'without a GPU there is no picture without the ground' });
   return !ground || width * height > MAX_PIXELS || Math.max(width, height) > maxSide;
+}
+
+/** @throws {RockFieldError} `OutOfRange` for a number of samples that is not drawn. */
+function checkSamples(samples: number | undefined, ground: boolean): void {
+  if (samples === undefined) return;
+  const bounds = { key: 'samples', value: samples, min: 1, max: MAX_SAMPLES };
+  if (!(Number.isInteger(samples) && samples >= 1 && samples <= MAX_SAMPLES)) {
+    const message = `samples is ${samples}; a picture is the mean of a whole number of samples, at most ${MAX_SAMPLES}`;
+    throw new RockFieldError({ name: 'OutOfRange', ...bounds, message });
+  }
+  if (!ground) {
+    const message = `samples is ${samples}; a picture without the ground is not the mean of samples`;
+    throw new RockFieldError({ name: 'OutOfRange', ...bounds, message });
+  }
 }
 
 /**
@@ -224,13 +271,18 @@ export async function takePicture(
   renderer: SceneRenderer,
   size: readonly [number, number],
   camera: CameraState,
-  { type = PNG, quality }: PictureOptions,
+  options: PictureOptions,
 ): Promise<Blob> {
   try {
     draw(renderer, size, camera);
   } catch (thrown) {
     throw pictureError(thrown);
   }
+  return encoded(renderer, options);
+}
+
+/** What is in the canvas, at once; only the encoding comes later. */
+async function encoded(renderer: SceneRenderer, { type = PNG, quality }: PictureOptions): Promise<Blob> {
   const blob = await new Promise<Blob | null>((resolve) => renderer.canvas.toBlob(resolve, type, quality));
   if (!blob) throw new RockFieldError({ name: 'NoPicture', message: 'the browser made no file of the picture' });
   return blob;

@@ -13,6 +13,8 @@ export interface TiledPicture {
   renderer: SceneRenderer;
   size: readonly [width: number, height: number];
   camera: CameraState;
+  /** Of how many samples each part is the mean; undefined where light and shade are worked out at once. */
+  samples?: number | undefined;
   /** Without ground and backdrop, which are then transparent. */
   isBare: boolean;
   /** Readies the renderer for a part. */
@@ -47,7 +49,8 @@ export async function tiledPicture(picture: TiledPicture): Promise<Blob | undefi
         if (renderer.isLost || !picture.isSame()) return undefined;
         // All parts are of one size: the last ones begin where they fit.
         const corner = [Math.min(x, width - across), Math.min(y, height - down)] as const;
-        const part = drawnPart(picture, context, { whole: size, corner, size: [across, down] });
+        const part = await drawnPart(picture, context, { whole: size, corner, size: [across, down] });
+        if (!part) return undefined;
         put(band, part, [corner[0], corner[1] - y]);
         onProgress?.((y + (down * (x + across)) / width) / (height + down));
         await new Promise((resolve) => setTimeout(resolve));
@@ -71,15 +74,28 @@ function scratch(renderer: SceneRenderer, width: number, height: number): { canv
   return { canvas, context };
 }
 
-function drawnPart(picture: TiledPicture, context: CanvasRenderingContext2D, tile: Omit<Tile, 'backing'>): ImageData {
-  const { renderer, camera, isBare, prepare, restore } = picture;
+/** Undefined where the device was lost, or the scene changed. */
+async function drawnPart(
+  picture: TiledPicture,
+  context: CanvasRenderingContext2D,
+  tile: Omit<Tile, 'backing'>,
+): Promise<ImageData | undefined> {
+  const { renderer, camera, samples, isBare, isSame, signal, prepare, restore } = picture;
   const [width, height] = tile.size;
-  const draw = (backing: Tile['backing']): ImageData => {
-    renderer.renderTile?.({ ...tile, backing });
+  const read = (): ImageData => {
     // At once: in the next task the canvas may be blank.
     context.drawImage(renderer.canvas, 0, 0, width, height, 0, 0, width, height);
     return context.getImageData(0, 0, width, height);
   };
+  const draw = (backing: Tile['backing']): ImageData => {
+    renderer.renderTile?.({ ...tile, backing });
+    return read();
+  };
+  if (samples) {
+    const { stillPicture } = await import('./still.ts');
+    const part = { ...tile, backing: 'none' } as const;
+    return stillPicture({ renderer, size: tile.size, tile: part, camera, samples, isSame, signal, prepare, restore }, read);
+  }
   prepare();
   renderer.setCamera(camera);
   try {

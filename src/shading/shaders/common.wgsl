@@ -25,14 +25,14 @@ struct Globals {
   dust: vec4f,
   // Natural colours: variation, wetness, moss, dust, 0…1
   weather: vec4f,
-  // x ground: 0 soil, 1 sand, 2 gravel; y unused; z 1 in natural colours; w the kind of the debris, 0: mixed
+  // x ground: 0 soil, 1 sand, 2 gravel; y 1 / the number of the sample; z 1 in natural colours; w the kind of the debris, 0: mixed
   scene: vec4f,
   // Wood ears: moisture, variation, translucency, velvet, 0…1
   flesh: vec4f,
 }
 
 // Group 1, once per field.
-// size 272 B, align 16; mirrored by FieldUniforms in uniforms.rs
+// size 432 B, align 16; mirrored by FieldUniforms in uniforms.rs
 struct FieldUniforms {
   // World to the sun's clip space, depth 0…1
   sun_from_world: mat4x4f,
@@ -43,7 +43,7 @@ struct FieldUniforms {
   // xy image width and height, z the top of the highest rock, w that of everything, px
   size: vec4f,
   // x width over which the soil fades outside the image, y one texel of the height map in px, z 1 where something goes on
-  // below the ground, w unused
+  // below the ground, w the least height that casts a shadow
   ground: vec4f,
   // x the middle of the log's reach along x, y half of it (0: no log), z its radius, w the height of its axis, px
   log: vec4f,
@@ -53,6 +53,11 @@ struct FieldUniforms {
   sunshine: vec4f,
   // What the sky lights, by the direction of a surface (sky.rs); w of the first two: the direction of the sun's azimuth
   sky: array<vec4f, 6>,
+  // Of a sample of a still, as for the sun above: the light from a point of the sky, and from one of the ground
+  sky_from_world: mat4x4f,
+  sky_way: vec4f,
+  below_from_world: mat4x4f,
+  below_way: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> globals: Globals;

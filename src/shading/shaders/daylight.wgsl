@@ -26,7 +26,8 @@ fn height_at(at: vec2f) -> f32 {
 // How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks. The inner turns find the
 // neighbour it touches, the outer ones the boulder beside it. `face` is the surface without its relief.
 fn sky_seen(world: vec3f, face: vec3f, pixel: vec2f) -> f32 {
-  let taps = select(select(16, 10, quality < 1.5), 5, quality < 0.5);
+  // What depends on it besides the light is a mean over all samples.
+  let taps = select(select(16, 10, quality < 1.5), 5, quality < 0.5 || is_sampled);
   let texel = field.ground.y;
   let start = dither(pixel) * 1.2;
   let reach = max(30.0, 3.0 * texel);
@@ -53,6 +54,9 @@ fn sky_seen(world: vec3f, face: vec3f, pixel: vec2f) -> f32 {
 // Share of the sun that reaches `world`, 0…1. High quality looks first for what casts the shadow: the farther off it
 // is, the softer (Fernando, Percentage-closer soft shadows, 2005).
 fn sun_seen(world: vec3f, face: vec3f) -> f32 {
+  if is_sampled {
+    return sun_drawn(world, face);
+  }
   let side = field.sun.w;
   let texel = 1.0 / f32(textureDimensions(shadow_map).x);
   let facing = max(dot(face, field.sun.xyz), 0.0);
@@ -127,11 +131,14 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   let facing = smoothstep(-0.05, 0.2, dot(face, sun));
   var direct = 0.0;
   if n_l > 0.0 && facing > 0.0 {
-    direct = sun_seen(world, face) * facing * mix(0.8, 1.0, seen);
+    direct = sun_seen(world, face) * facing * select(mix(0.8, 1.0, seen), 1.0, is_sampled);
   }
   // Towards where it is open; what is not sky is ground.
   let open = normalize(normal + vec3f(0.7 * open_towards.xy, 0.0));
-  let ambient = (sky_light(open) + bounce_color * (0.5 - 0.5 * open.z)) * seen * seen;
+  var ambient = (sky_light(open) + bounce_color * (0.5 - 0.5 * open.z)) * seen * seen;
+  if is_sampled {
+    ambient = around(world, face, normal);
+  }
   var light = albedo * (sun_color * max(n_l, 0.0) * direct + ambient);
 
   let n_v = max(dot(normal, to_eye), 0.05);

@@ -11,12 +11,29 @@ const STONE: &str = include_str!("stone.wgsl");
 const COVER: &str = include_str!("cover.wgsl");
 const SKY: &str = include_str!("sky.wgsl");
 const DAYLIGHT: &str = include_str!("daylight.wgsl");
+const SAMPLED: &str = include_str!("sampled.wgsl");
+const FILM: &str = include_str!("film.wgsl");
 
 /// Prepended to the passes in natural colours.
-const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, DAYLIGHT];
+const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, DAYLIGHT, SAMPLED];
 
 /// Prepended to the passes that draw rocks in natural colours.
-const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, DAYLIGHT, include_str!("surface.wgsl")];
+const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, DAYLIGHT, SAMPLED, include_str!("surface.wgsl")];
+
+/// Prepended to the pass that makes a picture of a still.
+const DEVELOPING: &[&str] = &[RECIPE, FILM];
+
+/// The bind groups of a pass: those of the uniforms, and others.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Reads {
+    Uniforms,
+    /// Also the shadow and height maps.
+    Maps,
+    /// Also these and the patterns of natural colours.
+    Patterns,
+    /// Also the mean of a still, and its newest sample.
+    Still,
+}
 
 /// The shader of a pass.
 #[derive(Clone, Copy)]
@@ -43,15 +60,14 @@ impl Shader {
         [&[COMMON], self.before, &[self.source]].concat().concat()
     }
 
-    /// How many bind groups the pass reads: whatever lights what it draws reads the shadow and height maps, which are the third, and
-    /// natural colours the patterns, which are the fourth.
-    pub(crate) fn groups(self) -> usize {
-        if self.before.contains(&NOISE) {
-            4
-        } else if self.before.is_empty() {
-            2
-        } else {
-            3
+    /// What the pass reads.
+    pub(crate) fn reads(self) -> Reads {
+        match self.name {
+            "gather" | "develop" => Reads::Still,
+            _ if self.before.contains(&NOISE) => Reads::Patterns,
+            // What is lit has the lighting before it.
+            _ if self.before.is_empty() => Reads::Uniforms,
+            _ => Reads::Maps,
         }
     }
 }
@@ -83,6 +99,8 @@ shaders! {
     WOOD_WIRE "wood_wire" after &[];
     PLAN "plan" after &[];
     STROKE "stroke" after &[];
+    GATHER "gather" after &[];
+    DEVELOP "develop" after DEVELOPING;
 }
 
 #[cfg(test)]

@@ -26,7 +26,7 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
     if globals.soil.w > 0.5 {
       return backing(1.0, 1.0);
     }
-    return shown_as(toned(sky_seen_by_eye(normalize(ray))), pixel.xy);
+    return taken(sky_seen_by_eye(normalize(ray)), pixel.xy);
   }
   let steps = globals.eye.z / -ray.z;
   let world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);

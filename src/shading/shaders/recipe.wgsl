@@ -9,3 +9,5 @@ override has_moss: bool = true;
 override is_wet: bool = true;
 // Whether a log lies on the ground that is drawn.
 override has_log: bool = true;
+// Whether the light is that of one sample of a still.
+override is_sampled: bool = false;

@@ -1,0 +1,216 @@
+//! A still: the mean of many samples of a picture in natural colours, each in the light of one point of the sun, of the sky and of the
+//! ground. It converges to what the sun, the sky and one bounce of light give.
+
+use glam::{Vec2, Vec3, Vec4};
+
+use super::maps::group;
+use super::pass::{MEAN_FORMAT, SAMPLE_FORMAT, SHADOW_FORMAT};
+use super::surface::{DEPTH_FORMAT, depth_attachment, texture};
+use super::view::Shot;
+use super::{Gpu, Props, RenderError, Scene, View, upload};
+use crate::shading::{Bounds, FieldUniforms, Globals, Sample, in_sight};
+
+/// Most bytes that the textures of a still may take.
+const MOST_BYTES: u64 = 1 << 29;
+
+/// Bytes per pixel: a sample, its depth, and two means.
+const PIXEL_BYTES: u64 = 8 + 4 + 2 * 16;
+
+/// Sides of the shadow maps of the sun, the sky and the ground, texels. The edges of a single shadow are seen of the sun's alone.
+const SIDES: [u32; 3] = [2048, 1024, 1024];
+
+/// One light of a sample: its shadow map, and the uniforms with which that is drawn.
+struct Light {
+    side: u32,
+    map: wgpu::TextureView,
+    uniforms: wgpu::Buffer,
+    group: wgpu::BindGroup,
+}
+
+/// The samples of one picture.
+pub(crate) struct Still {
+    shot: Shot,
+    /// How many samples there are.
+    count: u32,
+    sample: wgpu::TextureView,
+    depth: wgpu::TextureView,
+    /// The mean is in one of them, by turns.
+    means: [wgpu::TextureView; 2],
+    /// Each mean with the newest sample.
+    gathered: [wgpu::BindGroup; 2],
+    /// Of the sun, the sky and the ground.
+    lights: [Light; 3],
+    uniforms: wgpu::Buffer,
+    group: wgpu::BindGroup,
+}
+
+impl Drop for Still {
+    /// Memory of the device is not left to JavaScript's garbage collector.
+    fn drop(&mut self) {
+        for light in &self.lights {
+            light.map.texture().destroy();
+            light.uniforms.destroy();
+        }
+        self.uniforms.destroy();
+        for view in self.means.iter().chain([&self.sample, &self.depth]) {
+            view.texture().destroy();
+        }
+    }
+}
+
+impl Still {
+    /// A still of what `view` shows, through its camera and as large as it is now. Fails with [`RenderError::TooLarge`].
+    pub(crate) fn new(gpu: &Gpu, view: &View) -> Result<Self, RenderError> {
+        let shot = view.shot;
+        let bytes = PIXEL_BYTES * u64::from(shot.width) * u64::from(shot.height);
+        if bytes > MOST_BYTES {
+            return Err(RenderError::TooLarge { what: "still", bytes, limit: MOST_BYTES });
+        }
+        let device = &gpu.device;
+        let (drawn, read) = (wgpu::TextureUsages::RENDER_ATTACHMENT, wgpu::TextureUsages::TEXTURE_BINDING);
+        let picture = |label, format, usage| texture(device, label, (shot.width, shot.height), 1, format, usage);
+        let sample = picture("rock-field/still/sample", SAMPLE_FORMAT, drawn | read);
+        let depth = picture("rock-field/still/depth", DEPTH_FORMAT, drawn);
+        let means = [0, 1].map(|_| picture("rock-field/still/mean", MEAN_FORMAT, drawn | read));
+        let gathered = [0, 1].map(|mean: usize| {
+            let entry =
+                |binding, view| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) };
+            device.create_bind_group(&wgpu::BindGroupDescriptor {
+                label: Some("rock-field/still/gathered"),
+                layout: &gpu.pipelines.still_layout,
+                entries: &[entry(0, &means[mean]), entry(1, &sample)],
+            })
+        });
+        let (uniforms, group) = uniforms(gpu)?;
+        let light = |side: u32| {
+            let (uniforms, group) = self::uniforms(gpu)?;
+            let side = side.min(gpu.max_side());
+            let map = texture(device, "rock-field/still/shadows", (side, side), 1, SHADOW_FORMAT, drawn | read);
+            Ok(Light { side, map, uniforms, group })
+        };
+        let [sun, sky, below] = SIDES.map(light);
+        let lights = [sun?, sky?, below?];
+        Ok(Self { shot, count: 0, sample, depth, means, gathered, lights, uniforms, group })
+    }
+
+    /// Draws one more sample. The scene, the props and the view must be those of the samples before.
+    pub(crate) fn add(&mut self, gpu: &Gpu, view: &View, scene: &mut Scene, props: &Props) {
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let Some(maps) = view.prepare(gpu, &mut encoder, scene, props) else {
+            return;
+        };
+        let sample = Sample::new(self.count, view.sun());
+        let mut globals = moved(view.globals(&self.shot, Some(scene)), sample.pixel);
+        self.count += 1;
+        globals.scene[1] = 1.0 / self.count as f32;
+        view.write(gpu, &globals);
+        let (uniforms, shadows) = scene.sampled(&sample, lit(&globals, scene.bounds));
+        gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
+        for (light, uniforms) in self.lights.iter().zip(&shadows) {
+            gpu.queue.write_buffer(&light.uniforms, 0, bytemuck::bytes_of(uniforms));
+            let texel = uniforms.sun[3] / light.side as f32;
+            scene.draw_shadows(gpu, &mut encoder, [&view.frame_group, &light.group], &light.map, texel, props);
+        }
+        let [sun, sky, below] = self.lights.each_ref().map(|light| &light.map);
+        let maps_group = group(&gpu.device, &gpu.pipelines.maps_layout, [sun, sky, below], &maps.height, &maps.sky);
+
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("rock-field/still/pass"),
+            color_attachments: &[Some(cleared(&self.sample))],
+            depth_stencil_attachment: Some(depth_attachment(&self.depth, wgpu::StoreOp::Discard)),
+            ..Default::default()
+        });
+        for (index, group) in (0..).zip([&view.frame_group, &self.group, &maps_group]) {
+            pass.set_bind_group(index, group, &[]);
+        }
+        let seen = scene.seen(&view.sight(&globals, scene));
+        view.draw_natural(&mut pass, gpu, scene, &seen, props, true);
+        drop(pass);
+
+        let [gather, _] = gpu.pipelines.still(&gpu.device);
+        let [before, after] = if self.count.is_multiple_of(2) { [1, 0] } else { [0, 1] };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("rock-field/still/gather"),
+            color_attachments: &[Some(cleared(&self.means[after]))],
+            ..Default::default()
+        });
+        for (index, group) in (0..).zip([&view.frame_group, &self.group, &self.gathered[before]]) {
+            pass.set_bind_group(index, group, &[]);
+        }
+        pass.set_pipeline(gather);
+        pass.draw(0..3, 0..1);
+        drop(pass);
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Shows the mean of the samples on the view's screen, which must be as large as the still.
+    pub(crate) fn show(&self, gpu: &Gpu, view: &View, scene: &Scene) {
+        let globals = view.globals(&self.shot, Some(scene));
+        view.write(gpu, &globals);
+        let [_, develop] = gpu.pipelines.still(&gpu.device);
+        view.show(gpu, |encoder, screen, frame| {
+            let (color, depth) = screen.attachments(frame, wgpu::Color::BLACK);
+            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+                label: Some("rock-field/still/show"),
+                color_attachments: &[Some(color)],
+                depth_stencil_attachment: Some(depth),
+                ..Default::default()
+            });
+            pass.set_viewport(0.0, 0.0, self.shot.width as f32, self.shot.height as f32, 0.0, 1.0);
+            let newest = &self.gathered[if self.count.is_multiple_of(2) { 0 } else { 1 }];
+            for (index, group) in (0..).zip([&view.frame_group, &self.group, newest]) {
+                pass.set_bind_group(index, group, &[]);
+            }
+            pass.set_pipeline(develop);
+            pass.draw(0..3, 0..1);
+        });
+    }
+}
+
+/// An attachment that nothing is kept of.
+fn cleared(view: &wgpu::TextureView) -> wgpu::RenderPassColorAttachment<'_> {
+    wgpu::RenderPassColorAttachment {
+        view,
+        depth_slice: None,
+        resolve_target: None,
+        ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::TRANSPARENT), store: wgpu::StoreOp::Store },
+    }
+}
+
+fn uniforms(gpu: &Gpu) -> Result<(wgpu::Buffer, wgpu::BindGroup), RenderError> {
+    let size = size_of::<FieldUniforms>() as u64;
+    let uniforms =
+        upload::buffer(&gpu.device, "rock-field/still/uniforms", "uniforms", size, wgpu::BufferUsages::UNIFORM)?;
+    let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("rock-field/still/group"),
+        layout: &gpu.pipelines.field_layout,
+        entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }],
+    });
+    Ok((uniforms, group))
+}
+
+/// The same picture, of which each pixel shows what is so far from its middle, px.
+fn moved(mut globals: Globals, by: Vec2) -> Globals {
+    let [_, _, width, height] = globals.tile;
+    let shift = Vec4::new(-2.0 * by.x / width, 2.0 * by.y / height, 0.0, 0.0);
+    for column in &mut globals.clip_from_eye {
+        let moved = Vec4::from(*column) + shift * column[3];
+        *column = moved.to_array();
+    }
+    globals.tile[0] += by.x;
+    globals.tile[1] += by.y;
+    globals
+}
+
+/// What the picture shows of the box `bounds`.
+fn lit(globals: &Globals, bounds: Bounds) -> Bounds {
+    let [x, y, width, height] = globals.tile;
+    let axis = |axis: [f32; 4]| Vec4::from(axis).truncate();
+    let whole = Vec2::new(globals.ray_right[3], globals.ray_up[3]);
+    let ray = |place: Vec2| -> Vec3 {
+        let pixel = Vec2::new(x, y) + (place * Vec2::new(0.5, -0.5) + 0.5) * Vec2::new(width, height);
+        let at = pixel / whole * Vec2::new(2.0, -2.0) + Vec2::new(-1.0, 1.0);
+        axis(globals.ray_forward) + axis(globals.ray_right) * at.x + axis(globals.ray_up) * at.y
+    };
+    in_sight(axis(globals.eye), ray, bounds)
+}
