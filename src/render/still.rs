@@ -16,8 +16,11 @@ const MOST_BYTES: u64 = 1 << 29;
 /// Bytes per pixel: a sample, its depth, and two means.
 const PIXEL_BYTES: u64 = 8 + 4 + 2 * 16;
 
-/// Sides of the shadow maps of the sun, the sky and the ground, texels. The edges of a single shadow are seen of the sun's alone.
+/// Largest sides of the shadow maps of the sun, the sky and the ground, texels. The edges of a single shadow are seen of the sun's alone.
 const SIDES: [u32; 3] = [2048, 1024, 1024];
+
+/// Texels of the sun's map for each pixel along the longer side of the picture, which does not show more; half as many of the others.
+const FINE: u32 = 4;
 
 /// One light of a sample: its shadow map, and the uniforms with which that is drawn.
 struct Light {
@@ -82,9 +85,11 @@ impl Still {
             })
         });
         let (uniforms, group) = uniforms(gpu)?;
-        let light = |side: u32| {
+        // In steps, so that equal pictures in two parts have equal maps.
+        let longer = shot.width.max(shot.height).next_power_of_two();
+        let light = |most: u32| {
             let (uniforms, group) = self::uniforms(gpu)?;
-            let side = side.min(gpu.max_side());
+            let side = most.min(FINE * longer * most / SIDES[0]).min(gpu.max_side());
             let map = texture(device, "rock-field/still/shadows", (side, side), 1, SHADOW_FORMAT, drawn | read);
             Ok(Light { side, map, uniforms, group })
         };

@@ -117,8 +117,11 @@ export async function picture(options: PictureOptions, scene: Pictured): Promise
     };
     // Other styles have no light to be sampled.
     const samples = scene.pacer.best ? options.samples : undefined;
-    const taken =
-      isTiled ? takeTiles(shot, samples, options, scene) : samples ? takeStill(shot, samples, options, scene) : take(shot, options);
+    const taken = isTiled
+      ? takeTiles(shot, samples, options, scene)
+      : samples
+        ? takeStill(shot, samples, options, scene)
+        : take(shot, options);
     const blob = await taken.catch((thrown: unknown) => {
       if (!renderer.isLost || options.signal?.aborted) throw thrown;
     });

@@ -1,6 +1,7 @@
 /** Pictures that are drawn in parts: larger than a device draws at once, or without the ground. */
 
 import { RockFieldError } from '../base/errors.ts';
+import { lazily } from '../base/lazy.ts';
 import type { CameraState } from '../base/view.ts';
 import { PngRows } from '../export/formats/png-rows.ts';
 import type { SceneRenderer, Tile } from '../renderer/renderer.ts';
@@ -92,7 +93,7 @@ async function drawnPart(
     return read();
   };
   if (samples) {
-    const { stillPicture } = await import('./still.ts');
+    const { stillPicture } = await lazily(() => import('./still.ts'));
     const part = { ...tile, backing: 'none' } as const;
     return stillPicture({ renderer, size: tile.size, tile: part, camera, samples, isSame, signal, prepare, restore }, read);
   }
