@@ -94,16 +94,16 @@ impl Sky {
     }
 
     /// Irradiance by the sky alone of a surface that faces up, divided by π.
-    fn from_above(&self) -> Vec3 {
+    fn on_level_ground(&self) -> Vec3 {
         let [c0, c1, _, c3, ..] = self.diffuse;
         c0 + c1 + c3
     }
 
     /// Sets the camera: white balance and exposure.
     fn expose(&mut self, elevation: f32) {
-        let level = self.sunshine * elevation.sin() + self.from_above();
+        let level = self.sunshine * elevation.sin() + self.on_level_ground();
         // What stands faces a low sun, and is what a photographer would meter then.
-        let upright = self.sunshine * elevation.cos() + 0.5 * self.from_above();
+        let upright = self.sunshine * elevation.cos() + 0.5 * self.on_level_ground();
         let key = luminance(level).max(0.72 * luminance(upright));
         // White is what is white at noon; and as eyes do, the camera gets used to half of what is warmer than that.
         let warm = level / luminance(level);

@@ -28,12 +28,12 @@ fn a_lower_sun_is_warmer_and_its_shade_is_always_bluer_than_it() {
         assert!(warmth(pair[0].sunshine) > warmth(pair[1].sunshine));
     }
     for sky in &skies {
-        assert!(warmth(sky.from_above()) < 0.9 && 1.1 < warmth(sky.sunshine));
+        assert!(warmth(sky.on_level_ground()) < 0.9 && 1.1 < warmth(sky.sunshine));
     }
     // White under a high sun stays white; sunset is not.
     let white = |elevation: f32| {
         let (sky, sun) = sky(elevation);
-        warmth(sky.sunshine * sun.z + sky.from_above())
+        warmth(sky.sunshine * sun.z + sky.on_level_ground())
     };
     assert!((0.9..1.15).contains(&white(70.0)), "{}", white(70.0));
     assert!(white(5.0) < 2.5);
@@ -43,7 +43,7 @@ fn a_lower_sun_is_warmer_and_its_shade_is_always_bluer_than_it() {
 fn the_sun_gives_several_times_as_much_as_the_sky_and_less_the_lower_it_is() {
     let share = |elevation: f32| {
         let (sky, sun) = sky(elevation);
-        luminance(sky.from_above()) / luminance(sky.sunshine * sun.z)
+        luminance(sky.on_level_ground()) / luminance(sky.sunshine * sun.z)
     };
     assert!((0.08..0.3).contains(&share(35.0)), "{}", share(35.0));
     assert!(share(70.0) < share(35.0) && share(35.0) < share(8.0));
@@ -93,7 +93,7 @@ fn the_diffuse_light_is_that_of_the_map() {
             let (x, y) = (azimuth.dot(normal.truncate()), azimuth.perp_dot(normal.truncate()));
             let basis = [1.0, normal.z, x, normal.z * normal.z, x * normal.z, x * x - y * y];
             let found: Vec3 = sky.diffuse.iter().zip(basis).map(|(&light, value)| light * value).sum();
-            let most = 0.12 * luminance(sky.from_above());
+            let most = 0.12 * luminance(sky.on_level_ground());
             assert!((luminance(found) - luminance(wanted)).abs() < most, "{elevation} {normal}: {found} for {wanted}");
         }
     }
