@@ -12,11 +12,7 @@ const LISTED = [...GENERATORS, ...TOOLS];
 /** In bytes; 1 kB = 1000 bytes. */
 export const BUDGETS = {
   ...Object.fromEntries(LISTED.map(({ wasm, budget }) => [camelCase(wasm), budget])),
-<<<<<<< HEAD
-  rendererWebgpu: 110_000,
-=======
-  rendererWebgpu: 112_000,
->>>>>>> 9860eb6 (Sky: a name that clippy takes; budget of the WebGPU renderer)
+  rendererWebgpu: 114_000,
   rendererWebgl: 700_000,
   page: 45_900,
 };
