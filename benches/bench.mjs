@@ -4,6 +4,7 @@
 //   npm run bench -- --browser   the same in a worker of Chromium instead of Node, and what frames cost
 //   npm run bench -- --embed     what an embed makes its visitors wait for, in Chromium
 //   npm run bench -- --shaders DIR   nothing is measured: writes the complete WGSL of every pipeline at each quality, for offline compilers
+//   npm run bench -- --flow      whether the page answers without a GPU, in plain Chromium; needs an idle machine
 //   npm run bench -- --rounds 9  fewer runs of each than the usual 15; medians are of these
 import { readFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -19,11 +20,17 @@ import { measureWoodEar, reportWoodEar } from './wood-ear.mjs';
 const FIG1 = ['rocks', 'full', 'literal', 'npmRocks', 'npm', 'shapeEdit', 'selectEdit'];
 
 await main(async () => {
-  const { json, browser, embed, shaders, rounds } = readArguments();
+  const { json, browser, embed, flow, shaders, rounds } = readArguments();
   if (shaders !== undefined) {
     const { writeShaders } = await import('./shaders.mjs');
     const files = await writeShaders(shaders);
     say(`✓ ${files.length} shaders are in ${shaders}`);
+    return;
+  }
+  if (flow) {
+    const { measureFlow, reportFlow } = await import('./flow.mjs');
+    const measured = await measureFlow(Math.min(rounds, 3));
+    console.log(json ? JSON.stringify(measured) : reportFlow(measured));
     return;
   }
   if (embed) {
@@ -55,6 +62,7 @@ function readArguments() {
       browser: { type: 'boolean' },
       embed: { type: 'boolean' },
       shaders: { type: 'string' },
+      flow: { type: 'boolean' },
       rounds: { type: 'string', default: '15' },
     };
     ({ values } = parseArgs({ options }));

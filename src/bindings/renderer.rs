@@ -5,7 +5,9 @@ use std::rc::Rc;
 
 use wasm_bindgen::prelude::*;
 
-use crate::render::{Bake, Camera, Gpu, Layer, Mesh, Plan, Prop, Props, RenderError, Rocks, Scene, Still, Tile, View};
+use crate::render::{
+    Bake, Camera, Gpu, Layer, Mesh, Picture, Plan, Prop, Props, RenderError, Rocks, Scene, Still, Tile, View,
+};
 use crate::shading::{ColorMode, Look, Mode, Quality};
 
 thread_local! {
@@ -82,6 +84,9 @@ pub struct Renderer {
     layers: Vec<Layer>,
     pub(super) bake: Option<Bake>,
     still: Option<Still>,
+    /// One that is drawn in pieces, and the one that was shown last.
+    picture: Option<Picture>,
+    shown: Option<Picture>,
 }
 
 #[wasm_bindgen]
@@ -103,6 +108,8 @@ impl Renderer {
             layers: Vec::new(),
             bake: None,
             still: None,
+            picture: None,
+            shown: None,
         })
     }
 
@@ -265,6 +272,48 @@ impl Renderer {
     #[wasm_bindgen(js_name = endStill)]
     pub fn end_still(&mut self) {
         self.still = None;
+    }
+
+    /// Begins a picture of so many pixels, in pieces and out of sight, in place of one that is not whole; a rough one has one sample a pixel.
+    /// It shows what the view shows now, through the camera of now. Nothing of that may change until it is whole, but the camera.
+    #[wasm_bindgen(js_name = beginPicture)]
+    pub fn begin_picture(&mut self, width: u32, height: u32, is_rough: bool) {
+        self.picture = None;
+        self.picture = Some(Picture::new(&self.gpu, &self.view, width, height, is_rough));
+    }
+
+    /// Draws the next piece of the picture, of about so many pixels. False when the picture is whole.
+    #[wasm_bindgen(js_name = drawPiece)]
+    pub fn draw_piece(&mut self, pixels: u32) -> bool {
+        let Self { gpu, view, scene, props, plan, picture, .. } = self;
+        picture
+            .as_mut()
+            .is_some_and(|picture| picture.draw_piece(gpu, view, scene.as_mut(), props, plan.as_ref(), pixels))
+    }
+
+    /// How many pieces of the picture the device is still drawing.
+    #[wasm_bindgen(js_name = piecesUnderWay)]
+    pub fn pieces_under_way(&self) -> u32 {
+        self.picture.as_ref().map_or(0, |picture| picture.under_way(&self.gpu))
+    }
+
+    /// Shows the picture if it is whole, and else the one that was shown last. False if there is none.
+    #[wasm_bindgen(js_name = showPicture)]
+    pub fn show_picture(&mut self) -> bool {
+        if let Some(picture) = self.picture.take_if(|picture| picture.is_whole()) {
+            self.shown = Some(picture);
+        }
+        let Some(picture) = &self.shown else {
+            return false;
+        };
+        picture.show(&self.gpu, &self.view);
+        true
+    }
+
+    /// Frees both pictures.
+    #[wasm_bindgen(js_name = endPictures)]
+    pub fn end_pictures(&mut self) {
+        (self.picture, self.shown) = (None, None);
     }
 
     /// Frees what other renderers of the device may use. Call it before `free`.

@@ -1,13 +1,15 @@
 //! The graphics device, which all canvases of a page share.
 
-use std::cell::{Cell, RefCell};
+use std::cell::{Cell, OnceCell, RefCell};
 use std::rc::Rc;
 
 use glam::Vec3;
 
 use super::RenderError;
+use super::easel::Easel;
 use super::maps::MapSets;
 use super::pipelines::Pipelines;
+use super::present::Present;
 use super::surface::{Kind, Screen};
 use crate::shading::Sky;
 
@@ -22,6 +24,9 @@ pub(crate) struct Gpu {
     /// With WebGL2, where a device is bound to one canvas: the screen on which all views are drawn, and from which
     /// their pictures are copied.
     pub(crate) shared: Option<RefCell<Screen>>,
+    /// Of pictures that are drawn in pieces.
+    pub(crate) easel: RefCell<Option<Easel>>,
+    pub(crate) present: OnceCell<Present>,
     numbers: Cell<u64>,
     /// The sky that was asked for last, and the sine of its sun's elevation.
     sky: RefCell<Option<(f32, Rc<Sky>)>>,
@@ -61,6 +66,8 @@ impl Gpu {
             queue,
             kind,
             maps: RefCell::default(),
+            easel: RefCell::default(),
+            present: OnceCell::new(),
             numbers: Cell::new(0),
             sky: RefCell::default(),
         })

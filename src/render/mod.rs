@@ -7,6 +7,7 @@
 //! Props  a log and wood ears among the rocks of a view
 //! Plan   the diagrams or the selection seen from above, as strokes and fills; built when first shown
 //! Bake   where a scene's vertices are in an atlas, and the tile of it that is being drawn; made for exports
+//! Picture    what a view shows, drawn piece by piece on the device's easel, and shown when it is whole
 //! View   camera, style, and with WebGPU its own surface and targets              one per canvas
 //! ```
 //!
@@ -21,19 +22,25 @@
 //! per page. There, all views are drawn on one canvas that is not visible, and JavaScript copies each picture to its
 //! place.
 //!
+//! Where a frame takes the device too long, it is drawn as a [`Picture`] in pieces ([`crate::shading::Pieces`] says which), out of sight, while
+//! the page goes on; it may be smaller than the canvas, and have one sample a pixel.
+//!
 //! Both backends run the same shaders, which encode sRGB themselves, so both give the same picture.
 
 mod bake;
 mod buffers;
 mod camera;
+mod easel;
 mod error;
 mod gpu;
 mod indices;
 mod maps;
 mod pass;
 mod patterns;
+mod picture;
 mod pipelines;
 mod plan;
+mod present;
 mod props;
 mod scene;
 mod still;
@@ -46,6 +53,7 @@ pub(crate) use buffers::Mesh;
 pub(crate) use camera::Camera;
 pub(crate) use error::RenderError;
 pub(crate) use gpu::Gpu;
+pub(crate) use picture::Picture;
 pub(crate) use plan::{Layer, Plan};
 pub(crate) use props::{Place, Prop, Props};
 pub(crate) use scene::{Rocks, Scene};

@@ -59,6 +59,9 @@ pub(crate) enum Target {
     },
     /// Only the depth of the view.
     ViewDepth,
+    /// As the two before, with one sample a pixel.
+    Rough,
+    RoughDepth,
     Shadow,
     Height,
     /// A sample of a still.
@@ -127,12 +130,14 @@ fn pipeline(
     let color = |format, blend, write_mask| Some(wgpu::ColorTargetState { format, blend, write_mask });
     let all = wgpu::ColorWrites::ALL;
     let (targets, depth_format, count) = match pass.target {
-        Target::View { blend } => {
-            let blend = blend.then_some(wgpu::BlendState::ALPHA_BLENDING);
+        Target::View { .. } | Target::Rough => {
+            let blend = matches!(pass.target, Target::View { blend: true }).then_some(wgpu::BlendState::ALPHA_BLENDING);
+            let samples = if matches!(pass.target, Target::Rough) { 1 } else { samples };
             constants.push(("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 }));
             (Some(color(format, blend, all)), Some(DEPTH_FORMAT), samples)
         }
         Target::ViewDepth => (Some(color(format, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), samples),
+        Target::RoughDepth => (Some(color(format, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), 1),
         Target::Shadow => (None, Some(SHADOW_FORMAT), 1),
         Target::Height => (Some(color(HEIGHT_FORMAT, None, all)), Some(SHADOW_FORMAT), 1),
         Target::Sample => (Some(color(SAMPLE_FORMAT, None, all)), Some(DEPTH_FORMAT), 1),

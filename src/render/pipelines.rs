@@ -14,7 +14,7 @@ use super::pass::{Depth, Maker, Pass, Sides, Target};
 use super::patterns;
 use super::surface::Kind;
 use crate::shading::shaders::{self, Shader};
-use crate::shading::{FieldUniforms, Globals, Recipe};
+use crate::shading::{FieldUniforms, Globals, Recipe, Sort};
 
 /// Position, three f32.
 const POSITION: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
@@ -83,6 +83,7 @@ pub(crate) struct Pipelines {
     natural_floor: OnceCell<wgpu::RenderPipeline>,
     sample_floor: OnceCell<wgpu::RenderPipeline>,
     still: OnceCell<[wgpu::RenderPipeline; 2]>,
+    rough_floor: OnceCell<wgpu::RenderPipeline>,
     natural: RefCell<Vec<(Natural, Recipe, wgpu::RenderPipeline)>>,
     plain_wood: OnceCell<wgpu::RenderPipeline>,
     wire: OnceCell<[wgpu::RenderPipeline; 2]>,
@@ -146,6 +147,7 @@ impl Pipelines {
             natural_floor: OnceCell::new(),
             sample_floor: OnceCell::new(),
             still: OnceCell::new(),
+            rough_floor: OnceCell::new(),
             natural: RefCell::default(),
             plain_wood: OnceCell::new(),
             wire: OnceCell::new(),
@@ -170,11 +172,11 @@ impl Pipelines {
     }
 
     /// Draws the ground's depth before anything else in natural colours: what it hides is not shaded.
-    pub(crate) fn natural_floor(&self, device: &wgpu::Device, is_sampled: bool) -> &wgpu::RenderPipeline {
-        let (floor, target) = if is_sampled {
-            (&self.sample_floor, Target::SampleDepth)
-        } else {
-            (&self.natural_floor, Target::ViewDepth)
+    pub(crate) fn natural_floor(&self, device: &wgpu::Device, sort: Sort) -> &wgpu::RenderPipeline {
+        let (floor, target) = match sort {
+            Sort::Frame => (&self.natural_floor, Target::ViewDepth),
+            Sort::Rough => (&self.rough_floor, Target::RoughDepth),
+            Sort::Sample => (&self.sample_floor, Target::SampleDepth),
         };
         floor.get_or_init(|| self.make(device, floor_pass(NATURAL_FLOOR, target)))
     }
@@ -196,8 +198,10 @@ impl Pipelines {
         let known = made.iter().find(|(other, its, _)| (*other, *its) == (what, recipe));
         known.map(|(.., pipeline)| pipeline.clone()).unwrap_or_else(|| {
             let mut pass = Pass { recipe: Some(recipe), ..what.pass() };
-            if recipe.is_sampled() {
-                pass.target = Target::Sample;
+            match recipe.sort() {
+                Sort::Frame => {}
+                Sort::Rough => pass.target = Target::Rough,
+                Sort::Sample => pass.target = Target::Sample,
             }
             let pipeline = self.make(device, pass);
             made.push((what, recipe, pipeline.clone()));

@@ -19,6 +19,14 @@ const TEXELS: f32 = 12.0;
 
 /// Lower than anything is.
 const LOWEST: f32 = -1.0e9;
+/// How many indices of rocks a submission of maps draws.
+const PART: u32 = 300_000;
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Map {
+    Shadow,
+    Height,
+}
 
 /// What distinguishes the rocks from each other. It is small, and kept so that they can be coloured again.
 pub(crate) struct Rocks {
@@ -278,40 +286,65 @@ impl Scene {
         props: &Props,
     ) {
         maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
-        let height_color = wgpu::RenderPassColorAttachment {
+        let rocks = self.arrangement.all(TEXELS * self.texel * self.texel);
+        for which in [Map::Shadow, Map::Height] {
+            self.draw_map(gpu, encoder, frame_group, (which, maps), props, &rocks, true);
+        }
+    }
+
+    /// The same in submissions of their own, each of a few of the rocks.
+    pub(crate) fn submit_maps(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps, props: &Props) {
+        maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
+        let rocks = parts(&self.arrangement.all(TEXELS * self.texel * self.texel));
+        let none = Props::default();
+        for which in [Map::Shadow, Map::Height] {
+            for (part, rocks) in rocks.iter().enumerate() {
+                let mut encoder = gpu.device.create_command_encoder(&Default::default());
+                let props = if part == 0 { props } else { &none };
+                self.draw_map(gpu, &mut encoder, frame_group, (which, maps), props, rocks, part == 0);
+                gpu.queue.submit([encoder.finish()]);
+            }
+        }
+    }
+
+    /// Draws props and some rocks into a map, which is empty if these are the first.
+    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
+    fn draw_map(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame_group: &wgpu::BindGroup,
+        (which, maps): (Map, &Maps),
+        props: &Props,
+        rocks: &[Range<u32>],
+        is_first: bool,
+    ) {
+        let (label, pipeline, depth) = match which {
+            Map::Shadow => ("rock-field/shadow/pass", &gpu.pipelines.shadow, &maps.shadow),
+            Map::Height => ("rock-field/height/pass", &gpu.pipelines.height, &maps.height_depth),
+        };
+        let mut depth = depth_attachment(depth, wgpu::StoreOp::Store);
+        let mut load = wgpu::LoadOp::Clear(wgpu::Color::BLACK);
+        if !is_first {
+            load = wgpu::LoadOp::Load;
+            depth.depth_ops = Some(wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store });
+        }
+        let colors = [Some(wgpu::RenderPassColorAttachment {
             view: &maps.height,
             depth_slice: None,
             resolve_target: None,
-            ops: wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store },
-        };
-        let passes = [
-            (
-                "rock-field/shadow/pass",
-                &gpu.pipelines.shadow,
-                None,
-                depth_attachment(&maps.shadow, wgpu::StoreOp::Store),
-            ),
-            (
-                "rock-field/height/pass",
-                &gpu.pipelines.height,
-                Some(height_color),
-                depth_attachment(&maps.height_depth, wgpu::StoreOp::Discard),
-            ),
-        ];
-        let rocks = self.arrangement.all(TEXELS * self.texel * self.texel);
-        for (label, pipeline, color, depth) in passes {
-            let colors = [color];
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some(label),
-                color_attachments: if colors[0].is_some() { &colors } else { &[] },
-                depth_stencil_attachment: Some(depth),
-                ..Default::default()
-            });
-            pass.set_bind_group(0, frame_group, &[]);
-            pass.set_bind_group(1, &self.field_group, &[]);
-            self.draw_rocks(&mut pass, pipeline, &rocks);
-            props.draw(&mut pass, [pipeline; 2]);
-        }
+            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+        })];
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(label),
+            color_attachments: if which == Map::Height { &colors } else { &[] },
+            depth_stencil_attachment: Some(depth),
+            ..Default::default()
+        });
+        pass.set_bind_group(0, frame_group, &[]);
+        pass.set_bind_group(1, &self.field_group, &[]);
+        self.draw_rocks(&mut pass, pipeline, rocks);
+        props.draw(&mut pass, [pipeline; 2]);
     }
 
     /// Draws the shadow map of a light whose uniforms are in `light`; a texel of it is so many px wide.
@@ -368,6 +401,26 @@ impl Scene {
     pub(crate) fn draw_edges(&self, pass: &mut wgpu::RenderPass<'_>, pipeline: &wgpu::RenderPipeline) {
         self.buffers.draw_edges(pass, pipeline);
     }
+}
+
+/// Cuts ranges of indices into parts of at most [`PART`] indices; there is at least one.
+fn parts(ranges: &[Range<u32>]) -> Vec<Vec<Range<u32>>> {
+    let mut parts = vec![Vec::new()];
+    let mut room = PART;
+    for range in ranges {
+        let mut start = range.start;
+        while start < range.end {
+            if room == 0 {
+                parts.push(Vec::new());
+                room = PART;
+            }
+            let end = range.end.min(start + room);
+            parts.last_mut().into_iter().for_each(|part| part.push(start..end));
+            room -= end - start;
+            start = end;
+        }
+    }
+    parts
 }
 
 fn id_at(list: &[u32], at: usize) -> u32 {

@@ -8,7 +8,7 @@ use super::pass::{MEAN_FORMAT, SAMPLE_FORMAT, SHADOW_FORMAT};
 use super::surface::{DEPTH_FORMAT, depth_attachment, texture};
 use super::view::Shot;
 use super::{Gpu, Props, RenderError, Scene, View, upload};
-use crate::shading::{Bounds, FieldUniforms, Globals, Sample, in_sight};
+use crate::shading::{Bounds, FieldUniforms, Globals, Sample, Sort, in_sight};
 
 /// Most bytes that the textures of a still may take.
 const MOST_BYTES: u64 = 1 << 29;
@@ -129,7 +129,7 @@ impl Still {
             pass.set_bind_group(index, group, &[]);
         }
         let seen = scene.seen(&view.sight(&globals, scene));
-        view.draw_natural(&mut pass, gpu, scene, &seen, props, true);
+        view.draw_natural(&mut pass, gpu, scene, &seen, props, Sort::Sample);
         drop(pass);
 
         let [gather, _] = gpu.pipelines.still(&gpu.device);

@@ -11,7 +11,7 @@ use super::pipelines::Natural;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
 use crate::shading::palette::{self, DARK, LIGHT};
-use crate::shading::{ColorMode, Globals, Look, Mode, Quality, Recipe, Sight};
+use crate::shading::{ColorMode, Globals, Look, Mode, Quality, Recipe, Sight, Sort};
 
 /// A part of a larger picture: the size of the whole and where the part's upper left corner is in it, device pixels.
 #[derive(Clone, Copy)]
@@ -174,14 +174,28 @@ impl View {
     ) -> Option<Maps> {
         scene.light(gpu, self.look.sun, props);
         self.is_solid().then(|| {
-            scene.paint(gpu, self.shown_color(), &self.look);
-            let (maps, stale) =
-                gpu.maps.borrow_mut().lend(&gpu.device, &gpu.pipelines.maps_layout, self.number, scene.number);
-            if stale {
-                scene.draw_maps(gpu, encoder, &self.frame_group, &maps, props);
-            }
-            maps
+            self.maps(gpu, scene, self.shown_color(), |scene, maps| {
+                scene.draw_maps(gpu, encoder, &self.frame_group, maps, props);
+            })
         })
+    }
+
+    /// The same, with submissions of their own for the maps, none of which takes long.
+    pub(super) fn prepare_apart(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) -> Option<Maps> {
+        scene.light(gpu, self.look.sun, props);
+        let draw = |scene: &Scene, maps: &Maps| scene.submit_maps(gpu, &self.frame_group, maps, props);
+        self.is_solid().then(|| self.maps(gpu, scene, self.shown_color(), draw))
+    }
+
+    /// Paints a scene that is lit, and returns its maps, which `draw` draws if they are stale.
+    fn maps(&self, gpu: &Gpu, scene: &mut Scene, color: ColorMode, draw: impl FnOnce(&Scene, &Maps)) -> Maps {
+        scene.paint(gpu, color, &self.look);
+        let (maps, stale) =
+            gpu.maps.borrow_mut().lend(&gpu.device, &gpu.pipelines.maps_layout, self.number, scene.number);
+        if stale {
+            draw(scene, &maps);
+        }
+        maps
     }
 
     #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
@@ -199,16 +213,34 @@ impl View {
             let maps = self.prepare(gpu, encoder, scene, props);
             (&*scene, maps)
         });
-        let globals = self.globals(&self.shot, scene.as_ref().map(|(scene, _)| *scene));
+        let attachments = screen.attachments(frame, self.clear_color(gpu));
+        self.paint(gpu, encoder, attachments, &self.shot, scene, props, plan, Sort::Frame);
+    }
+
+    /// Draws what the view shows on a cleared target that is at least as large as `shot`; of this `sort`.
+    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
+    pub(super) fn paint(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        (color, depth): (wgpu::RenderPassColorAttachment<'_>, wgpu::RenderPassDepthStencilAttachment<'_>),
+        shot: &Shot,
+        scene: Option<(&Scene, Option<Maps>)>,
+        props: &Props,
+        plan: Option<&Plan>,
+        sort: Sort,
+    ) {
+        let mut globals = self.globals(shot, scene.as_ref().map(|(scene, _)| *scene));
+        // A picture that is smaller than the screen has fewer pixels in a CSS pixel.
+        globals.eye[3] *= globals.ray_right[3] / self.shot.tile.map_or(self.shot.width as f32, |tile| tile.whole[0]);
         self.write(gpu, &globals);
-        let (color, depth) = screen.attachments(frame, self.clear_color(gpu));
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("rock-field/view/pass"),
             color_attachments: &[Some(color)],
             depth_stencil_attachment: Some(depth),
             ..Default::default()
         });
-        pass.set_viewport(0.0, 0.0, self.shot.width as f32, self.shot.height as f32, 0.0, 1.0);
+        pass.set_viewport(0.0, 0.0, shot.width as f32, shot.height as f32, 0.0, 1.0);
         if let Some((scene, maps)) = scene {
             if let Some(maps) = &maps {
                 pass.set_bind_group(2, &maps.group, &[]);
@@ -216,7 +248,7 @@ impl View {
             pass.set_bind_group(0, &self.frame_group, &[]);
             pass.set_bind_group(1, &scene.field_group, &[]);
             let seen = scene.seen(&self.sight(&globals, scene));
-            self.draw(&mut pass, gpu, scene, &seen, props, plan);
+            self.draw(&mut pass, gpu, scene, &seen, props, plan, sort);
         }
     }
 
@@ -228,22 +260,19 @@ impl View {
     /// Draws a tile of the scene's atlas: the one whose upper left corner is `corner`, texels. Rocks stand where the
     /// field has them, and the quality is the highest.
     pub(crate) fn bake(&self, gpu: &Gpu, scene: &mut Scene, bake: &Bake, corner: [f32; 2]) {
-        let natural = ColorMode::Natural;
-        scene.light(gpu, self.look.sun, &Props::default());
-        scene.paint(gpu, natural, &self.look);
+        let props = Props::default();
+        scene.light(gpu, self.look.sun, &props);
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let (maps, stale) =
-            gpu.maps.borrow_mut().lend(&gpu.device, &gpu.pipelines.maps_layout, self.number, scene.number);
-        if stale {
-            scene.draw_maps(gpu, &mut encoder, &self.frame_group, &maps, &Props::default());
-        }
+        let maps = self.maps(gpu, scene, ColorMode::Natural, |scene, maps| {
+            scene.draw_maps(gpu, &mut encoder, &self.frame_group, maps, &props);
+        });
         let mut globals = self.globals(&self.shot, None);
         let half = 0.5 * BAKE_SIDE as f32;
         globals.plan = [corner[0] + half, corner[1] + half, 1.0 / half, -1.0 / half];
         globals.eye = [0.0; 4];
         // No rock sinks.
         globals.scene[2] = 0.0;
-        gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(&globals));
+        self.write(gpu, &globals);
         let pipeline = gpu.pipelines.natural(&gpu.device, Natural::Bake, Recipe::of_bodies(Quality::High, &self.look));
         let patterns = gpu.pipelines.patterns(&gpu.device, &gpu.queue);
         let groups = [&self.frame_group, &scene.field_group, &maps.group, patterns];
@@ -253,6 +282,7 @@ impl View {
     }
 
     /// Draws what the mode shows of the scene, with all groups bound; `seen` of the rocks.
+    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
     fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -261,9 +291,10 @@ impl View {
         seen: &[Range<u32>],
         props: &Props,
         plan: Option<&Plan>,
+        sort: Sort,
     ) {
         match (self.mode, plan) {
-            (Mode::Rocks, _) if self.is_natural() => self.draw_natural(pass, gpu, scene, seen, props, false),
+            (Mode::Rocks, _) if self.is_natural() => self.draw_natural(pass, gpu, scene, seen, props, sort),
             (Mode::Rocks, _) => {
                 draw_ground(pass, gpu, scene);
                 for sides in &gpu.pipelines.rock {
@@ -289,7 +320,7 @@ impl View {
         }
     }
 
-    /// The same in natural colours; `is_sampled` in the light of a still's sample.
+    /// The same in natural colours.
     pub(super) fn draw_natural(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
@@ -297,12 +328,9 @@ impl View {
         scene: &Scene,
         seen: &[Range<u32>],
         props: &Props,
-        is_sampled: bool,
+        sort: Sort,
     ) {
-        let pipeline = |what, recipe: Recipe| {
-            let recipe = if is_sampled { recipe.sampled() } else { recipe };
-            gpu.pipelines.natural(&gpu.device, what, recipe)
-        };
+        let pipeline = |what, recipe: Recipe| gpu.pipelines.natural(&gpu.device, what, recipe.of(sort));
         let bodies = Recipe::of_bodies(self.quality, &self.look);
         pass.set_bind_group(3, gpu.pipelines.patterns(&gpu.device, &gpu.queue), &[]);
         pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device, is_sampled));
@@ -354,7 +382,7 @@ impl View {
     }
 
     /// The colour around a plan. The other views cover every pixel themselves.
-    fn clear_color(&self, gpu: &Gpu) -> wgpu::Color {
+    pub(super) fn clear_color(&self, gpu: &Gpu) -> wgpu::Color {
         if self.backing > 0 {
             return if self.backing == 1 { wgpu::Color::BLACK } else { wgpu::Color::WHITE };
         }

@@ -2,6 +2,17 @@
 
 use super::{Look, Quality};
 
+/// Which pictures a pipeline is for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub(crate) enum Sort {
+    /// With as many samples a pixel as the screen has.
+    Frame,
+    /// With one sample a pixel, and soon replaced.
+    Rough,
+    /// A sample of a still.
+    Sample,
+}
+
 /// Equal recipes share a pipeline. A pass ignores what it does not read, so that fewer have to be made.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub(crate) struct Recipe {
@@ -11,32 +22,33 @@ pub(crate) struct Recipe {
     has_moss: bool,
     is_wet: bool,
     has_log: bool,
-    is_sampled: bool,
+    sort: Sort,
 }
 
 impl Recipe {
     /// For what stands on the ground: it takes the ground's kind from the uniforms.
     pub(crate) fn of_bodies(quality: Quality, look: &Look) -> Self {
         let [_, wetness, moss, _] = look.weather;
-        Self { quality, ground: 0, has_moss: moss > 0.0, is_wet: wetness > 0.0, has_log: false, is_sampled: false }
+        Self { quality, ground: 0, has_moss: moss > 0.0, is_wet: wetness > 0.0, has_log: false, sort: Sort::Frame }
     }
 
     pub(crate) fn of_ground(quality: Quality, look: &Look, has_log: bool) -> Self {
         Self { ground: look.ground as u8, has_log, ..Self::of_bodies(quality, look) }
     }
 
-    /// The same for a sample of a still.
-    pub(crate) fn sampled(self) -> Self {
-        Self { is_sampled: true, ..self }
+    /// The same for a picture of another sort.
+    pub(crate) fn of(self, sort: Sort) -> Self {
+        Self { sort, ..self }
     }
 
-    pub(crate) fn is_sampled(self) -> bool {
-        self.is_sampled
+    pub(crate) fn sort(self) -> Sort {
+        self.sort
     }
 
     /// By the names that the shaders give them.
     pub(crate) fn constants(self) -> [(&'static str, f64); 6] {
-        let Self { quality, ground, has_moss, is_wet, has_log, is_sampled } = self;
+        let Self { quality, ground, has_moss, is_wet, has_log, sort } = self;
+        let is_sampled = sort == Sort::Sample;
         [
             ("quality", f64::from(quality as u8)),
             ("ground_kind", f64::from(ground)),

@@ -3,7 +3,11 @@ import assert from 'node:assert/strict';
 import { afterEach, beforeEach, test } from 'node:test';
 import { FramePacer } from '../../www/scene/frame-pacer.ts';
 import { AutoQuality } from '../../www/renderer/quality.ts';
+import type { Pieces } from '../../www/renderer/renderer.ts';
+import { CutPictures } from '../../www/scene/cut-pictures.ts';
 import type { Quality } from '../../www/base/view.ts';
+
+const STAGE = [800, 600] as const;
 
 /** A motion of frames that take as long as the level's entry says, and its levels in the order they came. */
 function move(auto: AutoQuality, frames: number, ms: Record<Quality, number>, from = 0): { levels: Quality[]; end: number } {
@@ -17,9 +21,8 @@ function move(auto: AutoQuality, frames: number, ms: Record<Quality, number>, fr
   return { levels, end: now };
 }
 
-test('it begins in the middle, with stills at their best', () => {
-  const auto = new AutoQuality();
-  assert.deepEqual([auto.moving, auto.still], ['medium', 'high']);
+test('it begins in the middle, or where it is told to', () => {
+  assert.deepEqual([new AutoQuality().moving, new AutoQuality('low').moving], ['medium', 'low']);
 });
 
 test('a motion that does not flow goes down, each step on evidence of its own', () => {
@@ -75,20 +78,6 @@ test('a pause is no interval', () => {
   assert.equal(auto.moving, 'medium');
 });
 
-test('stills go down when two in a row hang the page, and never below what moves', () => {
-  const auto = new AutoQuality();
-  auto.stillTook(3000);
-  auto.stillTook(300);
-  auto.stillTook(3000);
-  assert.equal(auto.still, 'high', 'one alone made its pipelines');
-  auto.stillTook(3000);
-  assert.equal(auto.still, 'medium');
-  for (let still = 0; still < 9; still += 1) auto.stillTook(3000);
-  assert.equal(auto.still, 'medium', 'medium still moves');
-  move(auto, 20, { low: 60, medium: 60, high: 60 });
-  assert.equal(auto.still, 'low');
-});
-
 // The frames, with a clock and a screen of our own.
 
 let frames: FrameRequestCallback[] = [];
@@ -118,9 +107,9 @@ function present(ms = 16): void {
   for (const callback of due) callback(clock);
 }
 
-function setUp({ graded = true, moves = 0 } = {}) {
+function setUp({ graded = true, moves = 0, pieces = undefined as Pieces | undefined } = {}) {
   const drawn: (Quality | null)[] = [];
-  const scene = { visible: true, graded, moves };
+  const scene = { visible: true, graded, moves, level: null as Quality | null, error: null as unknown };
   const pacer = new FramePacer({
     view: () => globalThis as unknown as Window,
     canDraw: () => scene.visible,
@@ -130,6 +119,17 @@ function setUp({ graded = true, moves = 0 } = {}) {
       return scene.moves >= 0;
     },
     draw: (level) => void drawn.push(level),
+    pieces: () => pieces && { pieces, size: STAGE },
+    prepare: (level) => {
+      scene.level = level;
+      return (show) => {
+        try {
+          show();
+        } catch (thrown) {
+          scene.error = thrown;
+        }
+      };
+    },
   });
   return { drawn, scene, pacer };
 }
@@ -238,17 +238,186 @@ test('a picture that was taken gives the screen its own back, by the frame that 
   assert.equal(drawn.length, 4, 'what could not be drawn is drawn later');
 });
 
-test('a still that twice took long is not drawn again', ({ mock }) => {
-  const { drawn, pacer } = setUp();
-  const clocked = mock.method(performance, 'now', () => clock);
-  for (let motion = 0; motion < 3; motion += 1) {
-    pacer.invalidate();
-    present();
-    mock.timers.tick(150);
-    present();
-    present(700);
-    present(700);
+// Pictures in pieces, on a device of our own: it draws so many pixels in a millisecond.
+
+class Device implements Pieces {
+  /** What was shown, one line each: its size, and `rough` if it was so. */
+  readonly shown: string[] = [];
+  readonly pieces: number[] = [];
+  begun = 0;
+  #picture = '';
+  #left = 0;
+  #under: { pixels: number }[] = [];
+  readonly #speed: number;
+
+  constructor(speed: number) {
+    this.#speed = speed;
   }
-  clocked.mock.restore();
-  assert.deepEqual(drawn, ['medium', 'high', 'medium', 'high', 'medium']);
+
+  begin(width: number, height: number, isRough: boolean): void {
+    this.begun += 1;
+    this.#picture = `${width}×${height}${isRough ? ' rough' : ''}`;
+    this.#left = width * height;
+    this.#under = [];
+  }
+
+  draw(pixels: number): boolean {
+    const size = Math.min(pixels, this.#left);
+    this.#left -= size;
+    this.pieces.push(size);
+    this.#under.push({ pixels: size });
+    return this.#left > 0;
+  }
+
+  get underWay(): number {
+    return this.#under.length;
+  }
+
+  show(): boolean {
+    this.shown.push(this.#picture);
+    return true;
+  }
+
+  end(): void {}
+
+  pass(ms: number): void {
+    let pixels = ms * this.#speed;
+    for (const piece of this.#under) {
+      const done = Math.min(pixels, piece.pixels);
+      piece.pixels -= done;
+      pixels -= done;
+    }
+    this.#under = this.#under.filter((piece) => piece.pixels > 0);
+  }
+}
+
+type Mock = { timers: { tick(ms: number): void }; method: typeof import('node:test').mock.method };
+
+/** The time goes on, in steps of a screen's frames. */
+async function pass(mock: Mock, device: Device, ms: number): Promise<void> {
+  for (let at = 0; at < ms; at += 4) {
+    mock.timers.tick(4);
+    clock += 4;
+    device.pass(4);
+    if (at % 16 === 0) present(0);
+    await settled();
+  }
+}
+
+/** What waits for nothing but promises, and scripts that are imported, is done. */
+async function settled(): Promise<void> {
+  for (let k = 0; k < 4; k += 1) await new Promise((resolve) => setImmediate(resolve));
+}
+
+const SWIFTSHADER = 'webgl ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)';
+
+async function setUpSoftware(mock: Mock, speed: number) {
+  mock.method(performance, 'now', () => clock);
+  const device = new Device(speed);
+  const set = setUp({ pieces: device });
+  set.pacer.renew(SWIFTSHADER);
+  await settled();
+  return { ...set, device };
+}
+
+test('on a software GPU a motion is small and low, and then there is a whole picture, and the best one, and nothing', async ({ mock }) => {
+  const { device, drawn, pacer, scene } = await setUpSoftware(mock, 1000);
+  pacer.invalidate();
+  await pass(mock, device, 100);
+  assert.deepEqual([device.shown, scene.level], [['200×150 rough'], 'low']);
+  await pass(mock, device, 5000);
+  assert.deepEqual([device.shown, scene.level], [['200×150 rough', '800×600 rough', '800×600'], 'high']);
+  const { begun } = device;
+  await pass(mock, device, 1000);
+  assert.deepEqual([device.begun, frames.length, drawn], [begun, 0, []]);
+});
+
+test('a touch ends a still at once, and is answered by a small picture', async ({ mock }) => {
+  const { device, pacer } = await setUpSoftware(mock, 100);
+  pacer.invalidate();
+  await pass(mock, device, 2000);
+  const { shown, begun } = device;
+  assert.deepEqual(shown, ['200×150 rough']);
+  assert.equal(begun, 2, 'the still is under way');
+  pacer.invalidate();
+  await pass(mock, device, 24);
+  assert.equal(device.begun, 3);
+  await pass(mock, device, 400);
+  assert.deepEqual(device.shown, ['200×150 rough', '200×150 rough']);
+});
+
+test('the pictures of a motion follow each other, and each is shown', async ({ mock }) => {
+  const { device, pacer } = await setUpSoftware(mock, 1000);
+  for (let move = 0; move < 60; move += 1) {
+    pacer.invalidate();
+    await pass(mock, device, 16);
+  }
+  assert(device.shown.length > 15, String(device.shown.length));
+  assert(device.begun - device.shown.length <= 1);
+});
+
+test('a quality that is named is drawn at that quality, whatever its size', async ({ mock }) => {
+  const { device, pacer, scene } = await setUpSoftware(mock, 1000);
+  pacer.wanted = 'medium';
+  await pass(mock, device, 100);
+  assert.deepEqual([device.shown.at(-1), scene.level], ['200×150 rough', 'medium']);
+  await pass(mock, device, 5000);
+  assert.deepEqual([device.shown.at(-1), scene.level], ['800×600', 'medium']);
+});
+
+test('a picture that cannot be drawn in pieces is told, and not tried again and again', async ({ mock }) => {
+  const { device, pacer, scene } = await setUpSoftware(mock, 1000);
+  mock.method(device, 'begin', () => {
+    device.begun += 1;
+    throw new Error('no memory');
+  });
+  pacer.invalidate();
+  await pass(mock, device, 2000);
+  assert.match(String(scene.error), /no memory/);
+  assert.deepEqual([device.begun, frames.length], [3, 0], 'one of a motion and two stills');
+});
+
+async function motion(cut: CutPictures, device: Device, mock: Mock, pictures: number): Promise<void> {
+  for (let k = 0; k < pictures; k += 1) {
+    const picture = { pieces: device, view: globalThis as unknown as Window, size: STAGE, isMoving: true, isRough: false };
+    const done = cut.draw({ ...picture, prepare: () => {}, isOver: () => false }, 'low');
+    let isDone = false;
+    void done.then(() => (isDone = true));
+    while (!isDone) await pass(mock, device, 4);
+    device.show();
+  }
+}
+
+test('the size of a motion is what the device draws in time, and never less than a quarter of the side', async ({ mock }) => {
+  mock.method(performance, 'now', () => clock);
+  for (const [speed, least, most] of [
+    [100, 0.25, 0.25],
+    [1000, 0.3, 0.5],
+    [3000, 0.5, 0.9],
+    [100_000, 1, 1],
+  ] as const) {
+    const cut = new CutPictures(0);
+    await motion(cut, new Device(speed), mock, 12);
+    assert(cut.scale >= least && cut.scale <= most, `${speed}: ${cut.scale}`);
+    assert.equal(cut.isNeedless, speed === 100_000);
+  }
+});
+
+test('a piece of a still takes the device some 30 ms, whatever it is', async ({ mock }) => {
+  mock.method(performance, 'now', () => clock);
+  for (const speed of [200, 1000, 5000]) {
+    const device = new Device(speed);
+    const cut = new CutPictures(0);
+    const size = [2000, 2000] as const;
+    const picture = { pieces: device, view: globalThis as unknown as Window, size, isMoving: false, isRough: false };
+    let isDone = false;
+    void cut.draw({ ...picture, prepare: () => {}, isOver: () => isDone }, 'high').then(() => (isDone = true));
+    for (let k = 0; k < 120 && !isDone; k += 1) await pass(mock, device, 16);
+    isDone = true;
+    const [typical] = device.pieces
+      .slice(-20, -1)
+      .sort((a, b) => a - b)
+      .slice(9);
+    assert(typical! / speed > 8 && typical! / speed < 50, `${speed} pixels a ms: ${typical! / speed} ms`);
+  }
 });

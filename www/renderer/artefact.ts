@@ -60,6 +60,11 @@ export interface RawRenderer {
   addSample(): void;
   showStill(): void;
   endStill(): void;
+  beginPicture(width: number, height: number, isRough: boolean): void;
+  drawPiece(pixels: number): boolean;
+  piecesUnderWay(): number;
+  showPicture(): boolean;
+  endPictures(): void;
   close(): void;
   free(): void;
 }

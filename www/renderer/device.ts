@@ -17,6 +17,8 @@ export class SharedDevice {
   readonly backend: GpuBackend;
   readonly module: RendererModule;
   readonly raw: RawDevice;
+  /** What the browser calls it. */
+  readonly name: string;
   /** Where all pictures are drawn; null with WebGPU. */
   readonly canvas: HTMLCanvasElement | null;
   readonly #context: WebGL2RenderingContext | null;
@@ -27,11 +29,19 @@ export class SharedDevice {
   readonly #instance: number;
   #dead = false;
 
-  constructor(backend: GpuBackend, module: RendererModule, raw: RawDevice, canvas: HTMLCanvasElement | null, forget: () => void) {
+  constructor(
+    backend: GpuBackend,
+    module: RendererModule,
+    raw: RawDevice,
+    name: string,
+    canvas: HTMLCanvasElement | null,
+    forget: () => void,
+  ) {
     this.backend = backend;
     this.#instance = instanceOf(backend);
     this.module = module;
     this.raw = raw;
+    this.name = name;
     this.canvas = canvas;
     this.#context = canvas?.getContext('webgl2') ?? null;
     this.#forget = forget;
@@ -122,8 +132,7 @@ async function openDevice(backend: GpuBackend, forget: () => void): Promise<Shar
     canvas.addEventListener('webglcontextlost', () => reject(new Error(CONTEXT_LOST)), { once: true }),
   );
   contextLost.catch(() => undefined);
-  if (backend === 'webgpu') await inTime(probeWebGpu());
-  else probeWebGl(canvas);
+  const name = backend === 'webgpu' ? await inTime(probeWebGpu()) : probeWebGl(canvas);
   const module = await Promise.race([loadArtefact(backend), contextLost]);
   if (backend === 'webgl' && canvas.getContext('webgl2')?.isContextLost()) throw new Error(CONTEXT_LOST);
   let device: SharedDevice | undefined;
@@ -136,7 +145,7 @@ async function openDevice(backend: GpuBackend, forget: () => void): Promise<Shar
   try {
     const creating = module.Device.create(canvas, lose).finally(() => (isAnswered = true));
     const raw = await inTime(Promise.race([creating, contextLost]));
-    device = new SharedDevice(backend, module, raw, backend === 'webgl' ? canvas : null, forget);
+    device = new SharedDevice(backend, module, raw, name, backend === 'webgl' ? canvas : null, forget);
   } catch (error) {
     // What traps in the middle of its waiting gives no answer.
     if (!isAnswered || error instanceof WebAssembly.RuntimeError) markTrapped(backend);
@@ -154,22 +163,38 @@ function inTime<T>(answer: Promise<T>): Promise<T> {
   return Promise.race([answer, late]).finally(() => clearTimeout(timer));
 }
 
-/** `navigator.gpu` may exist without an adapter, and an adapter without a device: only a device counts. */
-async function probeWebGpu(): Promise<void> {
+/**
+ * `navigator.gpu` may exist without an adapter, and an adapter without a device: only a device counts.
+ *
+ * @returns what the adapter is called.
+ */
+async function probeWebGpu(): Promise<string> {
   const gpu = (globalThis.navigator as { gpu?: ProbedGpu } | undefined)?.gpu;
   if (!gpu) throw new Error('this browser has no WebGPU');
   const adapter = await gpu.requestAdapter({ powerPreference: 'high-performance' });
   if (!adapter) throw new Error('no graphics adapter');
   const device = await adapter.requestDevice();
   device.destroy();
+  const { vendor, architecture, description, isFallbackAdapter } = adapter.info ?? {};
+  return [vendor, architecture, description, isFallbackAdapter && 'fallback'].filter(Boolean).join(' ');
 }
 
 /** The little of WebGPU that the probe uses; TypeScript's DOM library has none of it. */
 interface ProbedGpu {
-  requestAdapter(options: { powerPreference: 'high-performance' }): Promise<{ requestDevice(): Promise<{ destroy(): void }> } | null>;
+  requestAdapter(options: { powerPreference: 'high-performance' }): Promise<{
+    info?: { vendor?: string; architecture?: string; description?: string; isFallbackAdapter?: boolean };
+    requestDevice(): Promise<{ destroy(): void }>;
+  } | null>;
 }
 
-/** On the canvas that is to be used, before 700 kB are fetched for it; with the options wgpu asks with later. */
-function probeWebGl(canvas: HTMLCanvasElement): void {
-  if (!canvas.getContext('webgl2', { antialias: false })) throw new Error('no WebGL2 context');
+/**
+ * On the canvas that is to be used, before 700 kB are fetched for it; with the options wgpu asks with later.
+ *
+ * @returns what the device is called.
+ */
+function probeWebGl(canvas: HTMLCanvasElement): string {
+  const context = canvas.getContext('webgl2', { antialias: false });
+  if (!context) throw new Error('no WebGL2 context');
+  const names = context.getExtension('WEBGL_debug_renderer_info');
+  return String(context.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER));
 }

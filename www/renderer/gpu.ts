@@ -8,7 +8,7 @@ import type { CameraState, GpuBackend, Quality } from '../base/view.ts';
 import type { LossListener, SharedDevice } from './device.ts';
 import { COLORS, FLESH, LOOK, QUALITIES, VIEWS } from './order.gen.ts';
 import type { Look } from '../data/look.ts';
-import type { SceneRenderer, SceneStyle, Stills, Tile, Wood } from './renderer.ts';
+import type { Pieces, SceneRenderer, SceneStyle, Stills, Tile, Wood } from './renderer.ts';
 
 /** Layer id and site index of every rock: what a rock's colour is drawn from, whatever happens to the others. */
 export function rockKeys(field: Field): { layers: Uint32Array; sites: Uint32Array } {
@@ -47,6 +47,9 @@ export class GpuRenderer implements SceneRenderer {
   /** Its place at the device. */
   readonly #onLost: LossListener;
   #disposed = false;
+  /** Sizes of the pictures in pieces: of the one that is begun, and of the one that is whole. */
+  #begun: readonly [number, number] = [1, 1];
+  #whole = this.#begun;
   /** The page's own, not a copy: edges and plans are made from it when they are first shown. */
   #field: Field | undefined;
   /** What is drawn; its log is not uploaded again. */
@@ -80,6 +83,10 @@ export class GpuRenderer implements SceneRenderer {
 
   get backend(): GpuBackend {
     return this.#device.backend;
+  }
+
+  get deviceName(): string {
+    return this.#device.name;
   }
 
   get maxSide(): number {
@@ -188,10 +195,45 @@ export class GpuRenderer implements SceneRenderer {
   #show(draw: () => void): void {
     this.#guard(() => {
       draw();
-      const { width, height } = this.canvas;
-      // At once: in the next task the device's canvas may be blank, or another's.
-      if (this.#device.canvas) this.#context?.drawImage(this.#device.canvas, 0, 0, width, height, 0, 0, width, height);
+      this.#copy([this.canvas.width, this.canvas.height]);
     });
+  }
+
+  /** Copies what was just drawn in the corner of the device's canvas. At once: in the next task that may be blank, or another's. */
+  #copy([across, down]: readonly [number, number]): void {
+    const { width, height } = this.canvas;
+    if (this.#device.canvas) this.#context?.drawImage(this.#device.canvas, 0, 0, across, down, 0, 0, width, height);
+  }
+
+  get pieces(): Pieces {
+    const raw = this.#raw;
+    const guard = (call: () => void): void => this.#guard(call);
+    const answer = <T>(ask: () => T, without: T): T => {
+      let given = without;
+      guard(() => (given = ask()));
+      return given;
+    };
+    return {
+      begin: (width, height, isRough) => {
+        this.#begun = [width, height];
+        guard(() => raw.beginPicture(width, height, isRough));
+      },
+      draw: (pixels) => {
+        const goesOn = answer(() => raw.drawPiece(pixels), false);
+        if (!goesOn) this.#whole = this.#begun;
+        return goesOn;
+      },
+      get underWay() {
+        return answer(() => raw.piecesUnderWay(), 0);
+      },
+      show: () =>
+        answer(() => {
+          const isShown = raw.showPicture();
+          if (isShown) this.#copy(this.#whole);
+          return isShown;
+        }, false),
+      end: () => guard(() => raw.endPictures()),
+    };
   }
 
   #setTile({ whole, corner, size, backing }: Tile): void {

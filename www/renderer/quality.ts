@@ -1,5 +1,5 @@
 /**
- * How well natural colours are drawn where nobody says: as well as motion flows, and stills at their best.
+ * How well natural colours are drawn in motion where nobody says: as well as it flows.
  *
  * Nothing here draws or has a clock. What a GPU spends on a frame cannot be asked from JavaScript; but a browser gives out no new frame
  * while too many are under way, so the time between frames tells when there is too much to do. It never tells how much less there could be.
@@ -7,10 +7,6 @@
 
 import { QUALITIES } from '../base/view.ts';
 import type { Quality } from '../base/view.ts';
-
-const BEST = QUALITIES.length - 1;
-/** Before anything is known of the device. */
-const FIRST = QUALITIES.indexOf('medium');
 
 /** A median of so many intervals above this is a motion that does not flow. */
 const SLOW_MS = 25;
@@ -24,10 +20,6 @@ const MOST_LATE = 2;
 const FIRST_WAIT_MS = 4000;
 const LONGEST_WAIT_MS = 120_000;
 
-/** A still that takes longer is a page that hangs. Twice in a row, since with the first of a level its pipelines are made. */
-const SLOW_STILL_MS = 1200;
-const SLOW_STILLS = 2;
-
 interface Trial {
   /** Not before this. */
   retryAt: number;
@@ -35,8 +27,7 @@ interface Trial {
 }
 
 export class AutoQuality {
-  #moving = FIRST;
-  #still = BEST;
+  #moving: number;
   /** When the frame before was presented; undefined at the beginning of a motion, or of a level. */
   #last: number | undefined;
   /** The newest ones at this level, ms. */
@@ -44,16 +35,15 @@ export class AutoQuality {
   /** When the first frame of this level was presented. */
   #since: number | undefined;
   #trials = QUALITIES.map((): Trial => ({ retryAt: -Infinity, wait: FIRST_WAIT_MS }));
-  #slowStills = 0;
+
+  /** @param level the first. */
+  constructor(level: Quality = 'medium') {
+    this.#moving = QUALITIES.indexOf(level);
+  }
 
   /** Of a frame that others follow. */
   get moving(): Quality {
     return QUALITIES[this.#moving] ?? 'high';
-  }
-
-  /** Of the one frame that stays; never worse than what was in motion. */
-  get still(): Quality {
-    return QUALITIES[Math.max(this.#moving, this.#still)] ?? 'high';
   }
 
   /** A frame of a motion is presented at `now`. */
@@ -68,14 +58,6 @@ export class AutoQuality {
   /** No frame follows: what comes next is another motion. What was seen of this one still counts. */
   rest(): void {
     this.#last = undefined;
-  }
-
-  /** The still was on the screen after so many ms. */
-  stillTook(ms: number): void {
-    this.#slowStills = ms > SLOW_STILL_MS ? this.#slowStills + 1 : 0;
-    if (this.#slowStills < SLOW_STILLS || this.#still === 0) return;
-    this.#still -= 1;
-    this.#slowStills = 0;
   }
 
   #isSlow(): boolean {

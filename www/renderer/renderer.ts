@@ -48,6 +48,23 @@ export interface Stills {
   end(): void;
 }
 
+/** Pictures that are drawn in pieces, out of sight: none of them takes a device long, and the page goes on between them. */
+export interface Pieces {
+  /**
+   * Begins a picture of what is drawn now, through the camera of now; device pixels, whatever the size on the screen is. A rough one has one
+   * sample a pixel. What it shows must not change until it is whole, but for the camera.
+   */
+  begin(width: number, height: number, isRough: boolean): void;
+  /** Draws the next piece, of about so many pixels. False: that was the last. */
+  draw(pixels: number): boolean;
+  /** How many pieces the device has not drawn yet. */
+  readonly underWay: number;
+  /** Shows the picture if it is whole, and else the one that was shown before, as large as the canvas. False where there is none. */
+  show(): boolean;
+  /** Frees what both hold. */
+  end(): void;
+}
+
 export interface SceneRenderer {
   readonly backend: Backend;
   readonly canvas: HTMLCanvasElement;
@@ -72,6 +89,10 @@ export interface SceneRenderer {
    * give. Absent without a GPU.
    */
   readonly stills?: Stills;
+  /** Draws pictures in pieces. Absent without a GPU. */
+  readonly pieces?: Pieces;
+  /** What the browser calls the device; empty without a GPU. */
+  readonly deviceName?: string;
   /** The device or context is lost, or about to be told so: what is drawn now is blank. */
   readonly isLost: boolean;
   /** Resolves, and never rejects, with a reason when the device or context is lost. */

@@ -53,6 +53,18 @@ export abstract class DrawnElement extends StageElement {
     isGraded: () => this.#style.color === 'natural' && this.#style.view === '3d' && this.backend !== 'canvas2d',
     advance: (now) => this.advance(now),
     draw: (level) => this.#draw(level),
+    pieces: () => {
+      const pieces = this.#kept.renderer?.pieces;
+      const size = this.stageSize?.pixels;
+      return pieces && size && { pieces, size };
+    },
+    prepare: (level) => {
+      const { camera } = this;
+      const { renderer } = this.#kept;
+      if (level) renderer?.setQuality(level);
+      renderer?.setCamera(camera);
+      return (show) => this.#show(camera, show);
+    },
   });
   #readiness!: { promise: Promise<void>; resolve: () => void };
   #painted = false;
@@ -292,7 +304,7 @@ export abstract class DrawnElement extends StageElement {
 
   #onRenderer(renderer: SceneRenderer): void {
     this.stage.replaceChildren(renderer.canvas);
-    this.#pacer.renew();
+    this.#pacer.renew(renderer.deviceName && `${renderer.backend} ${renderer.deviceName}`);
     this.stageSize?.measure();
     this.#endFailure();
     this.invalidate();
@@ -347,11 +359,15 @@ export abstract class DrawnElement extends StageElement {
 
   #draw(level: Quality | null): void {
     const { camera } = this;
-    const outcome = this.#kept.draw((renderer) => {
+    this.#show(camera, (renderer) => {
       if (level) renderer.setQuality(level);
       renderer.setCamera(camera);
       renderer.render();
     });
+  }
+
+  #show(camera: CameraState, work: (renderer: SceneRenderer) => void): void {
+    const outcome = this.#kept.draw(work);
     if (outcome === 'nothing') return;
     this.drawn(camera);
     if (outcome === 'restored') this.emit('restored');

@@ -1,13 +1,28 @@
 /**
  * When a scene is drawn, and how well: nothing unless something changed and can be seen; in motion as well as it flows, at rest once
  * more at its best, then not at all.
+ *
+ * Where a whole picture takes longer than a page may wait, pictures are drawn in pieces (`cut-pictures.ts`): small ones in motion, and at rest
+ * first one that is whole, then the best one.
  */
 
+import { lazily } from '../base/lazy.ts';
 import { AutoQuality } from '../renderer/quality.ts';
+import { isSoftware, paceOf, rememberPace } from '../renderer/pace.ts';
+import type { Pieces } from '../renderer/renderer.ts';
 import type { Quality, WantedQuality } from '../base/view.ts';
+import type { CutPictures } from './cut-pictures.ts';
 
 /** Who asks for no frame for so long is at rest. */
 const REST_MS = 150;
+
+/** So many frames in a row that each took longer than this are a motion that pieces are better for. */
+const STUCK_MS = 50;
+const STUCK_FRAMES = 8;
+/** A longer pause is none of a frame. */
+const PAUSE_MS = 3000;
+/** A still that takes longer is drawn in pieces the next time. */
+const SLOW_STILL_MS = 100;
 
 export interface PacedScene {
   /** The window it is in; it may come into another. */
@@ -19,6 +34,15 @@ export interface PacedScene {
   advance(now: number): boolean;
   /** Null: it makes no difference. */
   draw(level: Quality | null): void;
+  /** What draws in pieces, and for a stage of which size; undefined where nothing does. */
+  pieces(): { pieces: Pieces; size: readonly [number, number] } | undefined;
+  /** Readies the renderer for a picture in pieces through the camera of now. What it returns is called with what shows the picture. */
+  prepare(level: Quality | null): (show: () => void) => void;
+}
+
+/** A picture in pieces that is under way. */
+interface Work {
+  isMoving: boolean;
 }
 
 export class FramePacer {
@@ -30,8 +54,22 @@ export class FramePacer {
   #resting: ReturnType<typeof setTimeout> | undefined;
   /** Of the picture on the screen. */
   #level: Quality | null = null;
+  /** Whether that has all pixels of the stage, and all samples. */
+  #has = { pixels: true, samples: true };
   /** Counts what would make the time of a still another's. */
   #disturbances = 0;
+  /** What the device is remembered by; empty where it is not. */
+  #device = '';
+  #isCut = false;
+  /** A whole still is drawn before anybody would wait for it. */
+  #isFast = false;
+  #cut: CutPictures | undefined;
+  #isFetching = false;
+  #work: Work | undefined;
+  /** The picture on the screen was drawn in pieces. */
+  #isPieced = false;
+  #lastFrame = -Infinity;
+  #stuck = 0;
 
   constructor(scene: PacedScene) {
     this.#scene = scene;
@@ -53,15 +91,23 @@ export class FramePacer {
     return this.#wanted === 'auto' ? 'high' : this.#wanted;
   }
 
-  /** Another renderer draws: nothing is known of it. */
-  renew(): void {
-    this.#auto = new AutoQuality();
+  /** Another renderer draws. Of its device is known what the last visit found out, or its name. */
+  renew(device = ''): void {
+    const { level, isCut, scale } = paceOf(device);
+    this.#end();
+    this.#auto = new AutoQuality(level);
+    this.#device = device;
+    this.#isCut = isCut;
+    this.#isFast = this.#isPieced = false;
+    this.#cut = undefined;
+    if (isCut) this.#fetch(scale);
   }
 
   /** Asks for a frame; many calls, one frame. */
   invalidate(): void {
     this.#dirty = true;
     clearTimeout(this.#resting);
+    if (this.#work && !this.#work.isMoving) this.#end();
     this.#request();
   }
 
@@ -75,18 +121,26 @@ export class FramePacer {
     this.#scene.view().cancelAnimationFrame(this.#frame);
     clearTimeout(this.#resting);
     this.#frame = 0;
+    if (this.#work) this.#dirty = true;
+    this.#end();
     this.#auto.rest();
   }
 
   /** Draws in this very task if it can. A frame that was asked for still comes: more may hang on it than this picture. */
   drawNow(): void {
-    if (this.#scene.canDraw()) this.#drawMoving();
-    else this.#dirty = true;
+    if (!this.#scene.canDraw()) this.#dirty = true;
+    else if (!this.#isCut) this.#drawMoving();
+    else {
+      // As it was, until there is another.
+      if (this.#isPieced) this.#scene.pieces()?.pieces.show();
+      this.invalidate();
+    }
   }
 
   /** What is on the screen, once more, if it can be seen and no frame that is to be drawn comes before it is. */
   redraw(): void {
     if (!this.#scene.canDraw()) this.#dirty = true;
+    else if (this.#isPieced) this.#scene.pieces()?.pieces.show();
     else if (this.#frame === 0 || !this.#dirty) this.#scene.draw(this.#level);
   }
 
@@ -100,23 +154,45 @@ export class FramePacer {
       this.#dirty = true;
       return;
     }
+    // Its end asks for the next frame.
+    if (this.#work) return;
     if (!this.#dirty) {
       this.#settle();
       return;
     }
     const goesOn = this.#scene.advance(now);
-    if (this.#isAuto) this.#auto.frame(now);
+    this.#watch(now);
     this.#drawMoving();
     if (goesOn) this.invalidate();
+  }
+
+  /** Takes note of how long frames take. */
+  #watch(now: number): void {
+    const ms = now - this.#lastFrame;
+    this.#lastFrame = now;
+    if (this.#isCut) return;
+    if (this.#isAuto) this.#auto.frame(now);
+    this.#stuck = ms > STUCK_MS && ms < PAUSE_MS ? this.#stuck + 1 : 0;
+    if (this.#stuck < STUCK_FRAMES || (this.#isAuto && this.#auto.moving !== 'low') || !this.#scene.pieces()) return;
+    this.#isCut = true;
+    if (!this.#cut) this.#fetch(1);
   }
 
   get #isAuto(): boolean {
     return this.#wanted === 'auto' && this.#scene.isGraded();
   }
 
+  get #movingLevel(): Quality | null {
+    return this.#isAuto ? this.#auto.moving : this.best;
+  }
+
   #drawMoving(): void {
-    this.#draw(this.#isAuto ? this.#auto.moving : this.best);
-    if (this.#isAuto && !this.#dirty) this.#resting = setTimeout(() => this.#rest(), REST_MS);
+    if (this.#isCut && this.#scene.pieces()) {
+      this.#drawCut(this.#movingLevel, true);
+      return;
+    }
+    this.#draw(this.#movingLevel);
+    if (this.#isAuto && !this.#dirty) this.#rest();
   }
 
   #draw(level: Quality | null): void {
@@ -124,27 +200,123 @@ export class FramePacer {
     clearTimeout(this.#resting);
     this.#disturbances += 1;
     this.#level = level;
+    this.#has = { pixels: true, samples: true };
+    if (this.#isPieced) this.#scene.pieces()?.pieces.end();
+    this.#isPieced = false;
     this.#scene.draw(level);
   }
 
   /** By way of a frame: what the pointer did while the GPU was busy arrives with it, and is no rest. */
   #rest(): void {
-    if (this.#scene.canDraw()) this.#request();
-    else this.#dirty = true;
+    clearTimeout(this.#resting);
+    this.#resting = setTimeout(() => {
+      if (this.#scene.canDraw()) this.#request();
+      else this.#dirty = true;
+    }, REST_MS);
   }
 
   #settle(): void {
     this.#auto.rest();
-    if (!this.#isAuto || this.#level === this.#auto.still) return;
-    this.#draw(this.#auto.still);
+    this.#lastFrame = -Infinity;
+    const best = this.#isAuto ? 'high' : this.best;
+    const { pixels, samples } = this.#has;
+    if (pixels && samples && this.#level === best) return;
+    const isCut = this.#isCut && this.#scene.pieces();
+    if (isCut && !pixels) this.#drawCut(this.#movingLevel, false, true);
+    else if (isCut || (this.#cut && !this.#isFast && this.#scene.pieces())) this.#drawCut(best, false);
+    else this.#drawStill(best);
+    if (this.#device) rememberPace(this.#device, { level: this.#auto.moving, isCut: this.#isCut, scale: this.#cut?.scale || 1 });
+  }
+
+  /** At once; how long it took says whether the next one is. */
+  #drawStill(level: Quality | null): void {
+    this.#draw(level);
     const drawn = this.#disturbances;
     const start = performance.now();
     // The browser gives out the second one when the GPU is done with what the first one came after.
     const view = this.#scene.view();
     view.requestAnimationFrame(() =>
       view.requestAnimationFrame(() => {
-        if (drawn === this.#disturbances) this.#auto.stillTook(performance.now() - start);
+        if (drawn !== this.#disturbances) return;
+        this.#isFast = performance.now() - start < SLOW_STILL_MS;
+        if (!this.#isFast && !this.#cut && this.#scene.pieces()) this.#fetch(1);
       }),
     );
+  }
+
+  /** Fetches what draws in pieces; until it is there, what is on the screen stays. */
+  #fetch(scale: number): void {
+    if (this.#isFetching) return;
+    this.#isFetching = true;
+    const device = this.#device;
+    lazily(() => import('./cut-pictures.ts'), true)
+      .then(
+        ({ CutPictures }) => {
+          if (device === this.#device) this.#cut = new CutPictures(scale);
+        },
+        // Without it pictures are drawn whole.
+        () => (this.#isCut = false),
+      )
+      .finally(() => {
+        this.#isFetching = false;
+        if (this.#dirty) this.#request();
+      });
+  }
+
+  #drawCut(level: Quality | null, isMoving: boolean, isRough = false): void {
+    const cut = this.#cut;
+    const found = this.#scene.pieces();
+    if (!cut || !found) {
+      this.#fetch(0);
+      return;
+    }
+    if (isMoving && this.#frame === 0) this.#dirty = false;
+    clearTimeout(this.#resting);
+    this.#disturbances += 1;
+    const work: Work = { isMoving };
+    this.#work = work;
+    const { pieces, size } = found;
+    let shown = (_show: () => void): void => {};
+    const picture = {
+      pieces,
+      size,
+      isMoving,
+      isRough,
+      view: this.#scene.view(),
+      prepare: () => (shown = this.#scene.prepare(level)),
+      isOver: () => this.#work !== work || !this.#scene.canDraw(),
+    };
+    const isWhole = !isMoving || !cut.isScaled(size);
+    const end = (isDrawn: boolean, show: () => void): void => {
+      if (this.#work !== work) return;
+      this.#work = undefined;
+      if (isDrawn) {
+        shown(show);
+        this.#level = level;
+        this.#has = { pixels: isWhole, samples: isWhole && !isRough };
+        this.#isPieced = true;
+        if (isMoving && cut.isNeedless && !isSoftware(this.#device)) this.#isCut = false;
+      } else this.#dirty = true;
+      if (!isMoving || !this.#dirty) {
+        if (isMoving) this.#rest();
+        else this.#request();
+        return;
+      }
+      // The next one of a motion does not wait for the screen, which is faster than these are.
+      this.#scene.view().cancelAnimationFrame(this.#frame);
+      this.#onFrame(performance.now());
+    };
+    cut.draw(picture, String(level)).then(
+      (isDrawn) => end(isDrawn, () => pieces.show()),
+      (thrown: unknown) =>
+        end(true, () => {
+          throw thrown;
+        }),
+    );
+  }
+
+  /** Ends a picture in pieces that is under way. */
+  #end(): void {
+    this.#work = undefined;
   }
 }

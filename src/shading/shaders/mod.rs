@@ -35,6 +35,9 @@ pub(crate) enum Reads {
     Still,
 }
 
+/// Shows a picture that was drawn before. It stands alone.
+pub(crate) const PRESENT: &str = include_str!("present.wgsl");
+
 /// The shader of a pass.
 #[derive(Clone, Copy)]
 pub(crate) struct Shader {

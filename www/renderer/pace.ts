@@ -1,0 +1,40 @@
+/** How fast a device is, before anything was drawn on this visit: as the last visit left it, or by its name. */
+
+import { QUALITIES } from '../base/view.ts';
+import type { Quality } from '../base/view.ts';
+
+export interface Pace {
+  /** Of motions, where nobody says. */
+  level: Quality;
+  /** Pictures are drawn in pieces: as a whole, one would take longer than a page may wait. */
+  isCut: boolean;
+  /** Of the pictures of a motion: their side, as a share of the stage's. */
+  scale: number;
+}
+
+/** GPUs that are programs. */
+const SOFTWARE = /swiftshader|llvmpipe|softpipe|lavapipe|basic render|fallback/i;
+
+/** Another version of this, or another cost of a frame, has another. */
+const KEY = 'rock-field:pace:1:';
+
+export function isSoftware(name: string): boolean {
+  return SOFTWARE.test(name);
+}
+
+/** Storage may be refused or absent, and holds what anybody wrote to it. */
+export function paceOf(name: string): Pace {
+  const known: Pace = isSoftware(name) ? { level: 'low', isCut: true, scale: 0 } : { level: 'medium', isCut: false, scale: 1 };
+  try {
+    const saved = JSON.parse(localStorage.getItem(KEY + name) ?? '') as Partial<Pace>;
+    if (QUALITIES.includes(saved.level!) && typeof saved.isCut === 'boolean' && saved.scale! > 0 && saved.scale! <= 1)
+      return { ...known, ...saved };
+  } catch {}
+  return known;
+}
+
+export function rememberPace(name: string, pace: Pace): void {
+  try {
+    localStorage.setItem(KEY + name, JSON.stringify(pace));
+  } catch {}
+}

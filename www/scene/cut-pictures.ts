@@ -1,0 +1,138 @@
+/**
+ * Draws pictures in pieces, for devices on which a whole one takes longer than a page may wait. Nothing here waits for the device: it is asked
+ * again and again how much it has done.
+ *
+ * Of a motion, all pieces of a picture are handed over at once, since the next one is wanted from another place; its size is what the device
+ * draws in time. A still is drawn piece by piece, each as large as the device can draw while somebody waits, and ends at once when it is not
+ * wanted any more.
+ */
+
+import type { Pieces } from '../renderer/renderer.ts';
+
+/** A picture of a motion is to take so long, ms, and changes its size where it takes more or less than this. */
+const MOTION_MS = 75;
+const [TOO_FAST_MS, TOO_SLOW_MS] = [50, 100];
+/** Smallest share of a side that is drawn. */
+export const LEAST_SCALE = 0.25;
+/** Before anything is known of the device, a picture has at most so many pixels. */
+const FIRST_PIXELS = 24_000;
+/** A whole picture in less, twice, is a device on which nothing has to be cut. */
+const WHOLE_MS = 14;
+const WHOLE_PICTURES = 2;
+
+/** How often the device is asked while it draws a picture of a motion, ms; while it draws a still, with every frame of the screen. */
+const POLL_MS = 4;
+
+/** A piece of a still is to take so long, ms. Two are under way, so that the device never waits for the screen. */
+const PIECE_MS = 30;
+const UNDER_WAY = 2;
+const [FIRST_PIECE, LEAST_PIECE, LARGEST_PIECE] = [16_384, 4096, 1_048_576];
+
+export interface CutPicture {
+  pieces: Pieces;
+  view: Window;
+  /** Of the stage, device pixels. */
+  size: readonly [width: number, height: number];
+  /** One of a motion, or else a still. */
+  isMoving: boolean;
+  /** With one sample a pixel; one of a motion is so if it is smaller than the stage. */
+  isRough: boolean;
+  /** Readies the renderer: what else is drawn with it may come between pieces. */
+  prepare(): void;
+  /** Whether nobody wants it any more. */
+  isOver(): boolean;
+}
+
+export class CutPictures {
+  /** Of the pictures of a motion; 0 before it is known. */
+  scale: number;
+  /** Of a still's pieces. */
+  #pixels = FIRST_PIECE;
+  #fastOnes = 0;
+  /** What was drawn before: the first of a kind also makes its pipelines, and tells nothing of the next. */
+  readonly #seen = new Set<string>();
+
+  constructor(scale: number) {
+    this.scale = scale;
+  }
+
+  /** Whether whole pictures take so little that none has to be cut. */
+  get isNeedless(): boolean {
+    return this.#fastOnes >= WHOLE_PICTURES;
+  }
+
+  /** Whether a picture of a motion is smaller than a stage of this size. */
+  isScaled(size: readonly [number, number]): boolean {
+    return this.#scaleFor(size) < 1;
+  }
+
+  /** True when the picture is whole; it is still to be shown. `kind` is what its pipelines depend on. */
+  async draw(picture: CutPicture, kind: string): Promise<boolean> {
+    const { pieces, size, isMoving, prepare, isOver } = picture;
+    const scale = isMoving ? this.#scaleFor(size) : 1;
+    const [width, height] = size.map((side) => Math.max(1, Math.round(side * scale))) as [number, number];
+    const isRough = isMoving ? scale < 1 : picture.isRough;
+    const start = performance.now();
+    prepare();
+    pieces.begin(width, height, isRough);
+    if (isMoving) while (pieces.draw(this.#pixels));
+    const isDone = isMoving ? await this.#wait(picture) : await this.#drawn(picture);
+    const of = `${kind} ${isRough}`;
+    if (isDone && isMoving && this.#seen.has(of)) this.#took(performance.now() - start, scale);
+    if (isDone) this.#seen.add(of);
+    return isDone && !isOver();
+  }
+
+  async #wait({ pieces, isOver }: CutPicture): Promise<boolean> {
+    while (pieces.underWay > 0) {
+      await new Promise((resolve) => setTimeout(resolve, POLL_MS));
+      if (isOver()) return false;
+    }
+    return true;
+  }
+
+  async #drawn({ pieces, view, prepare, isOver }: CutPicture): Promise<boolean> {
+    let goesOn = true;
+    let given = 0;
+    let last = performance.now();
+    while (goesOn || pieces.underWay > 0) {
+      const under = pieces.underWay;
+      const now = performance.now();
+      // The first ones also make pipelines.
+      if (given > UNDER_WAY && goesOn) this.#pieceTook(now - last, UNDER_WAY - under, under === 0);
+      last = now;
+      prepare();
+      for (let k = under; goesOn && k < UNDER_WAY; k += 1) {
+        goesOn = pieces.draw(this.#pixels);
+        given += 1;
+      }
+      await nextFrame(view);
+      if (isOver()) return false;
+    }
+    return true;
+  }
+
+  /** `done` pieces were drawn within so many ms; perhaps the device has nothing to do since. */
+  #pieceTook(ms: number, done: number, isIdle: boolean): void {
+    if (isIdle) this.#pixels *= ms < PIECE_MS ? 2 : 1;
+    else if (done === 0) this.#pixels *= ms > PIECE_MS ? 0.7 : 0.95;
+    this.#pixels = Math.round(Math.min(LARGEST_PIECE, Math.max(LEAST_PIECE, this.#pixels)));
+  }
+
+  #scaleFor([width, height]: readonly [number, number]): number {
+    const scale = this.scale || Math.sqrt(FIRST_PIXELS / (width * height));
+    return Math.min(1, Math.max(LEAST_SCALE, scale));
+  }
+
+  /** A picture of a motion was there after so many ms. */
+  #took(ms: number, scale: number): void {
+    this.#fastOnes = scale === 1 && ms < WHOLE_MS ? this.#fastOnes + 1 : 0;
+    if (ms > TOO_FAST_MS && ms < TOO_SLOW_MS) return;
+    const fitting = scale * Math.sqrt(MOTION_MS / ms);
+    this.scale = Math.min(1, Math.max(LEAST_SCALE, Math.min(fitting, Math.SQRT2 * scale)));
+  }
+}
+
+function nextFrame(view: Window): Promise<number> {
+  return new Promise((resolve) => view.requestAnimationFrame(resolve));
+}
