@@ -32,7 +32,7 @@ export interface ElementEventMap<Stage extends string> {
 
 /**
  * @attribute src - A share link or its fragment, or parameters as JSON; fills everything.
- * @attribute quality - `low`, `medium` or `high`, of natural colours; `auto`: as well as motion flows, and `high` at rest.
+ * @attribute quality - `low`, `medium` or `high`, of natural colours; `auto`: as well as motion flows, and `high` at rest. Slow devices draw fewer pixels in motion.
  * @attribute theme - `light`, `dark`, or `auto`: as the system is set.
  * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
  * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
