@@ -333,7 +333,7 @@ impl View {
         let pipeline = |what, recipe: Recipe| gpu.pipelines.natural(&gpu.device, what, recipe.of(sort));
         let bodies = Recipe::of_bodies(self.quality, &self.look);
         pass.set_bind_group(3, gpu.pipelines.patterns(&gpu.device, &gpu.queue), &[]);
-        pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device, is_sampled));
+        pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device, sort));
         pass.draw(0..3, 0..1);
         scene.draw_rocks(pass, &pipeline(Natural::Rocks, bodies), seen);
         if scene.is_turned {
