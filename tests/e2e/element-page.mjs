@@ -83,7 +83,9 @@ export const until = (page, test) => page.waitForFunction(test);
  */
 export function quiet(page) {
   return page.evaluate(async () => {
-    for (let last = -1; last !== counts.frames; ) {
+    // A picture in pieces may wait for a device that is busy for longer than that.
+    const isDrawing = () => [...document.querySelectorAll('*')].some(({ shadowRoot }) => shadowRoot?.querySelector('[data-drawing]'));
+    for (let last = -1; last !== counts.frames || isDrawing(); ) {
       last = counts.frames;
       await frame();
       await new Promise((resolve) => setTimeout(resolve, 800));

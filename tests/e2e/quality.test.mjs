@@ -46,3 +46,62 @@ test('a still of auto is one of high, also after a motion, and nothing is drawn 
     await session.close();
   }
 });
+
+test('without a GPU a small picture comes before the whole one, also after a touch and when the device is lost meanwhile', async () => {
+  const session = await launch({ intercept: pageOf('quality.html', () => html) });
+  try {
+    const { page, errors } = await session.open('quality.html', {
+      colorScheme: 'light',
+      deviceScaleFactor: 1,
+      prepare: (page) =>
+        page.addInitScript(() => {
+          // The widths of what is shown, as shares of the canvas.
+          globalThis.shares = [];
+          const { drawImage } = CanvasRenderingContext2D.prototype;
+          CanvasRenderingContext2D.prototype.drawImage = function (...args) {
+            const [image, , , width] = args;
+            if (image instanceof HTMLCanvasElement) globalThis.shares.push(width / this.canvas.width);
+            globalThis.deviceCanvas = image;
+            return Reflect.apply(drawImage, this, args);
+          };
+        }),
+    });
+    await page.evaluate(() => Object.assign(document.querySelector('rock-field').style, { width: '320px', height: '200px' }));
+    await page.evaluate(() => document.querySelector('rock-field').ready);
+    const shares = () => page.evaluate(() => globalThis.shares.splice(0));
+    await quiet(page);
+    const [first, ...rest] = await shares();
+    assert(first < 1, String(first));
+    assert.deepEqual(rest.slice(-2), [1, 1], 'one with all pixels, and the best');
+    // A touch while the whole one is drawn.
+    const blob = await page.evaluate(async () => {
+      const element = document.querySelector('rock-field');
+      const turn = () => (element.camera = { ...element.camera, azimuth: element.camera.azimuth + 0.1 });
+      turn();
+      while (globalThis.shares.length === 0) await frame();
+      for (let waited = 0; waited < 12; waited += 1) await frame();
+      turn();
+      const { size } = await element.toBlob({ width: 40, height: 25 });
+      return size;
+    });
+    assert(blob > 500);
+    await quiet(page);
+    assert.equal((await shares()).at(-1), 1);
+    // The device goes while a picture is in pieces.
+    const restored = await page.evaluate(async () => {
+      const element = document.querySelector('rock-field');
+      const back = new Promise((resolve) => element.addEventListener('restored', () => resolve(true), { once: true }));
+      element.camera = { ...element.camera, azimuth: 1 };
+      while (globalThis.shares.length === 0) await frame();
+      await frame();
+      globalThis.deviceCanvas.getContext('webgl2').getExtension('WEBGL_lose_context').loseContext();
+      return back;
+    });
+    assert(restored);
+    await quiet(page);
+    assert.equal((await shares()).at(-1), 1);
+    assert.deepEqual(errors, []);
+  } finally {
+    await session.close();
+  }
+});

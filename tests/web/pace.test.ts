@@ -17,18 +17,18 @@ test('software GPUs are known by their names', () => {
 });
 
 test('a device begins as the last visit left it; what storage holds is not trusted, and may not be had', () => {
-  const fresh = { level: 'medium', isCut: false, scale: 1 };
+  const fresh = { level: 'medium', isCut: false, pixels: 0 };
   const stored = new Map<string, string>();
   const storage = {
     getItem: (key: string) => stored.get(key) ?? null,
     setItem: (key: string, value: string) => void stored.set(key, value),
   };
   assert.deepEqual(paceOf('gpu'), fresh, 'without storage');
-  rememberPace('gpu', { level: 'low', isCut: true, scale: 0.5 });
+  rememberPace('gpu', { level: 'low', isCut: true, pixels: 50_000 });
   Object.defineProperty(globalThis, 'localStorage', { value: storage, configurable: true });
   try {
-    rememberPace('gpu', { level: 'low', isCut: true, scale: 0.5 });
-    assert.deepEqual(paceOf('gpu'), { level: 'low', isCut: true, scale: 0.5 });
+    rememberPace('gpu', { level: 'low', isCut: true, pixels: 50_000 });
+    assert.deepEqual(paceOf('gpu'), { level: 'low', isCut: true, pixels: 50_000 });
     assert.deepEqual(paceOf('another'), fresh);
     const [key] = stored.keys();
     for (const value of [
@@ -37,8 +37,8 @@ test('a device begins as the last visit left it; what storage holds is not trust
       'null',
       '7',
       '{"level":"best"}',
-      '{"level":"low","isCut":true,"scale":0}',
-      '{"level":"low","isCut":1,"scale":1}',
+      '{"level":"low","isCut":true,"pixels":-1}',
+      '{"level":"low","isCut":1,"pixels":1}',
     ]) {
       stored.set(key!, value);
       assert.deepEqual(paceOf('gpu'), fresh, value);

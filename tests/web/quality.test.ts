@@ -245,6 +245,7 @@ class Device implements Pieces {
   readonly shown: string[] = [];
   readonly pieces: number[] = [];
   begun = 0;
+  width = 0;
   #picture = '';
   #left = 0;
   #under: { pixels: number }[] = [];
@@ -256,6 +257,7 @@ class Device implements Pieces {
 
   begin(width: number, height: number, isRough: boolean): void {
     this.begun += 1;
+    this.width = width;
     this.#picture = `${width}×${height}${isRough ? ' rough' : ''}`;
     this.#left = width * height;
     this.#under = [];
@@ -269,13 +271,12 @@ class Device implements Pieces {
     return this.#left > 0;
   }
 
-  get underWay(): number {
+  underWay(): number {
     return this.#under.length;
   }
 
-  show(): boolean {
+  show(): void {
     this.shown.push(this.#picture);
-    return true;
   }
 
   end(): void {}
@@ -330,6 +331,14 @@ test('on a software GPU a motion is small and low, and then there is a whole pic
   const { begun } = device;
   await pass(mock, device, 1000);
   assert.deepEqual([device.begun, frames.length, drawn], [begun, 0, []]);
+});
+
+test('where quality makes no difference, the whole picture is the best one', async ({ mock }) => {
+  const { device, pacer, scene } = await setUpSoftware(mock, 1000);
+  scene.graded = false;
+  pacer.invalidate();
+  await pass(mock, device, 4000);
+  assert.deepEqual([device.shown, scene.level], [['200×150 rough', '800×600'], null]);
 });
 
 test('a touch ends a still at once, and is answered by a small picture', async ({ mock }) => {
@@ -397,8 +406,10 @@ test('the size of a motion is what the device draws in time, and never less than
     [100_000, 1, 1],
   ] as const) {
     const cut = new CutPictures(0);
-    await motion(cut, new Device(speed), mock, 12);
-    assert(cut.scale >= least && cut.scale <= most, `${speed}: ${cut.scale}`);
+    const device = new Device(speed);
+    await motion(cut, device, mock, 12);
+    const scale = device.width / STAGE[0];
+    assert(scale >= least && scale <= most, `${speed}: ${scale}`);
     assert.equal(cut.isNeedless, speed === 100_000);
   }
 });

@@ -75,14 +75,15 @@ export class SharedDevice {
   }
 
   /** Calls into wasm. A trap is the loss of the device: another instance takes the place of the one that trapped, and nothing more is called in that. */
-  attempt(call: () => void): void {
-    if (this.#instance !== instanceOf(this.backend)) return;
+  attempt<T>(call: () => T): T | undefined {
+    if (this.#instance !== instanceOf(this.backend)) return undefined;
     try {
-      call();
+      return call();
     } catch (error) {
       if (!(error instanceof WebAssembly.RuntimeError)) throw error;
       markTrapped(this.backend);
       this.lose(`the renderer stopped: ${error.message}`);
+      return undefined;
     }
   }
 

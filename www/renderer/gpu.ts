@@ -205,36 +205,25 @@ export class GpuRenderer implements SceneRenderer {
     if (this.#device.canvas) this.#context?.drawImage(this.#device.canvas, 0, 0, across, down, 0, 0, width, height);
   }
 
-  get pieces(): Pieces {
-    const raw = this.#raw;
-    const guard = (call: () => void): void => this.#guard(call);
-    const answer = <T>(ask: () => T, without: T): T => {
-      let given = without;
-      guard(() => (given = ask()));
-      return given;
-    };
-    return {
-      begin: (width, height, isRough) => {
-        this.#begun = [width, height];
-        guard(() => raw.beginPicture(width, height, isRough));
-      },
-      draw: (pixels) => {
-        const goesOn = answer(() => raw.drawPiece(pixels), false);
-        if (!goesOn) this.#whole = this.#begun;
-        return goesOn;
-      },
-      get underWay() {
-        return answer(() => raw.piecesUnderWay(), 0);
-      },
-      show: () =>
-        answer(() => {
-          const isShown = raw.showPicture();
-          if (isShown) this.#copy(this.#whole);
-          return isShown;
-        }, false),
-      end: () => guard(() => raw.endPictures()),
-    };
-  }
+  readonly pieces: Pieces = {
+    begin: (width, height, isRough) => {
+      this.#begun = [width, height];
+      // Whoever looks at a picture, such as a test, can tell that another is on its way.
+      this.canvas.dataset['drawing'] = '';
+      this.#guard(() => this.#raw.beginPicture(width, height, isRough));
+    },
+    draw: (pixels) => {
+      const goesOn = this.#guard(() => this.#raw.drawPiece(pixels));
+      if (!goesOn) this.#whole = this.#begun;
+      return goesOn === true;
+    },
+    underWay: () => this.#guard(() => this.#raw.piecesUnderWay()) ?? 0,
+    show: () => {
+      this.#guard(() => this.#raw.showPicture() && this.#copy(this.#whole));
+      delete this.canvas.dataset['drawing'];
+    },
+    end: () => this.#guard(() => this.#raw.endPictures()),
+  };
 
   #setTile({ whole, corner, size, backing }: Tile): void {
     this.resize(...size);
@@ -268,7 +257,7 @@ export class GpuRenderer implements SceneRenderer {
   }
 
   /** Calls into wasm unless that is over. */
-  #guard(call: () => void): void {
-    if (!this.#disposed && !this.#device.dead) this.#device.attempt(call);
+  #guard<T>(call: () => T): T | undefined {
+    return this.#disposed || this.#device.dead ? undefined : this.#device.attempt(call);
   }
 }

@@ -8,8 +8,8 @@ export interface Pace {
   level: Quality;
   /** Pictures are drawn in pieces: as a whole, one would take longer than a page may wait. */
   isCut: boolean;
-  /** Of the pictures of a motion: their side, as a share of the stage's. */
-  scale: number;
+  /** Of a picture of a motion, which may be smaller than the stage then; 0: not known. */
+  pixels: number;
 }
 
 /** GPUs that are programs. */
@@ -24,10 +24,10 @@ export function isSoftware(name: string): boolean {
 
 /** Storage may be refused or absent, and holds what anybody wrote to it. */
 export function paceOf(name: string): Pace {
-  const known: Pace = isSoftware(name) ? { level: 'low', isCut: true, scale: 0 } : { level: 'medium', isCut: false, scale: 1 };
+  const known: Pace = isSoftware(name) ? { level: 'low', isCut: true, pixels: 0 } : { level: 'medium', isCut: false, pixels: 0 };
   try {
     const saved = JSON.parse(localStorage.getItem(KEY + name) ?? '') as Partial<Pace>;
-    if (QUALITIES.includes(saved.level!) && typeof saved.isCut === 'boolean' && saved.scale! > 0 && saved.scale! <= 1)
+    if (QUALITIES.includes(saved.level!) && typeof saved.isCut === 'boolean' && Number.isInteger(saved.pixels) && saved.pixels! >= 0)
       return { ...known, ...saved };
   } catch {}
   return known;

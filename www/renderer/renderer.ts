@@ -58,9 +58,9 @@ export interface Pieces {
   /** Draws the next piece, of about so many pixels. False: that was the last. */
   draw(pixels: number): boolean;
   /** How many pieces the device has not drawn yet. */
-  readonly underWay: number;
-  /** Shows the picture if it is whole, and else the one that was shown before, as large as the canvas. False where there is none. */
-  show(): boolean;
+  underWay(): number;
+  /** Shows the picture if it is whole, and else the one that was shown before, if there is one, as large as the canvas. */
+  show(): void;
   /** Frees what both hold. */
   end(): void;
 }

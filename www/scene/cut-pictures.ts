@@ -13,7 +13,7 @@ import type { Pieces } from '../renderer/renderer.ts';
 const MOTION_MS = 75;
 const [TOO_FAST_MS, TOO_SLOW_MS] = [50, 100];
 /** Smallest share of a side that is drawn. */
-export const LEAST_SCALE = 0.25;
+const LEAST_SCALE = 0.25;
 /** Before anything is known of the device, a picture has at most so many pixels. */
 const FIRST_PIXELS = 24_000;
 /** A whole picture in less, twice, is a device on which nothing has to be cut. */
@@ -44,16 +44,16 @@ export interface CutPicture {
 }
 
 export class CutPictures {
-  /** Of the pictures of a motion; 0 before it is known. */
-  scale: number;
+  /** Of a picture of a motion; 0 before it is known. */
+  pixels: number;
   /** Of a still's pieces. */
-  #pixels = FIRST_PIECE;
+  #piece = FIRST_PIECE;
   #fastOnes = 0;
   /** What was drawn before: the first of a kind also makes its pipelines, and tells nothing of the next. */
   readonly #seen = new Set<string>();
 
-  constructor(scale: number) {
-    this.scale = scale;
+  constructor(pixels: number) {
+    this.pixels = pixels;
   }
 
   /** Whether whole pictures take so little that none has to be cut. */
@@ -75,16 +75,16 @@ export class CutPictures {
     const start = performance.now();
     prepare();
     pieces.begin(width, height, isRough);
-    if (isMoving) while (pieces.draw(this.#pixels));
+    if (isMoving) while (pieces.draw(this.#piece));
     const isDone = isMoving ? await this.#wait(picture) : await this.#drawn(picture);
     const of = `${kind} ${isRough}`;
-    if (isDone && isMoving && this.#seen.has(of)) this.#took(performance.now() - start, scale);
+    if (isDone && isMoving && this.#seen.has(of)) this.#took(performance.now() - start, size, scale);
     if (isDone) this.#seen.add(of);
     return isDone && !isOver();
   }
 
   async #wait({ pieces, isOver }: CutPicture): Promise<boolean> {
-    while (pieces.underWay > 0) {
+    while (pieces.underWay() > 0) {
       await new Promise((resolve) => setTimeout(resolve, POLL_MS));
       if (isOver()) return false;
     }
@@ -95,15 +95,15 @@ export class CutPictures {
     let goesOn = true;
     let given = 0;
     let last = performance.now();
-    while (goesOn || pieces.underWay > 0) {
-      const under = pieces.underWay;
+    while (goesOn || pieces.underWay() > 0) {
+      const under = pieces.underWay();
       const now = performance.now();
       // The first ones also make pipelines.
       if (given > UNDER_WAY && goesOn) this.#pieceTook(now - last, UNDER_WAY - under, under === 0);
       last = now;
       prepare();
       for (let k = under; goesOn && k < UNDER_WAY; k += 1) {
-        goesOn = pieces.draw(this.#pixels);
+        goesOn = pieces.draw(this.#piece);
         given += 1;
       }
       await nextFrame(view);
@@ -114,22 +114,20 @@ export class CutPictures {
 
   /** `done` pieces were drawn within so many ms; perhaps the device has nothing to do since. */
   #pieceTook(ms: number, done: number, isIdle: boolean): void {
-    if (isIdle) this.#pixels *= ms < PIECE_MS ? 2 : 1;
-    else if (done === 0) this.#pixels *= ms > PIECE_MS ? 0.7 : 0.95;
-    this.#pixels = Math.round(Math.min(LARGEST_PIECE, Math.max(LEAST_PIECE, this.#pixels)));
+    if (isIdle) this.#piece *= ms < PIECE_MS ? 2 : 1;
+    else if (done === 0) this.#piece *= ms > PIECE_MS ? 0.7 : 0.95;
+    this.#piece = Math.round(Math.min(LARGEST_PIECE, Math.max(LEAST_PIECE, this.#piece)));
   }
 
   #scaleFor([width, height]: readonly [number, number]): number {
-    const scale = this.scale || Math.sqrt(FIRST_PIXELS / (width * height));
-    return Math.min(1, Math.max(LEAST_SCALE, scale));
+    return Math.min(1, Math.max(LEAST_SCALE, Math.sqrt((this.pixels || FIRST_PIXELS) / (width * height))));
   }
 
   /** A picture of a motion was there after so many ms. */
-  #took(ms: number, scale: number): void {
+  #took(ms: number, [width, height]: readonly [number, number], scale: number): void {
     this.#fastOnes = scale === 1 && ms < WHOLE_MS ? this.#fastOnes + 1 : 0;
     if (ms > TOO_FAST_MS && ms < TOO_SLOW_MS) return;
-    const fitting = scale * Math.sqrt(MOTION_MS / ms);
-    this.scale = Math.min(1, Math.max(LEAST_SCALE, Math.min(fitting, Math.SQRT2 * scale)));
+    this.pixels = Math.round(width * height * scale ** 2 * Math.min(2, MOTION_MS / ms));
   }
 }
 

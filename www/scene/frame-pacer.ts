@@ -24,6 +24,9 @@ const PAUSE_MS = 3000;
 /** A still that takes longer is drawn in pieces the next time. */
 const SLOW_STILL_MS = 100;
 
+/** More than any picture has. */
+const EVERY_PIXEL = 1e9;
+
 export interface PacedScene {
   /** The window it is in; it may come into another. */
   view(): Window;
@@ -93,14 +96,14 @@ export class FramePacer {
 
   /** Another renderer draws. Of its device is known what the last visit found out, or its name. */
   renew(device = ''): void {
-    const { level, isCut, scale } = paceOf(device);
+    const { level, isCut, pixels } = paceOf(device);
     this.#end();
     this.#auto = new AutoQuality(level);
     this.#device = device;
     this.#isCut = isCut;
     this.#isFast = this.#isPieced = false;
     this.#cut = undefined;
-    if (isCut) this.#fetch(scale);
+    if (isCut) this.#fetch(pixels);
   }
 
   /** Asks for a frame; many calls, one frame. */
@@ -175,7 +178,7 @@ export class FramePacer {
     this.#stuck = ms > STUCK_MS && ms < PAUSE_MS ? this.#stuck + 1 : 0;
     if (this.#stuck < STUCK_FRAMES || (this.#isAuto && this.#auto.moving !== 'low') || !this.#scene.pieces()) return;
     this.#isCut = true;
-    if (!this.#cut) this.#fetch(1);
+    if (!this.#cut) this.#fetch(EVERY_PIXEL);
   }
 
   get #isAuto(): boolean {
@@ -225,7 +228,8 @@ export class FramePacer {
     if (isCut && !pixels) this.#drawCut(this.#movingLevel, false, true);
     else if (isCut || (this.#cut && !this.#isFast && this.#scene.pieces())) this.#drawCut(best, false);
     else this.#drawStill(best);
-    if (this.#device) rememberPace(this.#device, { level: this.#auto.moving, isCut: this.#isCut, scale: this.#cut?.scale || 1 });
+    if (this.#device)
+      rememberPace(this.#device, { level: this.#auto.moving, isCut: this.#isCut, pixels: this.#isCut ? (this.#cut?.pixels ?? 0) : 0 });
   }
 
   /** At once; how long it took says whether the next one is. */
@@ -239,20 +243,20 @@ export class FramePacer {
       view.requestAnimationFrame(() => {
         if (drawn !== this.#disturbances) return;
         this.#isFast = performance.now() - start < SLOW_STILL_MS;
-        if (!this.#isFast && !this.#cut && this.#scene.pieces()) this.#fetch(1);
+        if (!this.#isFast && !this.#cut && this.#scene.pieces()) this.#fetch(EVERY_PIXEL);
       }),
     );
   }
 
   /** Fetches what draws in pieces; until it is there, what is on the screen stays. */
-  #fetch(scale: number): void {
+  #fetch(pixels: number): void {
     if (this.#isFetching) return;
     this.#isFetching = true;
     const device = this.#device;
-    lazily(() => import('./cut-pictures.ts'), true)
+    lazily(() => import('./cut-pictures.ts'))
       .then(
         ({ CutPictures }) => {
-          if (device === this.#device) this.#cut = new CutPictures(scale);
+          if (device === this.#device) this.#cut = new CutPictures(pixels);
         },
         // Without it pictures are drawn whole.
         () => (this.#isCut = false),
@@ -263,7 +267,8 @@ export class FramePacer {
       });
   }
 
-  #drawCut(level: Quality | null, isMoving: boolean, isRough = false): void {
+  #drawCut(level: Quality | null, isMoving: boolean, mayBeRough = false): void {
+    const isRough = mayBeRough && this.#scene.isGraded();
     const cut = this.#cut;
     const found = this.#scene.pieces();
     if (!cut || !found) {
@@ -296,7 +301,11 @@ export class FramePacer {
         this.#has = { pixels: isWhole, samples: isWhole && !isRough };
         this.#isPieced = true;
         if (isMoving && cut.isNeedless && !isSoftware(this.#device)) this.#isCut = false;
-      } else this.#dirty = true;
+      } else {
+        // It went out of sight.
+        this.#dirty = true;
+        pieces.show();
+      }
       if (!isMoving || !this.#dirty) {
         if (isMoving) this.#rest();
         else this.#request();
