@@ -17,7 +17,7 @@ const MOST_BYTES: u64 = 1 << 29;
 const PIXEL_BYTES: u64 = 8 + 4 + 2 * 16;
 
 /// Largest sides of the shadow maps of the sun, the sky and the ground, texels. The edges of a single shadow are seen of the sun's alone.
-const SIDES: [u32; 3] = [2048, 1024, 1024];
+const SIDES: [u32; 3] = [4096, 2048, 2048];
 
 /// Texels of the sun's map for each pixel along the longer side of the picture, which does not show more; half as many of the others.
 const FINE: u32 = 4;

@@ -128,7 +128,8 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.45 + sky_light(vec3f(0.0, 0.0, 1.0)) * 0.6);
 
   let n_l = dot(normal, sun);
-  let facing = smoothstep(-0.05, 0.2, dot(face, sun));
+  // At the terminator a shadow map is unsure; of many that are not the same, the mean is not.
+  let facing = select(smoothstep(-0.05, 0.2, dot(face, sun)), step(0.0, dot(face, sun)), is_sampled);
   var direct = 0.0;
   if n_l > 0.0 && facing > 0.0 {
     direct = sun_seen(world, face) * facing * select(mix(0.8, 1.0, seen), 1.0, is_sampled);
