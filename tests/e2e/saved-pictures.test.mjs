@@ -155,7 +155,11 @@ test('a picture, a model, an archive, parameters and a link bring their scene ba
     await toast(page, name);
     await page.evaluate(() => document.querySelector('.toast').classList.remove('is-shown'));
     assert.equal(await fieldHash(page), hash, name);
-    if (name === 'saved.png') assert.deepEqual(await state(page), before);
+    if (name === 'saved.png') {
+      // The address follows in a moment.
+      await page.waitForFunction((wanted) => location.hash === wanted, before.address);
+      assert.deepEqual(await state(page), before);
+    }
     await page.getByRole('button', { name: 'Undo' }).click();
     assert.equal(await fieldHash(page), other, `${name}, undone`);
   }

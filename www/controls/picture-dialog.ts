@@ -26,10 +26,16 @@ export interface PictureParts<K extends Kind> {
 
 /** Longer sides, px; the screen's own first. */
 const SIZES = ['screen', '3840', '7680', '16384'] as const;
+/** Of the picture on the screen, and of means of samples. */
+const SAMPLES = ['none', '16', '64', '256'] as const;
 const KINDS = ['postcard', 'picture', 'cutout'] as const;
 
 /** What was chosen last counts the next time, as long as the page is open. */
-const chosen: { kind: (typeof KINDS)[number]; size: (typeof SIZES)[number] } = { kind: 'postcard', size: 'screen' };
+const chosen: { kind: (typeof KINDS)[number]; size: (typeof SIZES)[number]; samples: (typeof SAMPLES)[number] } = {
+  kind: 'postcard',
+  size: 'screen',
+  samples: 'none',
+};
 
 interface State {
   /** What is looked at before it is saved; a postcard is saved as it is. */
@@ -51,7 +57,7 @@ export function showPicture<K extends Kind>(parts: PictureParts<K>): void {
   const name = `${store.shown.preset}-${store.shown.params.seed}`;
 
   const show = (): HTMLDialogElement =>
-    showDialog(store, document.body, store.text('picture'), content(store, state, url, { choose, save, share }));
+    showDialog(store, document.body, store.text('picture'), content(store, state, url, hasSamples(element), { choose, save, share }));
 
   const set = (change: Partial<State>): void => {
     Object.assign(state, change);
@@ -103,6 +109,7 @@ export function showPicture<K extends Kind>(parts: PictureParts<K>): void {
       const blob = await element.toBlob({
         ...sizeOf(element, side),
         ground: chosen.kind === 'picture',
+        ...(hasSamples(element) && chosen.samples !== 'none' && { samples: Number(chosen.samples) }),
         signal,
         onProgress: (progress) => set({ progress }),
       });
@@ -128,6 +135,11 @@ export function showPicture<K extends Kind>(parts: PictureParts<K>): void {
   void look();
 }
 
+/** Whether what is chosen can be the mean of samples. */
+function hasSamples(element: { color: string; view: string; backend: string | null }): boolean {
+  return chosen.kind === 'picture' && element.color === 'natural' && element.view === '3d' && element.backend !== 'canvas2d';
+}
+
 /** `side`: the longer one, device pixels; as on the screen where it is left out. */
 function sizeOf(element: HTMLElement, side?: number): { width?: number; height?: number } {
   const { width, height } = element.getBoundingClientRect();
@@ -149,7 +161,13 @@ interface Acts {
   share: (file: File) => void;
 }
 
-function content<K extends Kind>(store: Store<K>, state: State, url: string, { choose, save, share }: Acts): TemplateResult {
+function content<K extends Kind>(
+  store: Store<K>,
+  state: State,
+  url: string,
+  canBeSampled: boolean,
+  { choose, save, share }: Acts,
+): TemplateResult {
   const { language } = store;
   const { preview, progress, error } = state;
   const isPostcard = chosen.kind === 'postcard';
@@ -177,6 +195,17 @@ function content<K extends Kind>(store: Store<K>, state: State, url: string, { c
             value: chosen.size,
             action: (size) => choose({ size }),
           })
+    }
+    ${
+      canBeSampled
+        ? menu({
+            name: 'picture-samples',
+            label: later(language, 'pictureSamples'),
+            options: SAMPLES.map((value) => ({ value, label: later(language, `samples-${value}`) })),
+            value: chosen.samples,
+            action: (samples) => choose({ samples }),
+          })
+        : nothing
     }
     <p class="quiet">${later(language, isPostcard ? 'postcardNote' : 'pictureNote')}</p>
     <div role="status">
