@@ -21,59 +21,79 @@ fn soil_albedo(ground: f32) -> vec3f {
   return mix(mixed, 0.75 * kind_albedo(debris), select(share, 0.0, debris < 0.5));
 }
 
-// Stones of about half a `period`, one per cell of a jittered grid, turned by `axis` so that no two sizes' grids agree.
-// `here` the share of cells that have one; `own` 1: coloured as river stones, 0: as the ground.
-fn scatter(at: vec2f, period: f32, axis: vec2f, here: f32, own: f32, footprint: f32) {
+// Stones of about half a `period`, one per cell of a jittered grid, turned by `axis` so that no two sizes' grids agree: halves of
+// ellipsoids that rise out of the ground. `lean` how far a ray to the eye moves for each px that it rises, `here` the share of cells
+// that have a stone, `own` 1: coloured as river stones, 0: as the ground.
+fn scatter(at: vec2f, lean: vec2f, period: f32, axis: vec2f, here: f32, own: f32, footprint: f32) {
   let seen = shown(period * 0.75, footprint);
   if seen <= 0.0 {
     return;
   }
-  let q = vec2f(dot(at, axis), dot(at, vec2f(-axis.y, axis.x))) / period;
-  let sun = field.sun.xy / max(field.sun.z, 0.3) * 0.2;
-  let shift = clamp(vec2f(dot(sun, axis), dot(sun, vec2f(-axis.y, axis.x))), vec2f(-0.3), vec2f(0.3));
-  let base = vec2i(floor(q - 0.5));
+  let aside = vec2f(-axis.y, axis.x);
+  let q = vec2f(dot(at, axis), dot(at, aside)) / period;
+  let ray = vec2f(dot(lean, axis), dot(lean, aside));
+  let sun = field.sun.xy / max(field.sun.z, 0.6);
+  let beam = vec2f(dot(sun, axis), dot(sun, aside));
+  // A stone hides what is behind it: those that are met stand nearer to the eye.
+  let base = vec2i(floor(q + 0.1 * ray - 0.5));
+  // Of the stone that the ray meets first: how high it meets it and how high the stone is, in periods.
+  var met = 0.0;
+  var summit = 1.0;
   var found = vec4f(0.0);
-  var lean = vec2f(0.0);
-  var dome = 0.0;
+  var slope = vec2f(0.0);
+  var rim = 0.0;
+  var shade = 0.0;
   for (var i = 0; i < 4; i++) {
     let cell = base + vec2i(i & 1, i >> 1u);
-    let h = hash3(vec3i(cell, i32(period * 64.0)));
-    let r = bytes(h);
-    let s = bytes(scramble(h + 1u));
-    // An ellipse, bent a little off its shape.
+    let s = numbers_of(cell.yx + 7, i32(period * 64.0) + 13);
+    if s.y >= here {
+      continue;
+    }
+    let r = numbers_of(cell, i32(period * 64.0));
     let turn = normalize(r.zw - 0.5013);
-    let wide = vec2f(-turn.y, turn.x) * (1.1 + 0.6 * s.x);
-    let radius = 0.32 + 0.26 * s.w;
+    let across = vec2f(-turn.y, turn.x);
     let away = q - (vec2f(cell) + 0.27 + 0.46 * r.xy);
-    let local = vec2f(dot(away, turn), dot(away, wide)) / radius;
-    let round = dot(local, local);
-    let bend = 0.4 * (s.x - 0.3) * local.x * (local.x * local.x - 3.0 * local.y * local.y) / (round + 0.1);
-    let d2 = round + bend * min(round, 1.0);
-    // The shadow: the same outline, moved away from the sun.
-    let moved = vec2f(dot(away + shift, turn), dot(away + shift, wide)) / radius;
-    let tall = period * radius;
-    if s.y < here && dot(moved, moved) < 1.0 {
-      cover_shade = max(cover_shade, tall * (0.5 + 0.25 * s.z) * seen);
-    }
-    let rise = sqrt(max(1.0 - d2, 0.0));
-    let high = tall * (0.55 * rise + 0.25 * s.z);
-    if s.y < here && d2 < 1.0 && high > cover_top {
-      cover_top = high;
-      dome = rise;
+    // One over its half axes: 0.32…0.58, less across, and still less up.
+    let scale = (3.1 - 1.38 * s.w) * vec3f(1.0, 1.1 + 0.6 * s.x, 1.3 + 0.9 * s.z);
+    let local = vec2f(dot(away, turn), dot(away, across)) * scale.xy;
+    let rising = vec3f(vec2f(dot(ray, turn), dot(ray, across)) * scale.xy, scale.z);
+    let a = dot(rising, rising);
+    let b = dot(local, rising.xy) / a;
+    // Where the ray comes nearest to its middle; there its outline is bent a little off an ellipse.
+    let nearest = local - b * rising.xy;
+    let bend = 0.36 * (s.x - 0.3) * nearest.x * (nearest.x * nearest.x - 3.0 * nearest.y * nearest.y);
+    let inside = select(0.0, b * b - (dot(local, local) - 1.0 + bend) / a, dot(nearest, nearest) < 2.0);
+    let high = sqrt(max(inside, 0.0)) - b;
+    if inside > 0.0 && high > met {
+      met = high;
+      summit = 1.0 / scale.z;
       found = s;
-      lean = local.x * turn + local.y * vec2f(-turn.y, turn.x);
+      rim = inside * a / scale.x;
+      let hit = local + high * rising.xy;
+      let steep = -1.0 / (max(high * scale.z, 0.25) * scale.z);
+      slope = steep * (hit.x * scale.x * turn + hit.y * scale.y * across);
     }
+    // Where its shadow falls, in the same way.
+    let falling = vec3f(vec2f(dot(beam, turn), dot(beam, across)) * scale.xy, scale.z);
+    let c = dot(falling, falling);
+    let d = dot(local, falling.xy) / c;
+    let under = d * d - (dot(local, local) - 1.0) / c;
+    let umbra = clamp(1.6 * under * c, 0.0, 1.0) * clamp(-4.0 * d, 0.0, 1.0);
+    shade = max(shade, 0.6 * umbra / scale.z);
   }
-  if dome <= 0.0 {
+  cover_shade = max(cover_shade, period * shade * seen);
+  let top = period * met;
+  if top <= cover_top {
     return;
   }
-  // Back to the world's axes.
-  let slope = -0.75 / max(dome, 0.35) * (lean.x * axis + lean.y * vec2f(-axis.y, axis.x));
+  cover_top = top;
   let kind = debris_kind(fract(found.x * 3.7 + found.z));
   let crumb = soil_albedo(globals.scene.x) * (0.75 + 0.6 * found.x);
-  cover_slope = mix(cover_slope, slope, seen);
-  cover_albedo = mix(cover_albedo, mix(crumb, individual(kind_albedo(kind), found.xzw), own), seen);
-  cover_open = mix(cover_open, smoothstep(0.0, 0.75, dome), seen);
+  // Half of what is left to its outline, in pixels.
+  let covered = seen * clamp(0.5 * rim * period / footprint, 0.0, 1.0);
+  cover_slope = mix(cover_slope, slope.x * axis + slope.y * aside, covered);
+  cover_albedo = mix(cover_albedo, mix(crumb, individual(kind_albedo(kind), found.xzw), own), covered);
+  cover_open = mix(cover_open, smoothstep(-0.1, 0.6, met / summit), covered);
 }
 
 // A point as the log has it: x along its axis from its middle, y across and z up from the axis, px.
@@ -97,9 +117,8 @@ fn litter(at: vec2f, period: f32, axis: vec2f, here: f32, footprint: f32) {
   let base = vec2i(floor(q - 0.5));
   for (var i = 0; i < 4; i++) {
     let cell = base + vec2i(i & 1, i >> 1u);
-    let h = hash3(vec3i(cell, i32(period * 64.0) + 7));
-    let r = bytes(h);
-    let s = bytes(scramble(h + 1u));
+    let r = numbers_of(cell, i32(period * 64.0) + 7);
+    let s = numbers_of(cell.yx + 7, i32(period * 64.0) + 20);
     let turn = normalize(r.zw - 0.5013);
     let away = q - (vec2f(cell) + 0.27 + 0.46 * r.xy);
     let long = dot(away, turn) / (0.34 + 0.2 * s.x);
@@ -127,12 +146,10 @@ fn litter(at: vec2f, period: f32, axis: vec2f, here: f32, footprint: f32) {
   }
 }
 
-// The bare ground at a point of z = 0.
-fn ground_cover(at: vec2f, footprint: f32) {
+// The ground where a ray meets z = 0, and what lies there. `lean` as in `scatter`.
+fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
   let widest = noises2(at / 71.0);
   let patches = widest.x + 0.5 * noise2(at / 23.0);
-  let fine = noise2(at / 2.1) * shown(2.1, footprint);
-  let grit = noise2(at / 0.7) * shown(0.7, footprint);
   cover_top = 0.0;
   cover_shade = 0.0;
   cover_leaf = 0.0;
@@ -140,7 +157,7 @@ fn ground_cover(at: vec2f, footprint: f32) {
   cover_open = 0.8;
   let warm = 0.05 * widest.y;
   let hue = vec3f(1.0 + warm, 1.0, 1.0 - warm);
-  cover_albedo = soil_albedo(ground_kind) * hue * (1.0 + 0.13 * patches + 0.16 * fine + 0.2 * grit);
+  cover_albedo = soil_albedo(ground_kind) * hue * (1.0 + 0.13 * patches);
   if ground_kind == 1.0 {
     // Wind ripples, and now and then a pebble.
     const ACROSS = vec2f(0.4, 0.29);
@@ -149,26 +166,26 @@ fn ground_cover(at: vec2f, footprint: f32) {
     cover_albedo *= 1.0 + 0.05 * sin(phase) * strength;
     cover_slope += ACROSS * 0.24 * cos(phase) * strength;
     cover_open = 1.0;
-    scatter(at, 1.3, vec2f(-0.5583, -0.8296), 0.1 + 0.1 * patches, 0.3, footprint);
-    scatter(at, 3.7, vec2f(-0.8982, -0.4397), 0.03 + 0.05 * patches, 0.8, footprint);
+    scatter(at, lean, 1.3, vec2f(-0.5583, -0.8296), 0.1 + 0.1 * patches, 0.3, footprint);
+    scatter(at, lean, 3.7, vec2f(-0.8982, -0.4397), 0.03 + 0.05 * patches, 0.8, footprint);
   } else if ground_kind == 2.0 {
     cover_albedo *= mix(0.82, 0.85, shown(2.0, footprint));
     // The large ones at every level: they are what goes on beyond the field's border.
     if quality > 0.0 {
-      scatter(at, 1.7, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
+      scatter(at, lean, 1.7, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
     }
-    scatter(at, 3.1, vec2f(-0.5530, 0.8331), 0.8 + 0.2 * patches, 1.0, footprint);
-    scatter(at, 5.2, vec2f(0.6109, 0.7917), 0.5 + 0.3 * patches, 1.0, footprint);
-    scatter(at, 8.3, vec2f(-0.4791, 0.8778), 0.22 + 0.2 * patches, 1.0, footprint);
+    scatter(at, lean, 3.1, vec2f(-0.5530, 0.8331), 0.8 + 0.2 * patches, 1.0, footprint);
+    scatter(at, lean, 5.2, vec2f(0.6109, 0.7917), 0.5 + 0.3 * patches, 1.0, footprint);
+    scatter(at, lean, 8.3, vec2f(-0.4791, 0.8778), 0.22 + 0.2 * patches, 1.0, footprint);
   } else {
     cover_albedo *= mix(1.0, 0.8, shown(1.2, footprint));
     if quality > 0.0 {
-      scatter(at, 1.2, vec2f(-0.7395, -0.6731), 0.8, 0.0, footprint);
+      scatter(at, lean, 1.2, vec2f(-0.7395, -0.6731), 0.8, 0.0, footprint);
     }
-    scatter(at, 2.3, vec2f(0.9721, 0.2346), 0.55 + 0.2 * patches, 0.06, footprint);
-    scatter(at, 4.6, vec2f(0.8646, -0.5024), 0.2 + 0.15 * patches, 0.5, footprint);
+    scatter(at, lean, 2.3, vec2f(0.9721, 0.2346), 0.55 + 0.2 * patches, 0.06, footprint);
+    scatter(at, lean, 4.6, vec2f(0.8646, -0.5024), 0.2 + 0.15 * patches, 0.5, footprint);
     if quality > 0.0 {
-      scatter(at, 7.7, vec2f(0.8078, 0.5895), 0.06, 1.0, footprint);
+      scatter(at, lean, 7.7, vec2f(0.8078, 0.5895), 0.06, 1.0, footprint);
     }
   }
   if has_log {
@@ -184,6 +201,33 @@ fn ground_cover(at: vec2f, footprint: f32) {
     litter(at, 4.3, vec2f(-0.9165, 0.4), 0.8 * here, footprint);
     litter(at, 7.4, vec2f(0.2198, -0.9755), 0.8 * here, footprint);
   }
+  grain_ground(vec3f(at + lean * cover_top, cover_top), footprint);
+}
+
+// Grain upon grain on stones and between them, down to the pixel.
+fn grain_ground(at: vec3f, footprint: f32) {
+  let is_stone = smoothstep(0.0, 0.3, cover_top) * (1.0 - cover_leaf);
+  var period = 2.1;
+  var q = TURN * at / period;
+  var value = 0.0;
+  var slope = vec3f(0.0);
+  let octaves = select(4, 1, quality < 0.5);
+  for (var i = 0; i < octaves; i++) {
+    let seen = shown(period, footprint);
+    if seen <= 0.0 {
+      break;
+    }
+    let fine = noise3(q) * seen;
+    value += fine.w;
+    slope += fine.xyz;
+    period /= 3.1;
+    q = q * 3.1 + 3.7;
+  }
+  // Sand lies smooth.
+  let loose = select(vec2f(0.42, 0.26), vec2f(0.24, 0.09), ground_kind == 1.0);
+  let strength = mix(loose, vec2f(0.36, 0.16), is_stone);
+  cover_albedo *= max(1.0 + strength.x * value, 0.2);
+  cover_slope += strength.y * (slope * TURN).xy;
 }
 
 // How wet it is, 0…1: in patches that grow together.
@@ -206,9 +250,9 @@ fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f3
   if quality > 0.0 {
     patches += 0.6 * noise3(q / 9.0).w + 0.55 * noise3(q / 2.6).w * shown(2.6, footprint);
   }
-  let want = patches + 0.4 * (upward - 0.7) + 0.9 * sheltered - 0.012 * height - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
+  let want = patches + 0.4 * (upward - 0.7) + 0.6 * sheltered - 0.012 * height - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
   // Half the moss covers about a third.
-  return smoothstep(0.0, 0.32, want - mix(1.25, -0.75, moss)) * smoothstep(0.1, 0.5, upward);
+  return smoothstep(0.0, 0.36, want - mix(1.2, -0.8, moss)) * smoothstep(0.1, 0.5, upward);
 }
 
 // What `moss_coat` found.

@@ -41,7 +41,9 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   if globals.soil.w > 0.5 {
     return backing(sun_seen(world, up), seen);
   }
-  ground_cover(world.xy, footprint);
+  // Seen flatter than this, stones are drawn as from there: no ray passes more than the next ones.
+  let lean = to_eye.xy / max(to_eye.z, 0.38);
+  ground_cover(world.xy, lean, footprint);
   var albedo = cover_albedo * mix(0.45, 1.0, cover_open);
   var slope = vec3f(cover_slope, 0.0);
   // Between and under the rocks it stays damp and collects what is fine.

@@ -1,27 +1,13 @@
-// Prepended to the passes in natural colours: noise in the world's px, and hashes. The noise is in textures that are the same on
-// every device (patterns.rs), the hashes are of integers, unlike the usual sin().
+// Prepended to the passes in natural colours: noise and random numbers in the world's px, from textures that are the same on every
+// device (patterns.rs).
 
 // Slope along x, y, z and value of gradient noise, four texels per cell
 @group(3) @binding(0) var noise_volume: texture_3d<f32>;
 // Random values, a texel each
 @group(3) @binding(1) var noise_plane: texture_2d<f32>;
+// Four random numbers for each cell of a lattice
 @group(3) @binding(2) var noise_points: texture_3d<f32>;
 @group(3) @binding(3) var noise_sampler: sampler;
-
-fn scramble(bits: u32) -> u32 {
-  var h = (bits ^ (bits >> 16u)) * 0x7feb352du;
-  h = (h ^ (h >> 15u)) * 0x846ca68bu;
-  return h ^ (h >> 16u);
-}
-
-fn hash3(cell: vec3i) -> u32 {
-  return scramble((u32(cell.x) * 0x9e3779b9u) ^ (u32(cell.y) * 0x85ebca6bu) ^ (u32(cell.z) * 0xc2b2ae35u));
-}
-
-// Four numbers of 0…1 from one hash.
-fn bytes(h: u32) -> vec4f {
-  return vec4f(vec4u(h, h >> 8u, h >> 16u, h >> 24u) & vec4u(255u)) / 255.0;
-}
 
 // Gradient noise: w the value, about -0.7…0.7; xyz its slope. It repeats after 16 units along each axis.
 fn noise3(at: vec3f) -> vec4f {
@@ -48,6 +34,13 @@ fn noise2(at: vec2f) -> f32 {
 
 fn point_of(cell: vec3i) -> vec4f {
   return textureLoad(noise_points, cell & vec3i(31), 0);
+}
+
+// Four random numbers of a cell of a grid on the ground, 0…1; other numbers for every `which`. Every 32 cells the next layer of the
+// lattice begins, so that nothing comes again for a thousand.
+fn numbers_of(cell: vec2i, which: i32) -> vec4f {
+  let block = cell >> vec2u(5u);
+  return point_of(vec3i(cell, which + 5 * block.x + 11 * block.y));
 }
 
 // The cell of a jittered grid that `at` lies in: x the distance to its middle, y, z, w three numbers of its own, which run
