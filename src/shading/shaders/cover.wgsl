@@ -70,16 +70,18 @@ fn scatter(at: vec2f, lean: vec2f, period: f32, axis: vec2f, here: f32, own: f32
       found = s;
       rim = inside * a / scale.x;
       let hit = local + high * rising.xy;
-      let steep = -1.0 / (max(high * scale.z, 0.25) * scale.z);
+      let steep = -1.0 / (max(high * scale.z, 0.4) * scale.z);
       slope = steep * (hit.x * scale.x * turn + hit.y * scale.y * across);
     }
     // Where its shadow falls, in the same way.
-    let falling = vec3f(vec2f(dot(beam, turn), dot(beam, across)) * scale.xy, scale.z);
-    let c = dot(falling, falling);
-    let d = dot(local, falling.xy) / c;
-    let under = d * d - (dot(local, local) - 1.0) / c;
-    let umbra = clamp(1.6 * under * c, 0.0, 1.0) * clamp(-4.0 * d, 0.0, 1.0);
-    shade = max(shade, 0.6 * umbra / scale.z);
+    if quality > 0.0 {
+      let falling = vec3f(vec2f(dot(beam, turn), dot(beam, across)) * scale.xy, scale.z);
+      let c = dot(falling, falling);
+      let d = dot(local, falling.xy) / c;
+      let under = d * d - (dot(local, local) - 1.0) / c;
+      let umbra = clamp(1.6 * under * c, 0.0, 1.0) * clamp(-4.0 * d, 0.0, 1.0);
+      shade = max(shade, 0.5 * umbra / scale.z);
+    }
   }
   cover_shade = max(cover_shade, period * shade * seen);
   let top = period * met;
@@ -93,7 +95,7 @@ fn scatter(at: vec2f, lean: vec2f, period: f32, axis: vec2f, here: f32, own: f32
   let covered = seen * clamp(0.5 * rim * period / footprint, 0.0, 1.0);
   cover_slope = mix(cover_slope, slope.x * axis + slope.y * aside, covered);
   cover_albedo = mix(cover_albedo, mix(crumb, individual(kind_albedo(kind), found.xzw), own), covered);
-  cover_open = mix(cover_open, smoothstep(-0.1, 0.6, met / summit), covered);
+  cover_open = mix(cover_open, 0.45 + 0.55 * smoothstep(0.0, 0.6, met / summit), covered);
 }
 
 // A point as the log has it: x along its axis from its middle, y across and z up from the axis, px.
