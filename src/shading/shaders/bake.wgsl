@@ -53,10 +53,11 @@ fn fs_main(
   let agree = agreement(smooth_normal, face);
   let base = normalize(mix(face, smooth_normal, agree));
 
-  // Four spirals, the same everywhere: a picture can be dithered, a texture is looked at from all sides.
+  // Four spirals: a texture is looked at from all sides, and from near by.
   var seen = 0.0;
   for (var i = 0; i < 4; i++) {
-    seen += 0.25 * sky_seen(world, base, vec2f(7.0 * f32(i), 0.0));
+    spiral_start = 0.3 * f32(i);
+    seen += 0.25 * sky_seen(world, base);
   }
   rock_surface(world, own, base, worn(across, down, turn_x, turn_y) * agree, seen, footprint_of(across, down));
 

@@ -31,7 +31,8 @@ fn files() -> BTreeMap<String, String> {
     files
 }
 
-/// The recipes that a pass is written for, with what is added to its name: with moss and water, and with neither.
+/// The recipes that a pass is written for, with what is added to its name: with moss and water, with neither, and for the
+/// samples of a still.
 fn recipes(shader: Shader, quality: Quality) -> Vec<(String, Recipe)> {
     let dry = Look { weather: [0.5, 0.0, 0.0, 0.2], ..Look::default() };
     let mossy = Look { weather: [0.5, 0.4, 0.4, 0.2], ..Look::default() };
@@ -39,6 +40,7 @@ fn recipes(shader: Shader, quality: Quality) -> Vec<(String, Recipe)> {
         return vec![
             (String::new(), Recipe::of_bodies(quality, &mossy)),
             ("-dry".into(), Recipe::of_bodies(quality, &dry)),
+            ("-sampled".into(), Recipe::of_bodies(quality, &mossy).sampled()),
         ];
     }
     let mut recipes = Vec::new();
@@ -47,6 +49,7 @@ fn recipes(shader: Shader, quality: Quality) -> Vec<(String, Recipe)> {
             let look = Look { ground: f32::from(ground), ..look.clone() };
             recipes.push((format!("-{name}{weather}"), Recipe::of_ground(quality, &look, false)));
             recipes.push((format!("-{name}{weather}-log"), Recipe::of_ground(quality, &look, true)));
+            recipes.push((format!("-{name}{weather}-sampled"), Recipe::of_ground(quality, &look, false).sampled()));
         }
     }
     recipes

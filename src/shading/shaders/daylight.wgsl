@@ -23,17 +23,20 @@ fn height_at(at: vec2f) -> f32 {
   return (found.r + (found.g - 0.5) / 255.0) * field.size.w;
 }
 
+// Where the spiral of `sky_seen` begins: everywhere alike. A dither in its stead shows as a hatch, above all where something has a
+// threshold, as moss has.
+var<private> spiral_start: f32 = 0.6;
+
 // How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks. The inner turns find the
 // neighbour it touches, the outer ones the boulder beside it. `face` is the surface without its relief.
-fn sky_seen(world: vec3f, face: vec3f, pixel: vec2f) -> f32 {
+fn sky_seen(world: vec3f, face: vec3f) -> f32 {
   // What depends on it besides the light is a mean over all samples.
   let taps = select(select(16, 10, quality < 1.5), 5, quality < 0.5 || is_sampled);
   let texel = field.ground.y;
-  let start = dither(pixel) * 1.2;
   let reach = max(30.0, 3.0 * texel);
   var blocked = 0.0;
   var lost = vec2f(0.0);
-  var way = vec2f(cos(start), sin(start));
+  var way = vec2f(cos(spiral_start), sin(spiral_start));
   for (var i = 0; i < taps; i++) {
     let share = (f32(i) + 0.5) / f32(taps);
     let radius = max(reach * share * share, 1.2 * texel);

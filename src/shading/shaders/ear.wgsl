@@ -114,7 +114,7 @@ fn fs_main(
   var albedo = flesh_albedo(own, wet, back, broad.w, fine, vein, down_hair);
   var rough = mix(mix(0.62, 0.19, wet), 0.85, back);
   let relief = bumped(base, slope);
-  let seen = mix(0.25, 1.0, sky_seen(world, base, pixel.xy));
+  let seen = mix(0.25, 1.0, sky_seen(world, base));
   let towards = normalize(relief + to_eye * max(0.0, 0.02 - dot(relief, to_eye)));
 
   // Velvet: hairs stand out against the light where they are seen from the side.

@@ -160,7 +160,7 @@ fn fs_main(
     open = mix(open, wood_open, bare);
   }
   let relief = bumped(base, slope);
-  let seen = sky_seen(world, base, pixel.xy);
+  let seen = sky_seen(world, base);
 
   // Soil clings to what lies in the ground; moss as on the rocks, first in the fissures.
   let loose = noise2(world.xy / 6.3) * 0.5;

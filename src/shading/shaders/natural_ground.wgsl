@@ -37,7 +37,7 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   let footprint = across * pow(max(to_eye.z, 0.02), -0.75);
 
   let up = vec3f(0.0, 0.0, 1.0);
-  let seen = sky_seen(world, up, pixel.xy);
+  let seen = sky_seen(world, up);
   if globals.soil.w > 0.5 {
     return backing(sun_seen(world, up), seen);
   }

@@ -42,7 +42,7 @@ fn fs_main(
   let world = inside + globals.eye.xyz;
   let far = length(from_eye);
   let to_eye = -from_eye / far;
-  let seen = sky_seen(world, base, pixel.xy);
+  let seen = sky_seen(world, base);
   let wear = worn(across, down, turn_x, turn_y) * agree;
   rock_surface(world, own, base, wear, seen, footprint_of(across, down));
 
