@@ -4,7 +4,8 @@
 use std::collections::BTreeMap;
 use std::path::PathBuf;
 
-use super::super::{Look, Quality, Recipe};
+use super::super::recipe::{Recipe, Sort};
+use super::super::{Look, Quality};
 use super::{ALL, NATURAL_GROUND, RECIPE, Shader, tests};
 
 /// Names the folder to write to.
@@ -40,7 +41,7 @@ fn recipes(shader: Shader, quality: Quality) -> Vec<(String, Recipe)> {
         return vec![
             (String::new(), Recipe::of_bodies(quality, &mossy)),
             ("-dry".into(), Recipe::of_bodies(quality, &dry)),
-            ("-sampled".into(), Recipe::of_bodies(quality, &mossy).sampled()),
+            ("-sampled".into(), Recipe::of_bodies(quality, &mossy).of(Sort::Sample)),
         ];
     }
     let mut recipes = Vec::new();
@@ -49,7 +50,8 @@ fn recipes(shader: Shader, quality: Quality) -> Vec<(String, Recipe)> {
             let look = Look { ground: f32::from(ground), ..look.clone() };
             recipes.push((format!("-{name}{weather}"), Recipe::of_ground(quality, &look, false)));
             recipes.push((format!("-{name}{weather}-log"), Recipe::of_ground(quality, &look, true)));
-            recipes.push((format!("-{name}{weather}-sampled"), Recipe::of_ground(quality, &look, false).sampled()));
+            recipes
+                .push((format!("-{name}{weather}-sampled"), Recipe::of_ground(quality, &look, false).of(Sort::Sample)));
         }
     }
     recipes
