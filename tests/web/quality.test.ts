@@ -325,9 +325,9 @@ test('on a software GPU a motion is small and low, and then there is a whole pic
   const { device, drawn, pacer, scene } = await setUpSoftware(mock, 1000);
   pacer.invalidate();
   await pass(mock, device, 100);
-  assert.deepEqual([device.shown, scene.level], [['200×150 rough'], 'low']);
+  assert.deepEqual([device.shown, scene.level], [['179×134 rough'], 'low']);
   await pass(mock, device, 5000);
-  assert.deepEqual([device.shown, scene.level], [['200×150 rough', '800×600 rough', '800×600'], 'high']);
+  assert.deepEqual([device.shown, scene.level], [['179×134 rough', '800×600 rough', '800×600'], 'high']);
   const { begun } = device;
   await pass(mock, device, 1000);
   assert.deepEqual([device.begun, frames.length, drawn], [begun, 0, []]);
@@ -338,7 +338,7 @@ test('where quality makes no difference, the whole picture is the best one', asy
   scene.graded = false;
   pacer.invalidate();
   await pass(mock, device, 4000);
-  assert.deepEqual([device.shown, scene.level], [['200×150 rough', '800×600'], null]);
+  assert.deepEqual([device.shown, scene.level], [['179×134 rough', '800×600'], null]);
 });
 
 test('a touch ends a still at once, and is answered by a small picture', async ({ mock }) => {
@@ -346,13 +346,13 @@ test('a touch ends a still at once, and is answered by a small picture', async (
   pacer.invalidate();
   await pass(mock, device, 2000);
   const { shown, begun } = device;
-  assert.deepEqual(shown, ['200×150 rough']);
+  assert.deepEqual(shown, ['179×134 rough']);
   assert.equal(begun, 2, 'the still is under way');
   pacer.invalidate();
   await pass(mock, device, 24);
   assert.equal(device.begun, 3);
   await pass(mock, device, 400);
-  assert.deepEqual(device.shown, ['200×150 rough', '200×150 rough']);
+  assert.deepEqual(device.shown, ['179×134 rough', '179×134 rough']);
 });
 
 test('the pictures of a motion follow each other, and each is shown', async ({ mock }) => {
@@ -369,7 +369,7 @@ test('a quality that is named is drawn at that quality, whatever its size', asyn
   const { device, pacer, scene } = await setUpSoftware(mock, 1000);
   pacer.wanted = 'medium';
   await pass(mock, device, 100);
-  assert.deepEqual([device.shown.at(-1), scene.level], ['200×150 rough', 'medium']);
+  assert.deepEqual([device.shown.at(-1), scene.level], ['179×134 rough', 'medium']);
   await pass(mock, device, 5000);
   assert.deepEqual([device.shown.at(-1), scene.level], ['800×600', 'medium']);
 });
@@ -397,10 +397,10 @@ async function motion(cut: CutPictures, device: Device, mock: Mock, pictures: nu
   }
 }
 
-test('the size of a motion is what the device draws in time, and never less than a quarter of the side', async ({ mock }) => {
+test('the size of a motion is what the device draws in time, and never less than a fifth of the side', async ({ mock }) => {
   mock.method(performance, 'now', () => clock);
   for (const [speed, least, most] of [
-    [100, 0.25, 0.25],
+    [100, 0.2, 0.2],
     [1000, 0.3, 0.5],
     [3000, 0.5, 0.9],
     [100_000, 1, 1],

@@ -13,7 +13,7 @@ import type { Pieces } from '../renderer/renderer.ts';
 const MOTION_MS = 75;
 const [TOO_FAST_MS, TOO_SLOW_MS] = [50, 100];
 /** Smallest share of a side that is drawn. */
-const LEAST_SCALE = 0.25;
+const LEAST_SCALE = 0.2;
 /** Before anything is known of the device, a picture has at most so many pixels. */
 const FIRST_PIXELS = 24_000;
 /** A whole picture in less, twice, is a device on which nothing has to be cut. */
