@@ -48,7 +48,7 @@ fn every_shader_file_belongs_to_a_pass() {
     let files = std::fs::read_dir(folder).expect("the shaders' folder").map(|entry| entry.expect("an entry").path());
     for path in files.filter(|path| path.extension().is_some_and(|extension| extension == "wgsl")) {
         let source = std::fs::read_to_string(&path).expect("a shader");
-        let used = ALL.iter().any(|shader| shader.code().contains(&source));
+        let used = source == super::PRESENT || ALL.iter().any(|shader| shader.code().contains(&source));
         assert!(used, "{} is tested by no pass", path.display());
     }
 }
@@ -58,6 +58,9 @@ fn every_pass_parses_and_validates() {
     each(|name, module| {
         validate(name, module);
     });
+    // It stands alone.
+    let present = naga::front::wgsl::parse_str(super::PRESENT).expect("present.wgsl");
+    validate("present", &present);
 }
 
 #[test]
