@@ -58,12 +58,17 @@ impl Camera {
 
 impl Frame {
     /// The matrix from positions relative to the eye to clip space. Near and far lie just around the sphere (`center`,
-    /// `radius`) that holds everything drawn with depth; with `horizon`, far is as far as the ground reaches.
-    pub(crate) fn clip_from_eye(&self, aspect: f32, center: Vec3, radius: f32, horizon: bool) -> Mat4 {
+    /// `radius`) that holds everything drawn with depth. `horizon` is given where the ground goes on: far is as far as it reaches, and
+    /// near as near as anything can be that is no higher than so many px.
+    pub(crate) fn clip_from_eye(&self, aspect: f32, center: Vec3, radius: f32, horizon: Option<f32>) -> Mat4 {
         let ahead = (center - self.eye).dot(self.forward);
         let far = (ahead + radius).max(2.0);
         // With 24 bits of depth, near must not be too small. 1/2000 of far still lets the eye stand among the rocks.
-        let near = (ahead - radius).max(far / 2000.0).max(0.05);
+        let tangent = (0.5 * FOV_Y).tan();
+        // Where the lowest rays of the picture are as high.
+        let below = |top: f32| (self.eye.z - top) / (tangent * self.up.z - self.forward.z);
+        let near = horizon.map_or(ahead - radius, |top| (ahead - radius).min(0.95 * below(top)));
+        let near = near.max(far / 2000.0).max(0.05);
         let view = Mat4::from_cols(
             Vec3::new(self.right.x, self.up.x, -self.forward.x).extend(0.0),
             Vec3::new(self.right.y, self.up.y, -self.forward.y).extend(0.0),
@@ -71,9 +76,9 @@ impl Frame {
             Vec4::W,
         );
         // A larger far costs next to no precision, which depends on near.
-        let far = if horizon { 10_000.0 * far } else { far };
+        let far = if horizon.is_some() { 10_000.0 * far } else { far };
         // The eye looks along -z, and depth is 0…1.
-        let focal = 1.0 / (0.5 * FOV_Y).tan();
+        let focal = 1.0 / tangent;
         let depth = far / (near - far);
         let projection = Mat4::from_cols(
             Vec4::X * (focal / aspect),

@@ -5,7 +5,7 @@
 
 use super::pass::{HEIGHT_FORMAT, SHADOW_FORMAT};
 use super::surface::texture;
-use crate::shading::{SKY_COLUMNS, SKY_ROWS, Sky};
+use crate::shading::{SKY_COLUMNS, SKY_ROWS, Sky, hills};
 
 /// Side of the shadow map and of the height map, texels. For the papers' fields of 1024 px, a texel is 0.7 px.
 const MAP_SIDE: u32 = 2048;
@@ -20,6 +20,7 @@ pub(crate) struct Maps {
     pub(crate) shadow: wgpu::TextureView,
     pub(crate) height: wgpu::TextureView,
     pub(crate) sky: wgpu::TextureView,
+    pub(crate) hills: wgpu::TextureView,
     /// Scratch texture, shared by all sets.
     pub(crate) height_depth: wgpu::TextureView,
 }
@@ -52,6 +53,8 @@ struct Set {
 pub(crate) struct MapSets {
     sets: Vec<Set>,
     height_depth: Option<wgpu::TextureView>,
+    /// The same for all sets.
+    hills: Option<wgpu::TextureView>,
     now: u64,
 }
 
@@ -65,6 +68,7 @@ impl MapSets {
     pub(crate) fn lend(
         &mut self,
         device: &wgpu::Device,
+        queue: &wgpu::Queue,
         layout: &wgpu::BindGroupLayout,
         view: u64,
         scene: u64,
@@ -82,7 +86,7 @@ impl MapSets {
                 (set.maps.clone(), stale)
             }
             None => {
-                let maps = self.make(device, layout);
+                let maps = self.make(device, queue, layout);
                 self.sets.push(Set { maps: maps.clone(), view, scene, used: self.now });
                 (maps, true)
             }
@@ -101,7 +105,7 @@ impl MapSets {
         });
     }
 
-    fn make(&mut self, device: &wgpu::Device, layout: &wgpu::BindGroupLayout) -> Maps {
+    fn make(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, layout: &wgpu::BindGroupLayout) -> Maps {
         let side = Self::side(device.limits().max_texture_dimension_2d);
         let map = |label, format| {
             let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
@@ -114,8 +118,24 @@ impl MapSets {
         let usage = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::TEXTURE_BINDING;
         let size = (SKY_COLUMNS as u32, SKY_ROWS as u32);
         let sky = texture(device, "rock-field/sky/map", size, 1, wgpu::TextureFormat::Rgba16Float, usage);
-        Maps { group: group(device, layout, [&shadow; 3], &height, &sky), shadow, height, sky, height_depth }
+        let hills = self.hills.get_or_insert_with(|| hills(device, queue)).clone();
+        let group = group(device, layout, [&shadow; 3], [&height, &sky, &hills]);
+        Maps { group, shadow, height, sky, hills, height_depth }
     }
+}
+
+/// The panorama of the hills.
+fn hills(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
+    let [width, height] = [hills::COLUMNS, hills::ROWS].map(|side| side as u32);
+    let usage = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::TEXTURE_BINDING;
+    let map = texture(device, "rock-field/hills", (width, height), 1, wgpu::TextureFormat::Rgba8Unorm, usage);
+    queue.write_texture(
+        map.texture().as_image_copy(),
+        bytemuck::cast_slice(&hills::panorama()),
+        wgpu::TexelCopyBufferLayout { offset: 0, bytes_per_row: Some(4 * width), rows_per_image: None },
+        wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
+    );
+    map
 }
 
 /// `shadows` of the sun, and for a still of the sky and of the ground.
@@ -123,8 +143,7 @@ pub(crate) fn group(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
     [shadow, high, below]: [&wgpu::TextureView; 3],
-    height: &wgpu::TextureView,
-    sky: &wgpu::TextureView,
+    [height, sky, hills]: [&wgpu::TextureView; 3],
 ) -> wgpu::BindGroup {
     let sampler = |label, compare| {
         device.create_sampler(&wgpu::SamplerDescriptor {
@@ -155,6 +174,7 @@ pub(crate) fn group(
             entry(7, wgpu::BindingResource::Sampler(&linear)),
             entry(8, wgpu::BindingResource::TextureView(high)),
             entry(9, wgpu::BindingResource::TextureView(below)),
+            entry(10, wgpu::BindingResource::TextureView(hills)),
         ],
     })
 }

@@ -16,7 +16,8 @@
 //! picture (outsides, insides; in the wireframe view also the edges) and the props, or the fills and strokes of a plan.
 //! Nothing is drawn unless a frame is asked for. In natural colours the ground's depth comes first, so that nothing is
 //! shaded that it hides, then the rocks, each with as many triangles as can be told apart ([`crate::shading`]'s levels),
-//! and last the ground's colour.
+//! and last the ground's colour. Copies of the field lie round it: the same triangles, each time with the uniforms of another place
+//! ([`Scene`]'s `around`).
 //!
 //! With WebGPU, a device serves any number of canvases. WebGL2 binds a device to one canvas and allows about 16 of them
 //! per page. There, all views are drawn on one canvas that is not visible, and JavaScript copies each picture to its
@@ -27,6 +28,7 @@
 //!
 //! Both backends run the same shaders, which encode sRGB themselves, so both give the same picture.
 
+mod around;
 mod bake;
 mod buffers;
 mod camera;

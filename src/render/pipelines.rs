@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | 0 `frame` | frame and view | 0 `Globals` |
 //! | 1 `field` | field | 0 `FieldUniforms` |
-//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler, 8 and 9 more shadow maps of a still |
+//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler, 8 and 9 more shadow maps of a still, 10 hills |
 //! | 3 `patterns` | device | 0 volume of noise, 1 plane of noise, 2 lattice of points, 3 the sampler of the first two |
 //! | 2 `still` | sample | 0 mean of the samples, 1 the newest one |
 
@@ -380,6 +380,7 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             sampler(wgpu::SamplerBindingType::Filtering),
             texture(Depth),
             texture(Depth),
+            texture(Float { filterable: true }),
         ],
     )
 }

@@ -1,32 +1,20 @@
 //! One field on the device: its buffers, and the functions that draw it.
 
+mod maps;
+
 use std::ops::Range;
 
 use bytemuck::Zeroable;
 use glam::Vec3;
 
+use super::around::{Around, Field};
 use super::buffers::{Mesh, MeshBuffers, VertexBuffers};
 use super::indices::arranged;
-use super::maps::{MapSets, Maps};
-use super::surface::depth_attachment;
+use super::maps::MapSets;
 use super::{Gpu, Props, RenderError, upload};
 use crate::shading::{
     Arrangement, Body, Bounds, ColorMode, FieldUniforms, Look, Sample, Sight, Stands, Turned, beam, palette,
 };
-
-/// How large the triangles of the shadow and height maps may be on the mean, texels².
-const TEXELS: f32 = 12.0;
-
-/// Lower than anything is.
-const LOWEST: f32 = -1.0e9;
-/// How many indices of rocks a submission of maps draws.
-const PART: u32 = 300_000;
-
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Map {
-    Shadow,
-    Height,
-}
 
 /// What distinguishes the rocks from each other. It is small, and kept so that they can be coloured again.
 pub(crate) struct Rocks {
@@ -72,6 +60,13 @@ pub(crate) struct Scene {
     /// The direction of the sun with which the uniforms were written.
     sun: Vec3,
     props: Option<u64>,
+    /// The copies of the field round it, and whether they are shown.
+    around: Around,
+    is_surrounded: bool,
+    /// Whether the maps are right for copies, too.
+    is_repeated: bool,
+    /// Whether the copies are lit as in a still's sample.
+    is_sampled: bool,
     /// One texel of the height map, px.
     texel: f32,
     low: Vec3,
@@ -166,6 +161,10 @@ impl Scene {
             stale: false,
             sun: Vec3::ZERO,
             props: None,
+            around: Around::new(gpu, image)?,
+            is_surrounded: false,
+            is_repeated: false,
+            is_sampled: false,
             texel: 0.0,
             low,
             high,
@@ -181,23 +180,30 @@ impl Scene {
         })
     }
 
-    /// Sets the sun's direction and the props, from now on.
-    pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3, props: &Props) {
-        if (sun, Some(props.number)) == (self.sun, self.props) {
+    /// Sets the sun's direction, the props, and whether the ground goes on beyond the field, from now on.
+    pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3, props: &Props, is_surrounded: bool) {
+        if (sun, Some(props.number), is_surrounded) == (self.sun, self.props, self.is_surrounded) {
+            if self.is_sampled {
+                self.light_around(gpu, &self.lit.clone(), false);
+            }
             return;
         }
-        (self.sun, self.props) = (sun, Some(props.number));
+        (self.sun, self.props, self.is_surrounded) = (sun, Some(props.number), is_surrounded);
         self.number = gpu.next_number();
         let (low, high) = props.around(self.low, self.high);
         self.center = (low + high) * 0.5;
         self.radius = (high - low).length() * 0.5;
         self.is_buried = low.z < 0.0;
-        let mut uniforms = field_uniforms(sun, self.image, low, high, MapSets::side(gpu.max_side()) as f32);
+        let mut uniforms = FieldUniforms::fitted(sun, self.image, low, high, MapSets::side(gpu.max_side()) as f32);
         uniforms.ground[2] = if self.is_buried { 1.0 } else { 0.0 };
         uniforms.size[2] = self.high.z.max(1.0);
         let sky = gpu.sky(sun);
         uniforms.sunshine = sky.sunshine.extend(0.0).to_array();
         uniforms.sky = sky.uniforms(sun);
+        uniforms.bricks = self.around.bricks().uniform();
+        // What stands on the field stands on none of its copies, and would throw its shadow there.
+        self.is_repeated = is_surrounded && props.is_empty();
+        uniforms.bricks[3] = if self.is_repeated { 1.0 } else { 0.0 };
         if let Some(axis) = props.axis() {
             uniforms.log = [axis.middle, axis.half, axis.radius, axis.height];
             uniforms.bow = axis.bow;
@@ -206,6 +212,16 @@ impl Scene {
         gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
         self.lit = uniforms;
         self.bounds = [low, high];
+        self.light_around(gpu, &uniforms, false);
+    }
+
+    /// Lights the copies of the field as it is lit by `uniforms`, for what is submitted next: `is_sampled` if they are those of a sample, until
+    /// the field is drawn in its own light again.
+    pub(crate) fn light_around(&mut self, gpu: &Gpu, uniforms: &FieldUniforms, is_sampled: bool) {
+        self.is_sampled = is_sampled;
+        if self.is_surrounded {
+            self.around.write(gpu, uniforms);
+        }
     }
 
     /// The uniforms of a sample of a still that shows what is in the box `lit`, and of the shadow maps of its three lights: of the
@@ -217,7 +233,7 @@ impl Scene {
         });
         let lights = beams.map(|(from_world, way)| {
             let mut light = FieldUniforms { sun_from_world: from_world, sun: way, ..self.lit };
-            light.ground[3] = if way[2] < 0.0 { 0.0 } else { LOWEST };
+            light.ground[3] = if way[2] < 0.0 { 0.0 } else { FieldUniforms::LOWEST };
             light
         });
         let [(sun_from_world, sun), (sky_from_world, sky_way), (below_from_world, below_way)] = beams;
@@ -275,99 +291,6 @@ impl Scene {
         self.buffers.set_edges(gpu, indices)
     }
 
-    /// Draws the shadow and height maps, and writes the sky's. They change only with the field, the sun and the props, so drawing them once
-    /// is enough.
-    pub(crate) fn draw_maps(
-        &self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        frame_group: &wgpu::BindGroup,
-        maps: &Maps,
-        props: &Props,
-    ) {
-        maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
-        let rocks = self.arrangement.all(TEXELS * self.texel * self.texel);
-        for which in [Map::Shadow, Map::Height] {
-            self.draw_map(gpu, encoder, frame_group, (which, maps), props, &rocks, true);
-        }
-    }
-
-    /// The same in submissions of their own, each of a few of the rocks.
-    pub(crate) fn submit_maps(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps, props: &Props) {
-        maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
-        let rocks = parts(&self.arrangement.all(TEXELS * self.texel * self.texel));
-        let none = Props::default();
-        for which in [Map::Shadow, Map::Height] {
-            for (part, rocks) in rocks.iter().enumerate() {
-                let mut encoder = gpu.device.create_command_encoder(&Default::default());
-                let props = if part == 0 { props } else { &none };
-                self.draw_map(gpu, &mut encoder, frame_group, (which, maps), props, rocks, part == 0);
-                gpu.queue.submit([encoder.finish()]);
-            }
-        }
-    }
-
-    /// Draws props and some rocks into a map, which is empty if these are the first.
-    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
-    fn draw_map(
-        &self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        frame_group: &wgpu::BindGroup,
-        (which, maps): (Map, &Maps),
-        props: &Props,
-        rocks: &[Range<u32>],
-        is_first: bool,
-    ) {
-        let (label, pipeline, depth) = match which {
-            Map::Shadow => ("rock-field/shadow/pass", &gpu.pipelines.shadow, &maps.shadow),
-            Map::Height => ("rock-field/height/pass", &gpu.pipelines.height, &maps.height_depth),
-        };
-        let mut depth = depth_attachment(depth, wgpu::StoreOp::Store);
-        let mut load = wgpu::LoadOp::Clear(wgpu::Color::BLACK);
-        if !is_first {
-            load = wgpu::LoadOp::Load;
-            depth.depth_ops = Some(wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store });
-        }
-        let colors = [Some(wgpu::RenderPassColorAttachment {
-            view: &maps.height,
-            depth_slice: None,
-            resolve_target: None,
-            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
-        })];
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some(label),
-            color_attachments: if which == Map::Height { &colors } else { &[] },
-            depth_stencil_attachment: Some(depth),
-            ..Default::default()
-        });
-        pass.set_bind_group(0, frame_group, &[]);
-        pass.set_bind_group(1, &self.field_group, &[]);
-        self.draw_rocks(&mut pass, pipeline, rocks);
-        props.draw(&mut pass, [pipeline; 2]);
-    }
-
-    /// Draws the shadow map of a light whose uniforms are in `light`; a texel of it is so many px wide.
-    pub(crate) fn draw_shadows(
-        &self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        [frame, light]: [&wgpu::BindGroup; 2],
-        map: &wgpu::TextureView,
-        texel: f32,
-        props: &Props,
-    ) {
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("rock-field/still/shadow"),
-            depth_stencil_attachment: Some(depth_attachment(map, wgpu::StoreOp::Store)),
-            ..Default::default()
-        });
-        pass.set_bind_group(0, frame, &[]);
-        pass.set_bind_group(1, light, &[]);
-        self.draw_rocks(&mut pass, &gpu.pipelines.shadow, &self.arrangement.all(TEXELS * texel * texel));
-        props.draw(&mut pass, [&gpu.pipelines.shadow; 2]);
-    }
-
     pub(crate) fn vertices(&self) -> u32 {
         self.buffers.vertices()
     }
@@ -375,6 +298,34 @@ impl Scene {
     /// What has to be drawn of the rocks in a picture.
     pub(crate) fn seen(&self, sight: &Sight) -> Vec<Range<u32>> {
         self.arrangement.seen(sight)
+    }
+
+    /// Draws the copies of the field round it that a picture shows, if there are to be any, with about so many triangles.
+    pub(crate) fn draw_around(
+        &self,
+        pass: &mut wgpu::RenderPass<'_>,
+        gpu: &Gpu,
+        pipeline: &wgpu::RenderPipeline,
+        sight: &Sight,
+        most: u32,
+    ) {
+        if self.is_surrounded {
+            self.around.draw(pass, gpu, pipeline, &self.field(), sight, most);
+        }
+    }
+
+    /// Whether a picture shows copies of the field.
+    pub(crate) fn shows_around(&self, sight: &Sight) -> bool {
+        self.is_surrounded && self.around.is_seen(&self.field(), sight)
+    }
+
+    fn field(&self) -> Field<'_> {
+        Field { arrangement: &self.arrangement, buffers: &self.buffers }
+    }
+
+    /// Whether the ground's shader can show what is not drawn of the rocks.
+    pub(crate) fn is_repeated(&self) -> bool {
+        self.is_repeated
     }
 
     /// The top of the highest rock, px: deeper none sinks.
@@ -403,47 +354,6 @@ impl Scene {
     }
 }
 
-/// Cuts ranges of indices into parts of at most [`PART`] indices; there is at least one.
-fn parts(ranges: &[Range<u32>]) -> Vec<Vec<Range<u32>>> {
-    let mut parts = vec![Vec::new()];
-    let mut room = PART;
-    for range in ranges {
-        let mut start = range.start;
-        while start < range.end {
-            if room == 0 {
-                parts.push(Vec::new());
-                room = PART;
-            }
-            let end = range.end.min(start + room);
-            parts.last_mut().into_iter().for_each(|part| part.push(start..end));
-            room -= end - start;
-            start = end;
-        }
-    }
-    parts
-}
-
 fn id_at(list: &[u32], at: usize) -> u32 {
     list.get(at).copied().unwrap_or(u32::MAX)
-}
-
-/// Fits the sun's orthographic camera and the height map to the box `low`…`high`.
-fn field_uniforms(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> FieldUniforms {
-    // There must be room on the ground for the longest shadow, so that none is cut off at the map's edge.
-    let reach = high.z * (sun.truncate().length() / sun.z);
-    let bounds = [low - Vec3::new(reach, reach, 0.0), high + Vec3::new(reach, reach, 0.0)];
-    let (sun_from_world, across) = beam(sun, bounds, bounds);
-    // With a margin of four texels, samples at the border read empty ground.
-    let extent = (high - low).truncate();
-    let texel = extent.max_element() / (side - 8.0);
-    let corner = low.truncate() - glam::Vec2::splat(4.0 * texel);
-    let scale = (extent + glam::Vec2::splat(8.0 * texel)).recip();
-    FieldUniforms {
-        sun_from_world: sun_from_world.to_cols_array_2d(),
-        sun: sun.extend(across).to_array(),
-        map: [corner.x, corner.y, scale.x, scale.y],
-        size: [image[0], image[1], high.z.max(1.0), high.z.max(1.0)],
-        ground: [0.36 * image[0].max(image[1]), texel, 0.0, LOWEST],
-        ..FieldUniforms::zeroed()
-    }
 }

@@ -109,15 +109,20 @@ impl Still {
         self.count += 1;
         globals.scene[1] = 1.0 / self.count as f32;
         view.write(gpu, &globals);
-        let (uniforms, shadows) = scene.sampled(&sample, lit(&globals, scene.bounds));
+        let sight = view.sight(&globals, scene);
+        // Copies are lit as the field is, and may show any part of it.
+        let lit = if scene.shows_around(&sight) { scene.bounds } else { lit(&globals, scene.bounds) };
+        let (uniforms, shadows) = scene.sampled(&sample, lit);
         gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
+        scene.light_around(gpu, &uniforms, true);
         for (light, uniforms) in self.lights.iter().zip(&shadows) {
             gpu.queue.write_buffer(&light.uniforms, 0, bytemuck::bytes_of(uniforms));
             let texel = uniforms.sun[3] / light.side as f32;
             scene.draw_shadows(gpu, &mut encoder, [&view.frame_group, &light.group], &light.map, texel, props);
         }
         let [sun, sky, below] = self.lights.each_ref().map(|light| &light.map);
-        let maps_group = group(&gpu.device, &gpu.pipelines.maps_layout, [sun, sky, below], &maps.height, &maps.sky);
+        let others = [&maps.height, &maps.sky, &maps.hills];
+        let maps_group = group(&gpu.device, &gpu.pipelines.maps_layout, [sun, sky, below], others);
 
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("rock-field/still/pass"),
@@ -128,8 +133,7 @@ impl Still {
         for (index, group) in (0..).zip([&view.frame_group, &self.group, &maps_group]) {
             pass.set_bind_group(index, group, &[]);
         }
-        let seen = scene.seen(&view.sight(&globals, scene));
-        view.draw_natural(&mut pass, gpu, scene, &seen, props, Sort::Sample);
+        view.draw_natural(&mut pass, gpu, scene, &self.group, &sight, props, Sort::Sample);
         drop(pass);
 
         let [gather, _] = gpu.pipelines.still(&gpu.device);

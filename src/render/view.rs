@@ -1,10 +1,9 @@
 //! One canvas: its camera, its style, and how a frame is drawn.
 
-use std::ops::Range;
+mod atlas;
 
 use glam::{Mat4, Vec3, Vec4};
 
-use super::bake::{Bake, SIDE as BAKE_SIDE};
 use super::camera::FOV_Y;
 use super::maps::Maps;
 use super::pipelines::Natural;
@@ -28,6 +27,9 @@ pub(crate) struct Shot {
     pub(crate) height: u32,
     pub(crate) tile: Option<Tile>,
 }
+
+/// In natural colours, rocks that cover less on the mean are not drawn one by one, square pixels.
+const SMALLEST: f32 = 6.0;
 
 /// The state of one canvas.
 pub(crate) struct View {
@@ -172,7 +174,7 @@ impl View {
         scene: &mut Scene,
         props: &Props,
     ) -> Option<Maps> {
-        scene.light(gpu, self.look.sun, props);
+        scene.light(gpu, self.look.sun, props, self.is_surrounded());
         self.is_solid().then(|| {
             self.maps(gpu, scene, self.shown_color(), |scene, maps| {
                 scene.draw_maps(gpu, encoder, &self.frame_group, maps, props);
@@ -182,7 +184,7 @@ impl View {
 
     /// The same, with submissions of their own for the maps, none of which takes long.
     pub(super) fn prepare_apart(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) -> Option<Maps> {
-        scene.light(gpu, self.look.sun, props);
+        scene.light(gpu, self.look.sun, props, self.is_surrounded());
         let draw = |scene: &Scene, maps: &Maps| scene.submit_maps(gpu, &self.frame_group, maps, props);
         self.is_solid().then(|| self.maps(gpu, scene, self.shown_color(), draw))
     }
@@ -191,7 +193,7 @@ impl View {
     fn maps(&self, gpu: &Gpu, scene: &mut Scene, color: ColorMode, draw: impl FnOnce(&Scene, &Maps)) -> Maps {
         scene.paint(gpu, color, &self.look);
         let (maps, stale) =
-            gpu.maps.borrow_mut().lend(&gpu.device, &gpu.pipelines.maps_layout, self.number, scene.number);
+            gpu.maps.borrow_mut().lend(&gpu.device, &gpu.queue, &gpu.pipelines.maps_layout, self.number, scene.number);
         if stale {
             draw(scene, &maps);
         }
@@ -247,8 +249,7 @@ impl View {
             }
             pass.set_bind_group(0, &self.frame_group, &[]);
             pass.set_bind_group(1, &scene.field_group, &[]);
-            let seen = scene.seen(&self.sight(&globals, scene));
-            self.draw(&mut pass, gpu, scene, &seen, props, plan, sort);
+            self.draw(&mut pass, gpu, scene, &self.sight(&globals, scene), props, plan, sort);
         }
     }
 
@@ -257,44 +258,23 @@ impl View {
         gpu.queue.write_buffer(&self.globals, 0, bytemuck::bytes_of(globals));
     }
 
-    /// Draws a tile of the scene's atlas: the one whose upper left corner is `corner`, texels. Rocks stand where the
-    /// field has them, and the quality is the highest.
-    pub(crate) fn bake(&self, gpu: &Gpu, scene: &mut Scene, bake: &Bake, corner: [f32; 2]) {
-        let props = Props::default();
-        scene.light(gpu, self.look.sun, &props);
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let maps = self.maps(gpu, scene, ColorMode::Natural, |scene, maps| {
-            scene.draw_maps(gpu, &mut encoder, &self.frame_group, maps, &props);
-        });
-        let mut globals = self.globals(&self.shot, None);
-        let half = 0.5 * BAKE_SIDE as f32;
-        globals.plan = [corner[0] + half, corner[1] + half, 1.0 / half, -1.0 / half];
-        globals.eye = [0.0; 4];
-        // No rock sinks.
-        globals.scene[2] = 0.0;
-        self.write(gpu, &globals);
-        let pipeline = gpu.pipelines.natural(&gpu.device, Natural::Bake, Recipe::of_bodies(Quality::High, &self.look));
-        let patterns = gpu.pipelines.patterns(&gpu.device, &gpu.queue);
-        let groups = [&self.frame_group, &scene.field_group, &maps.group, patterns];
-        bake.draw(gpu, encoder, groups, &pipeline, |pass, pipeline| {
-            scene.draw_rocks(pass, pipeline, &scene.whole());
-        });
-    }
-
-    /// Draws what the mode shows of the scene, with all groups bound; `seen` of the rocks.
+    /// Draws what the mode shows of the scene, with all groups bound.
     #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
     fn draw(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         gpu: &Gpu,
         scene: &Scene,
-        seen: &[Range<u32>],
+        sight: &Sight,
         props: &Props,
         plan: Option<&Plan>,
         sort: Sort,
     ) {
+        let seen = &scene.seen(sight);
         match (self.mode, plan) {
-            (Mode::Rocks, _) if self.is_natural() => self.draw_natural(pass, gpu, scene, seen, props, sort),
+            (Mode::Rocks, _) if self.is_natural() => {
+                self.draw_natural(pass, gpu, scene, &scene.field_group, sight, props, sort);
+            }
             (Mode::Rocks, _) => {
                 draw_ground(pass, gpu, scene);
                 for sides in &gpu.pipelines.rock {
@@ -320,16 +300,19 @@ impl View {
         }
     }
 
-    /// The same in natural colours.
+    /// The same in natural colours; `field` is the group 1 that is bound.
+    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
     pub(super) fn draw_natural(
         &self,
         pass: &mut wgpu::RenderPass<'_>,
         gpu: &Gpu,
         scene: &Scene,
-        seen: &[Range<u32>],
+        field: &wgpu::BindGroup,
+        sight: &Sight,
         props: &Props,
         sort: Sort,
     ) {
+        let seen = &scene.seen(sight);
         let pipeline = |what, recipe: Recipe| gpu.pipelines.natural(&gpu.device, what, recipe.of(sort));
         let bodies = Recipe::of_bodies(self.quality, &self.look);
         pass.set_bind_group(3, gpu.pipelines.patterns(&gpu.device, &gpu.queue), &[]);
@@ -339,6 +322,8 @@ impl View {
         if scene.is_turned {
             scene.draw_rocks(pass, &pipeline(Natural::Insides, bodies), seen);
         }
+        scene.draw_around(pass, gpu, &pipeline(Natural::Rocks, bodies), sight, self.quality.surroundings());
+        pass.set_bind_group(1, field, &[]);
         if !props.is_empty() {
             let ears = if props.is_closed() { Natural::Bodies } else { Natural::Sheets };
             props.draw(pass, [&pipeline(Natural::Log, bodies), &pipeline(ears, bodies)]);
@@ -360,6 +345,8 @@ impl View {
             sunk: if natural { scene.highest() } else { 0.0 },
             scale: 0.5 * globals.ray_up[3] / (0.5 * FOV_Y).tan(),
             most: if natural { self.quality.triangle() } else { 0.0 },
+            // Smaller ones are left to the ground's shader, which finds them in the map of heights.
+            least: if scene.is_repeated() { SMALLEST } else { 0.0 },
         }
     }
 
@@ -370,6 +357,11 @@ impl View {
     /// The direction of the sun's middle.
     pub(super) fn sun(&self) -> Vec3 {
         self.look.sun
+    }
+
+    /// Whether the ground goes on beyond the field.
+    fn is_surrounded(&self) -> bool {
+        self.is_natural() && self.backing == 0
     }
 
     pub(super) fn is_natural(&self) -> bool {
@@ -411,11 +403,12 @@ impl View {
         // At the target's distance, a plan shows as much as the 3D view: half the height is distance · tan.
         let zoom = 1.0 / (shot.camera.distance * tangent);
         let natural = self.is_natural();
+        let horizon = natural.then(|| scene.map_or(0.0, Scene::highest));
         let wireframe = if self.mode == Mode::Wireframe { 1.0 } else { 0.0 };
         Globals {
             clip_from_eye: (Mat4::from_translation(Vec3::new(shift[0], shift[1], 0.0))
                 * Mat4::from_scale(Vec3::new(scale[0], scale[1], 1.0))
-                * frame.clip_from_eye(aspect, center, radius, natural))
+                * frame.clip_from_eye(aspect, center, radius, horizon))
             .to_cols_array_2d(),
             eye: frame.eye.extend(self.ratio).to_array(),
             ray_right: (frame.right * tangent * aspect).extend(width).to_array(),

@@ -3,7 +3,9 @@
 //!
 //! Nothing here needs a graphics device, so that tests run it natively; [`crate::render`] puts it on one.
 
+mod around;
 mod beam;
+pub(crate) mod hills;
 mod levels;
 mod look;
 mod order;
@@ -19,6 +21,7 @@ mod turned;
 mod uniforms;
 pub(crate) mod wood;
 
+pub(crate) use around::Bricks;
 pub(crate) use beam::{Bounds, beam, in_sight};
 pub(crate) use levels::{Arrangement, Body, LEVELS, Sight, coarser};
 pub(crate) use look::Look;

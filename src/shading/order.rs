@@ -79,6 +79,17 @@ impl Quality {
     }
 }
 
+impl Quality {
+    /// How many triangles the copies of a field may have in a picture.
+    pub(crate) fn surroundings(self) -> u32 {
+        match self {
+            Self::Low => 80_000,
+            Self::Medium => 200_000,
+            Self::High => 450_000,
+        }
+    }
+}
+
 values! {
     /// The weather 0 … 1; the ground, 0 soil, 1 sand, 2 gravel; and the sun's place in degrees.
     LookValues {

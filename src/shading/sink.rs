@@ -37,7 +37,7 @@ impl Stands {
         let Some(&[x, y, top]) = self.rocks.get(rock) else { return 0 };
         let side = image[0].min(image[1]).max(1.0);
         // The distance to the border of the image, with the image's corners rounded off.
-        let corner = 0.35 * side;
+        let corner = 0.15 * side;
         let beyond = |at: f32, size: f32| (corner - at.min(size - at)).max(0.0);
         let inwards = corner - beyond(x, image[0]).hypot(beyond(y, image[1]));
         let margin = 0.1 * side;

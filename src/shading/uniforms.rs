@@ -1,6 +1,9 @@
 //! The uniform blocks, which have the same fields as in `shaders/common.wgsl`; `shaders/tests.rs` compares the sizes.
 
 use bytemuck::{Pod, Zeroable};
+use glam::{Vec2, Vec3};
+
+use super::beam;
 
 /// Written once per frame and view. Size 272 B.
 #[repr(C)]
@@ -34,7 +37,7 @@ pub(crate) struct Globals {
     pub(crate) flesh: [f32; 4],
 }
 
-/// Written once per field, and for every sample of a still. Size 432 B.
+/// Written once per field and for each of its copies, and for every sample of a still. Size 464 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FieldUniforms {
@@ -62,4 +65,34 @@ pub(crate) struct FieldUniforms {
     /// The same for the light from a point of the ground.
     pub(crate) below_from_world: [[f32; 4]; 4],
     pub(crate) below_way: [f32; 4],
+    /// xyz how far a copy of the field is moved, px; w a number of its own, 0 for the field itself.
+    pub(crate) shift: [f32; 4],
+    /// [`super::Bricks::uniform`]; w 1 if the maps are right for copies.
+    pub(crate) bricks: [f32; 4],
+}
+
+impl FieldUniforms {
+    /// Lower than anything is.
+    pub(crate) const LOWEST: f32 = -1.0e9;
+
+    /// Fits the sun's orthographic camera and the height map to the box `low`…`high`.
+    pub(crate) fn fitted(sun: Vec3, image: [f32; 2], low: Vec3, high: Vec3, side: f32) -> Self {
+        // There must be room on the ground for the longest shadow, so that none is cut off at the map's edge.
+        let reach = high.z * (sun.truncate().length() / sun.z);
+        let bounds = [low - Vec3::new(reach, reach, 0.0), high + Vec3::new(reach, reach, 0.0)];
+        let (sun_from_world, across) = beam(sun, bounds, bounds);
+        // With a margin of four texels, samples at the border read empty ground.
+        let extent = (high - low).truncate();
+        let texel = extent.max_element() / (side - 8.0);
+        let corner = low.truncate() - Vec2::splat(4.0 * texel);
+        let scale = (extent + Vec2::splat(8.0 * texel)).recip();
+        Self {
+            sun_from_world: sun_from_world.to_cols_array_2d(),
+            sun: sun.extend(across).to_array(),
+            map: [corner.x, corner.y, scale.x, scale.y],
+            size: [image[0], image[1], high.z.max(1.0), high.z.max(1.0)],
+            ground: [0.36 * image[0].max(image[1]), texel, 0.0, Self::LOWEST],
+            ..Self::zeroed()
+        }
+    }
 }

@@ -100,7 +100,10 @@ test('a picture without the ground is opaque where rocks are and shows through e
     assert.ok(shareOf((a) => a > 16 && a < 240) > 0.02, 'shadows are seen through');
     opacities.forEach((opacity, k) => {
       const [one, other] = [bare, whole].map(({ data }) => [...data.subarray(4 * k, 4 * k + 3)]);
-      if (opacity === 255)
+      // Near the border, the rocks of the ground that goes on beyond it are not in a picture without the ground.
+      const [x, y] = [(k % size.width) / size.width, Math.floor(k / size.width) / size.height];
+      const isInside = Math.abs(x - 0.5) < 0.25 && Math.abs(y - 0.5) < 0.25;
+      if (opacity === 255 && (isInside || attributes.includes('journal')))
         assert.ok(
           one.every((value, c) => Math.abs(value - other[c]) <= 1),
           `${k}: ${one}, ${other}`,

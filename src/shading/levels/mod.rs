@@ -93,13 +93,14 @@ pub(crate) struct Group {
     high: Vec3,
     /// About how much surface they have together, px².
     surface: f32,
+    rocks: f32,
     /// Where the triangles of each level are in the index buffer.
     ranges: [Range<u32>; LEVELS],
 }
 
 impl Group {
     const EMPTY: Self =
-        Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY, surface: 0.0, ranges: [0..0, 0..0, 0..0] };
+        Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY, surface: 0.0, rocks: 0.0, ranges: [0..0, 0..0, 0..0] };
 
     /// Adds a rock; the ranges begin with 0 until all groups are there.
     fn add(&mut self, body: &Body) {
@@ -108,6 +109,7 @@ impl Group {
         let size = body.high - body.low;
         // Between a plate of this width and a half ball.
         self.surface += 1.5 * size.x * size.y;
+        self.rocks += 1.0;
         for (level, range) in self.ranges.iter_mut().enumerate() {
             range.end += 3 * body.triangles_at(level);
         }
@@ -128,6 +130,8 @@ pub(crate) struct Arrangement {
     pub(crate) groups: Vec<Group>,
     /// Indices in all.
     pub(crate) length: u32,
+    low: Vec3,
+    high: Vec3,
 }
 
 impl Arrangement {
@@ -163,7 +167,9 @@ impl Arrangement {
                 length = range.end;
             }
         }
-        Self { order: keys.into_iter().map(|key| key as u32).collect(), groups, length }
+        let low = groups.iter().fold(Vec3::INFINITY, |low, group| low.min(group.low));
+        let high = groups.iter().fold(Vec3::NEG_INFINITY, |high, group| high.max(group.high));
+        Self { order: keys.into_iter().map(|key| key as u32).collect(), groups, length, low, high }
     }
 
     /// Where the triangles of a level begin.
@@ -179,14 +185,50 @@ impl Arrangement {
     /// What `eye` can see, the nearest groups first.
     pub(crate) fn seen(&self, sight: &Sight) -> Vec<Range<u32>> {
         // Distances, and below them the numbers of the groups: of positive floats the bits are in their order.
-        let of =
-            |(number, group): (usize, &Group)| Some(u64::from(sight.distance(group)?.to_bits()) << 32 | number as u64);
+        let of = |(number, group): (usize, &Group)| {
+            let distance = sight.distance(group.low, group.high).filter(|&distance| sight.shows(group, distance))?;
+            Some(u64::from(distance.to_bits()) << 32 | number as u64)
+        };
         let mut seen: Vec<u64> = self.groups.iter().enumerate().filter_map(of).collect();
         seen.sort_unstable();
         joined(seen.into_iter().filter_map(|key| {
             let group = self.groups.get(key as u32 as usize)?;
             Some(group.range(sight.most(f32::from_bits((key >> 32) as u32))))
         }))
+    }
+}
+
+impl Arrangement {
+    /// As [`Arrangement::seen`] from so far away that all groups are as far: few ranges, in the order of the buffer.
+    pub(crate) fn seen_afar(&self, sight: &Sight) -> Vec<Range<u32>> {
+        let Some(distance) = self.distance(sight) else { return Vec::new() };
+        let most = sight.most(distance);
+        joined(self.groups.iter().filter(|group| sight.shows(group, distance)).map(|group| group.range(most)))
+    }
+
+    /// How many triangles [`Arrangement::seen_afar`] would have, were all of it in the picture.
+    pub(crate) fn triangles_afar(&self, sight: &Sight) -> u64 {
+        let distance = sight.away(self.low - Vec3::Z * sight.sunk, self.high);
+        let most = sight.most(distance);
+        let shown = self.groups.iter().filter(|group| sight.shows(group, distance));
+        shown.map(|group| group.range(most).len() as u64 / 3).sum()
+    }
+
+    /// Whether anything of the whole is in the picture, and how far away it is.
+    pub(crate) fn distance(&self, sight: &Sight) -> Option<f32> {
+        sight.distance(self.low, self.high)
+    }
+
+    /// The groups that, moved by `shift`, are over the field or throw their shadows into it, by triangles as for [`Arrangement::all`]. `sun` is the
+    /// direction of the sun.
+    pub(crate) fn reaching(&self, shift: Vec3, sun: Vec3, image: [f32; 2], most: f32) -> Vec<Range<u32>> {
+        let reaches = |group: &&Group| {
+            let [low, high] = [group.low + shift, group.high + shift].map(Vec3::truncate);
+            let shadow = -sun.truncate() / sun.z * group.high.z;
+            let (low, high) = (low.min(low + shadow), high.max(high + shadow));
+            low.cmple(image.into()).all() && high.cmpge(glam::Vec2::ZERO).all()
+        };
+        joined(self.groups.iter().filter(reaches).map(|group| group.range(most)))
     }
 }
 
@@ -203,6 +245,7 @@ fn joined(ranges: impl Iterator<Item = Range<u32>>) -> Vec<Range<u32>> {
 }
 
 /// A picture that rocks are drawn in.
+#[derive(Clone, Copy)]
 pub(crate) struct Sight {
     pub(crate) clip_from_eye: Mat4,
     pub(crate) eye: Vec3,
@@ -212,12 +255,14 @@ pub(crate) struct Sight {
     pub(crate) scale: f32,
     /// How large triangles may be, square pixels of the picture; 0 for the finest level.
     pub(crate) most: f32,
+    /// How large rocks must be on the mean to be drawn, square pixels of the picture.
+    pub(crate) least: f32,
 }
 
 impl Sight {
-    /// How far a group is away; nothing if it is out of the picture.
-    fn distance(&self, group: &Group) -> Option<f32> {
-        let [low, high] = [group.low - Vec3::Z * self.sunk - self.eye, group.high - self.eye];
+    /// How far what is in a box is away; nothing if it is out of the picture.
+    fn distance(&self, low: Vec3, high: Vec3) -> Option<f32> {
+        let [low, high] = [low - Vec3::Z * self.sunk - self.eye, high - self.eye];
         // How many corners of its box are beyond each side of the picture.
         let mut beyond = [0; 5];
         for corner in 0..8 {
@@ -232,11 +277,25 @@ impl Sight {
         (!beyond.contains(&8)).then(|| Vec3::ZERO.clamp(low, high).length())
     }
 
+    /// How far what is in a box is away, wherever it is.
+    fn away(&self, low: Vec3, high: Vec3) -> f32 {
+        Vec3::ZERO.clamp(low - self.eye, high - self.eye).length()
+    }
+
+    /// Square pixels that a px² of a surface covers at a distance.
+    fn pixels(&self, distance: f32) -> f32 {
+        // About half of it is lost by its slant.
+        0.5 * (self.scale / distance.max(1e-3)).powi(2)
+    }
+
     /// How large triangles may be at a distance, px².
     fn most(&self, distance: f32) -> f32 {
-        // About half of a surface is lost by its slant.
-        let pixels = 0.5 * (self.scale / distance.max(1e-3)).powi(2);
-        self.most / pixels
+        self.most / self.pixels(distance)
+    }
+
+    /// Whether the rocks of a group are large enough at a distance.
+    fn shows(&self, group: &Group, distance: f32) -> bool {
+        group.surface * self.pixels(distance) >= self.least * group.rocks
     }
 }
 

@@ -113,7 +113,7 @@ fn sight(eye: Vec3, most: f32) -> Sight {
     let rows = [right * 1.5, up * 2.5, forward, forward];
     let column = |axis: Vec3| Vec4::from(rows.map(|row| row.dot(axis)));
     let clip_from_eye = Mat4::from_cols(column(Vec3::X), column(Vec3::Y), column(Vec3::Z), Vec4::ZERO);
-    Sight { clip_from_eye, eye, sunk: 0.0, scale: 1000.0, most }
+    Sight { clip_from_eye, eye, sunk: 0.0, scale: 1000.0, most, least: 0.0 }
 }
 
 #[test]
@@ -172,7 +172,7 @@ fn what_is_nearer_is_drawn_first() {
         let sight = sight(Vec3::new(x, y, 60.0), 0.0);
         let distance = |start: u32| {
             let group = arranged.groups.iter().find(|group| group.ranges[0].contains(&start)).expect("a group");
-            sight.distance(group).expect("in the picture")
+            sight.distance(group.low, group.high).expect("in the picture")
         };
         let distances: Vec<f32> = arranged.seen(&sight).iter().map(|range| distance(range.start)).collect();
         assert!(distances.len() > 3 && distances.is_sorted(), "{distances:?}");
@@ -183,6 +183,45 @@ fn what_is_nearer_is_drawn_first() {
 fn a_rock_that_sinks_into_the_picture_is_drawn() {
     let high = Group { low: Vec3::new(60.0, 60.0, 150.0), high: Vec3::new(68.0, 68.0, 155.0), ..Group::EMPTY };
     let sight = sight(Vec3::new(64.0, -200.0, 20.0), 0.0);
-    assert!(sight.distance(&high).is_none());
-    assert!(Sight { sunk: 150.0, ..sight }.distance(&high).is_some());
+    assert!(sight.distance(high.low, high.high).is_none());
+    assert!(Sight { sunk: 150.0, ..sight }.distance(high.low, high.high).is_some());
+}
+
+#[test]
+fn the_smaller_rocks_are_left_out_first_and_alike_near_and_afar() {
+    let mesh = mesh_of(&preset("riverbed"));
+    let arranged = Arrangement::of(&bodies(&mesh), [SIZE as f32; 2]);
+    let far = sight(Vec3::new(64.0, -4000.0, 4000.0), 0.0);
+    let indices = |ranges: Vec<std::ops::Range<u32>>| ranges.iter().map(|range| range.len()).sum::<usize>();
+    let counts = [0.0, 0.5, 2.0, 1e9].map(|least| {
+        let sight = Sight { least, ..far };
+        let [near, afar] = [indices(arranged.seen(&sight)), indices(arranged.seen_afar(&sight))];
+        assert!(near.abs_diff(afar) <= near / 5, "{least}: {near} and {afar}");
+        afar
+    });
+    assert!(counts.is_sorted_by(|a, b| a > b) && counts[3] == 0, "{counts:?}");
+    let shown = |least: f32| {
+        let sight = Sight { least, ..far };
+        let is_shown = |group: &&Group| sight.shows(group, 5600.0);
+        arranged.groups.iter().filter(is_shown).map(|group| group.surface / group.rocks).fold(f32::INFINITY, f32::min)
+    };
+    assert!(shown(2.0) > shown(0.5));
+}
+
+#[test]
+fn a_copy_reaches_into_the_field_where_it_lies_over_it_or_throws_its_shadow_there() {
+    let mesh = mesh_of(&preset("riverbed"));
+    let image = [SIZE as f32; 2];
+    let arranged = Arrangement::of(&bodies(&mesh), image);
+    let indices = |shift: Vec3, sun: Vec3| {
+        arranged.reaching(shift, sun.normalize(), image, 0.0).iter().map(|range| range.len()).sum::<usize>()
+    };
+    let side = SIZE as f32;
+    let beside = Vec3::X * 1.3 * side;
+    assert_eq!(indices(beside, Vec3::Z), 0, "it is beside the field");
+    assert!(indices(beside, Vec3::new(1.0, 0.0, 0.05)) > 0, "the sun is behind it");
+    assert_eq!(indices(beside, Vec3::new(-1.0, 0.0, 0.05)), 0, "the field is between it and the sun");
+    let over = indices(Vec3::X * 0.83 * side, Vec3::Z);
+    let all = indices(Vec3::ZERO, Vec3::Z);
+    assert!(0 < over && over < all / 2, "{over} of {all}");
 }

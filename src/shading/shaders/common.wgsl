@@ -32,7 +32,7 @@ struct Globals {
 }
 
 // Group 1, once per field.
-// size 432 B, align 16; mirrored by FieldUniforms in uniforms.rs
+// size 464 B, align 16; mirrored by FieldUniforms in uniforms.rs
 struct FieldUniforms {
   // World to the sun's clip space, depth 0…1
   sun_from_world: mat4x4f,
@@ -58,6 +58,10 @@ struct FieldUniforms {
   sky_way: vec4f,
   below_from_world: mat4x4f,
   below_way: vec4f,
+  // Of a copy of the field, how far it is moved; w a number of its own, 0 for the field itself
+  shift: vec4f,
+  // xy how far apart copies are, z how far each row is shifted, px; w 1 where the maps are right for copies
+  bricks: vec4f,
 }
 
 @group(0) @binding(0) var<uniform> globals: Globals;
@@ -124,7 +128,7 @@ fn ground_clip(at: vec2f) -> vec4f {
 // upper five how far it sinks into the ground (sink.rs). In every pass that draws rocks alike.
 fn settled(position: vec3f, painted: vec4f) -> vec3f {
   let steps = floor((painted.w * 255.0 + 0.5) / 8.0);
-  return position - vec3f(0.0, 0.0, steps / 31.0 * field.size.z * globals.scene.z);
+  return position + field.shift.xyz - vec3f(0.0, 0.0, steps / 31.0 * field.size.z * globals.scene.z);
 }
 
 fn kind_of(painted: vec4f) -> f32 {

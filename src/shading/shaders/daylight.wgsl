@@ -27,6 +27,19 @@ fn height_at(at: vec2f) -> f32 {
 // threshold, as moss has.
 var<private> spiral_start: f32 = 0.6;
 
+// Where the maps have a point of a copy of the field. Beyond what they have it is open and sunny.
+fn at_home(world: vec3f, shift: vec3f) -> vec3f {
+  return world - shift * field.bricks.w;
+}
+
+// How far the copy is moved that a point of the ground belongs to.
+fn shift_at(at: vec2f) -> vec3f {
+  let from_middle = at - 0.5 * field.size.xy;
+  let row = round(from_middle.y / field.bricks.y);
+  let aside = row * field.bricks.z;
+  return vec3f(round((from_middle.x - aside) / field.bricks.x) * field.bricks.x + aside, row * field.bricks.y, 0.0);
+}
+
 // How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks. The inner turns find the
 // neighbour it touches, the outer ones the boulder beside it. `face` is the surface without its relief.
 fn sky_seen(world: vec3f, face: vec3f) -> f32 {

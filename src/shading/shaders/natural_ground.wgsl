@@ -18,6 +18,36 @@ fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
   return out;
 }
 
+// What `rock_afar` found: 1 on a rock, where, and its normal there.
+var<private> afar_rock: f32;
+var<private> afar_at: vec3f;
+var<private> afar_normal: vec3f;
+
+// Rocks that are not drawn, since they would be small, are left in the map of heights: whether the way from `home` on the ground to the
+// eye meets one, looked for in a few places. `apart` px lie between points whose heights tell a slope.
+fn rock_afar(home: vec3f, to_eye: vec3f, apart: f32) {
+  let steep = max(to_eye.z, 0.08) * inverseSqrt(max(1.0 - to_eye.z * to_eye.z, 1e-4));
+  let towards = to_eye.xy * inverseSqrt(max(dot(to_eye.xy, to_eye.xy), 1e-6));
+  var at = home;
+  for (var i = 4; i >= 0; i--) {
+    let share = f32(i) / 4.0;
+    // Denser near the ground, where most rocks are.
+    let ray = 0.55 * field.size.z * share * share;
+    let place = home.xy + towards * (ray / steep);
+    let high = height_at(place);
+    if high > max(ray, 0.5) {
+      at = vec3f(place, high);
+      break;
+    }
+  }
+  let slope = vec2f(height_at(at.xy + vec2f(apart, 0.0)), height_at(at.xy + vec2f(0.0, apart))) - at.z;
+  afar_rock = select(0.0, 1.0, at.z > 0.0);
+  afar_at = at;
+  // Of what is smaller than a pixel, the sides towards the eye are seen.
+  let lean = to_eye.xy * (0.7 * (1.0 - to_eye.z));
+  afar_normal = normalize(vec3f((lean - slope / apart) * afar_rock, 1.0));
+}
+
 @fragment
 fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @location(0) vec4f {
   let at = place_of(pixel.xy);
@@ -26,7 +56,9 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
     if globals.soil.w > 0.5 {
       return backing(1.0, 1.0);
     }
-    return taken(sky_seen_by_eye(normalize(ray)), pixel.xy);
+    let direction = normalize(ray);
+    let pixel_angle = 2.0 * length(globals.ray_up.xyz) / globals.ray_up.w;
+    return taken(with_hills(sky_seen_by_eye(direction), direction, pixel_angle), pixel.xy);
   }
   let steps = globals.eye.z / -ray.z;
   let world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);
@@ -36,8 +68,16 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   let across = 2.0 * steps * length(globals.ray_up.xyz) / globals.ray_up.w;
   let footprint = across * pow(max(to_eye.z, 0.02), -0.75);
 
-  let up = vec3f(0.0, 0.0, 1.0);
-  let seen = sky_seen(world, up);
+  let shift = shift_at(world.xy);
+  var home = at_home(world, shift);
+  var up = vec3f(0.0, 0.0, 1.0);
+  if field.bricks.w > 0.5 && (any(shift != vec3f(0.0)) || across > 1.2) {
+    rock_afar(home, to_eye, max(0.7 * across, field.ground.y));
+    home = afar_at;
+    up = afar_normal;
+  }
+  let rock = afar_rock;
+  let seen = sky_seen(home, up);
   if globals.soil.w > 0.5 {
     return backing(sun_seen(world, up), seen);
   }
@@ -62,7 +102,15 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
   albedo *= 1.0 - 0.5 * shaded;
-  let light = daylight(albedo, rough, world, up, bumped(up, slope), to_eye, seen * mix(0.6, 1.0, cover_open));
+  // Beyond the field the ground rolls.
+  let side = max(field.size.x, field.size.y);
+  let outside = length(max(abs(world.xy - 0.5 * field.size.xy) - 0.5 * field.size.xy, vec2f(0.0))) / side;
+  let rolling = noise2(world.xy / (0.9 * side)) + 0.5 * noise2(world.xy / (0.31 * side) + 5.0);
+  let drift = noise2(world.xy / (4.1 * side) + 9.0) + 0.6 * noise2(world.xy / (1.7 * side));
+  let mean = kind_albedo(globals.scene.w) * (0.85 + 0.3 * noise2(world.xy / 11.0));
+  albedo = mix(albedo, mean, rock) * (1.0 + smoothstep(0.5, 3.0, outside) * (0.14 * drift + 0.1 * rolling));
+  let open = seen * mix(mix(0.6, 1.0, cover_open), 1.0, rock);
+  let light = daylight(albedo, rough, home, up, bumped(up, slope * (1.0 - rock)), to_eye, open);
 
   return developed(light, world - globals.eye.xyz, pixel.xy);
 }

@@ -16,7 +16,8 @@ fn vs_main(@location(0) position: vec3f, @location(1) color: vec4f, @location(2)
   out.from_eye = settled(position, color) - globals.eye.xyz;
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
   out.inside = out.from_eye;
-  out.own = vec4f(color.xyz, kind_of(color) / 255.0);
+  // The same rock of two copies has other colours.
+  out.own = vec4f(fract(color.xyz + field.shift.w * vec3f(1.0, 1.7, 2.3)), kind_of(color) / 255.0);
   out.normal = unfolded(normal);
   return out;
 }
@@ -42,9 +43,13 @@ fn fs_main(
   let world = inside + globals.eye.xyz;
   let far = length(from_eye);
   let to_eye = -from_eye / far;
-  let seen = sky_seen(world, base);
+  let footprint = footprint_of(across, down);
+  // From afar, and copies always, rocks have fewer triangles than the maps, which would shade what lies lower for it.
+  let coarse = max(footprint - select(0.7, 0.0, field.shift.w > 0.0), 0.0);
+  let home = at_home(world, field.shift.xyz) + base * (2.0 * coarse);
+  let seen = sky_seen(home, base);
   let wear = worn(across, down, turn_x, turn_y) * agree;
-  rock_surface(world, own, base, wear, seen, footprint_of(across, down));
+  rock_surface(world, own, base, wear, seen, footprint);
 
   // A rim turned away by less than its relief would be lit from behind.
   let towards = normalize(surface_normal + to_eye * max(0.0, 0.02 - dot(surface_normal, to_eye)));
@@ -52,6 +57,6 @@ fn fs_main(
   let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)) * agree, 0.18);
   let square = surface_rough * surface_rough;
   let rough = sqrt(sqrt(min(square * square + spread, 1.0)));
-  let light = daylight(surface_albedo, rough, world, base, towards, to_eye, seen);
+  let light = daylight(surface_albedo, rough, home, base, towards, to_eye, seen);
   return developed(light, from_eye, pixel.xy);
 }

@@ -5,6 +5,16 @@
 @group(2) @binding(6) var sky_map: texture_2d<f32>;
 @group(2) @binding(7) var sky_sampler: sampler;
 
+// The hills at the horizon (hills.rs): x and y of the normal, the root of the distance, how far below the skyline. Columns once round the horizon.
+@group(2) @binding(10) var hill_map: texture_2d<f32>;
+
+// How high the panorama reaches, radians, and its rows; how far its hills are at most, and over what distance the air hides what
+// is behind it by e, km.
+const HILLS_TOP = 0.08;
+const HILLS_ROWS = 48.0;
+const HILLS_FAR = 24.0;
+const AIR = 22.0;
+
 // The sun's light, as `daylight` wants it: its irradiance divided by π.
 fn sunshine() -> vec3f {
   return field.sunshine.rgb;
@@ -37,10 +47,36 @@ fn sky_seen_by_eye(direction: vec3f) -> vec3f {
   return sky_radiance(direction) + sunshine() * disc;
 }
 
+// The hills in front of the sky, whose light in this direction is `sky`; `pixel` the angle that a pixel covers, radians.
+fn with_hills(sky: vec3f, direction: vec3f, pixel: f32) -> vec3f {
+  if direction.z > HILLS_TOP {
+    return sky;
+  }
+  let turn = atan2(direction.y, direction.x) / 6.2831853 + 0.5;
+  let found = textureSampleLevel(hill_map, sky_sampler, vec2f(turn, direction.z / HILLS_TOP), 0.0);
+  // Crowns of trees and rocks on the skyline.
+  let crowns = (noise2(vec2f(turn * 2600.0, 0.5)) + 0.7 * noise2(vec2f(turn * 7100.0, 7.5))) * 0.22;
+  let rows = (found.w * 255.0 - 128.0) / 32.0 + crowns;
+  let covered = clamp(rows * HILLS_TOP / HILLS_ROWS / pixel + 0.5, 0.0, 1.0);
+  let flat = found.xy * 2.0 - 1.0;
+  let normal = vec3f(flat, sqrt(max(1.0 - dot(flat, flat), 0.0)));
+  let distance = found.z * found.z * HILLS_FAR;
+  let at = vec2f(turn * 900.0, direction.z * 4000.0);
+  let patches = noise2(at / vec2f(9.0, 5.0)) + 0.5 * noise2(at / vec2f(2.3, 1.7));
+  let bare = smoothstep(0.15, 0.5, 1.0 - normal.z + 0.12 * patches);
+  let grown = mix(vec3f(0.13, 0.12, 0.085), vec3f(0.07, 0.075, 0.04), clamp(0.5 + 0.5 * patches + globals.weather.z, 0.0, 1.0));
+  let albedo = mix(mix(grown, 0.8 * soil_albedo(globals.scene.x), 0.35), vec3f(0.17, 0.16, 0.145), bare) * (1.0 + 0.2 * patches);
+  let light = albedo * (sunshine() * max(dot(normal, field.sun.xyz), 0.0) + 0.85 * sky_light(normal));
+  let air = sky_radiance(vec3f(direction.xy, 0.03));
+  return mix(sky, mix(air, light, exp(-distance / AIR)), covered);
+}
+
 // Light from `from_eye` as it arrives at the eye, through the air in between.
 fn through_air(light: vec3f, from_eye: vec3f) -> vec3f {
   let far = length(from_eye);
-  let left = exp(-far / (150.0 * max(field.size.x, field.size.y)));
+  // The plain ends where the hills begin.
+  let side = max(field.size.x, field.size.y);
+  let left = exp(-min(far, 45.0 * side) / (500.0 * side));
   let air = sky_radiance(vec3f(from_eye.xy / far, 0.02));
   return mix(air, light, left);
 }

@@ -35,7 +35,7 @@ const OZONE: (Vec3, f32, f32) = (Vec3::new(0.650e-3, 1.881e-3, 0.085e-3), 25.0, 
 const ALBEDO: f32 = 0.25;
 
 /// Three wavelengths stand for wide and overlapping bands, whose colours are paler.
-const SATURATION: f32 = 0.8;
+const SATURATION: f32 = 0.72;
 
 /// Light under one sky.
 #[derive(Clone, Debug)]
@@ -117,7 +117,7 @@ impl Sky {
 }
 
 /// How bright a white and level surface is under the sky, before the tone curve.
-const EXPOSURE: f32 = 1.95;
+const EXPOSURE: f32 = 1.82;
 
 fn luminance(color: Vec3) -> f32 {
     color.dot(Vec3::new(0.2126, 0.7152, 0.0722))

@@ -1,0 +1,140 @@
+//! The maps of a field: how they are drawn.
+
+use std::ops::Range;
+
+use super::super::maps::Maps;
+use super::super::surface::depth_attachment;
+use super::super::{Gpu, Props};
+use super::Scene;
+
+/// How large the triangles of the shadow and height maps may be on the mean, texels².
+const TEXELS: f32 = 12.0;
+
+/// How many indices of rocks a submission of maps draws.
+const PART: u32 = 300_000;
+
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Map {
+    Shadow,
+    Height,
+}
+
+impl Scene {
+    /// Draws the shadow and height maps, and writes the sky's. They change only with the field, the sun and the props, so drawing them once
+    /// is enough.
+    pub(crate) fn draw_maps(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame_group: &wgpu::BindGroup,
+        maps: &Maps,
+        props: &Props,
+    ) {
+        maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
+        let rocks = self.arrangement.all(TEXELS * self.texel * self.texel);
+        for which in [Map::Shadow, Map::Height] {
+            self.draw_map(gpu, encoder, frame_group, (which, maps), props, &rocks, true);
+        }
+    }
+
+    /// The same in submissions of their own, each of a few of the rocks.
+    pub(crate) fn submit_maps(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps, props: &Props) {
+        maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
+        let rocks = parts(&self.arrangement.all(TEXELS * self.texel * self.texel));
+        let none = Props::default();
+        for which in [Map::Shadow, Map::Height] {
+            for (part, rocks) in rocks.iter().enumerate() {
+                let mut encoder = gpu.device.create_command_encoder(&Default::default());
+                let props = if part == 0 { props } else { &none };
+                self.draw_map(gpu, &mut encoder, frame_group, (which, maps), props, rocks, part == 0);
+                gpu.queue.submit([encoder.finish()]);
+            }
+        }
+    }
+
+    /// Draws props and some rocks into a map, which is empty if these are the first.
+    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
+    fn draw_map(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame_group: &wgpu::BindGroup,
+        (which, maps): (Map, &Maps),
+        props: &Props,
+        rocks: &[Range<u32>],
+        is_first: bool,
+    ) {
+        let (label, pipeline, depth) = match which {
+            Map::Shadow => ("rock-field/shadow/pass", &gpu.pipelines.shadow, &maps.shadow),
+            Map::Height => ("rock-field/height/pass", &gpu.pipelines.height, &maps.height_depth),
+        };
+        let mut depth = depth_attachment(depth, wgpu::StoreOp::Store);
+        let mut load = wgpu::LoadOp::Clear(wgpu::Color::BLACK);
+        if !is_first {
+            load = wgpu::LoadOp::Load;
+            depth.depth_ops = Some(wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store });
+        }
+        let colors = [Some(wgpu::RenderPassColorAttachment {
+            view: &maps.height,
+            depth_slice: None,
+            resolve_target: None,
+            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+        })];
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some(label),
+            color_attachments: if which == Map::Height { &colors } else { &[] },
+            depth_stencil_attachment: Some(depth),
+            ..Default::default()
+        });
+        pass.set_bind_group(0, frame_group, &[]);
+        pass.set_bind_group(1, &self.field_group, &[]);
+        self.draw_rocks(&mut pass, pipeline, rocks);
+        if is_first && self.is_surrounded {
+            let most = TEXELS * self.texel * self.texel;
+            self.around.draw_neighbours(&mut pass, gpu, pipeline, &self.field(), self.sun, most);
+            pass.set_bind_group(1, &self.field_group, &[]);
+        }
+        props.draw(&mut pass, [pipeline; 2]);
+    }
+
+    /// Draws the shadow map of a light whose uniforms are in `light`; a texel of it is so many px wide.
+    pub(crate) fn draw_shadows(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        [frame, light]: [&wgpu::BindGroup; 2],
+        map: &wgpu::TextureView,
+        texel: f32,
+        props: &Props,
+    ) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("rock-field/still/shadow"),
+            depth_stencil_attachment: Some(depth_attachment(map, wgpu::StoreOp::Store)),
+            ..Default::default()
+        });
+        pass.set_bind_group(0, frame, &[]);
+        pass.set_bind_group(1, light, &[]);
+        self.draw_rocks(&mut pass, &gpu.pipelines.shadow, &self.arrangement.all(TEXELS * texel * texel));
+        props.draw(&mut pass, [&gpu.pipelines.shadow; 2]);
+    }
+}
+
+/// Cuts ranges of indices into parts of at most [`PART`] indices; there is at least one.
+fn parts(ranges: &[Range<u32>]) -> Vec<Vec<Range<u32>>> {
+    let mut parts = vec![Vec::new()];
+    let mut room = PART;
+    for range in ranges {
+        let mut start = range.start;
+        while start < range.end {
+            if room == 0 {
+                parts.push(Vec::new());
+                room = PART;
+            }
+            let end = range.end.min(start + room);
+            parts.last_mut().into_iter().for_each(|part| part.push(start..end));
+            room -= end - start;
+            start = end;
+        }
+    }
+    parts
+}
