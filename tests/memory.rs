@@ -35,7 +35,7 @@ fn the_estimate_lies_between_the_peak_and_twice_it() {
     let fig1 = |side| Params { image_width: side, image_height: side, ..Params::default() };
     let eight = (0..8).map(|k| layer(k, 200.0 / f64::from(1 << k), 0.2)).collect();
     let detailed = |detail, side| square(side, vec![Layer { detail, weathering: 0.6, ..layer(0, 30.0, 0.6) }]);
-    let cases: [(&str, Params); 26] = [
+    let cases: [(&str, Params); 27] = [
         ("Fig. 1, 256²", fig1(256)),
         ("Fig. 1, 512²", fig1(512)),
         ("Fig. 1, 1024²", fig1(1024)),
@@ -58,15 +58,16 @@ fn the_estimate_lies_between_the_peak_and_twice_it() {
         ("attempts", Params { darts: Darts::Attempts, ..square(1500, vec![layer(0, 4.0, 0.4)]) }),
         ("eight layers", square(1024, eight)),
         ("by count", square(2048, vec![Layer { cell_count: Some(3000), ..layer(0, 12.0, 1.0) }])),
-        ("detail 1", detailed(1, 1400)),
-        ("detail 3", detailed(3, 1024)),
+        ("detail 10", detailed(10.0, 1400)),
+        ("detail 37", detailed(37.0, 1024)),
+        ("detail 52", detailed(52.0, 700)),
         ("riverbed", preset("riverbed").unwrap().params()),
         ("lava field", preset("lava-field").unwrap().params()),
         (
             "cells that all touch the border",
             Params {
                 border: Border::Drop,
-                ..square(800, vec![layer(0, 300.0, 1.0), Layer { detail: 3, ..layer(1, 3.0, 1.0) }])
+                ..square(800, vec![layer(0, 300.0, 1.0), Layer { detail: 180.0, ..layer(1, 3.0, 1.0) }])
             },
         ),
         ("a disc over half of the image", Params { packing: 0.55, ..square(8192, vec![layer(0, 5315.0, 0.5)]) }),

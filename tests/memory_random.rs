@@ -14,6 +14,11 @@ use rock_field::rocks::Generator;
 #[global_allocator]
 static ALLOCATED: PeakAlloc = PeakAlloc;
 
+/// Triangles of rocks are cut 1 to 12 times, or not at all.
+fn random_detail(random: &mut Random, radius: f64) -> f64 {
+    if random.chance(0.25) { 0.0 } else { (random.log_between(0.8, 12.0) * 140.0 / radius).min(1000.0) }
+}
+
 /// Parameters of every kind, on images whose sites and pixels take a test no more than about a second.
 fn random_params(random: &mut Random) -> Params {
     loop {
@@ -22,7 +27,7 @@ fn random_params(random: &mut Random) -> Params {
         let notation = params.notation;
         for layer in &mut params.layers {
             if random.chance(0.4) {
-                layer.detail = random.below(4) as u32;
+                layer.detail = random_detail(random, layer.radius);
             }
             if random.chance(0.05) {
                 layer.radius = random.log_between(if notation == Notation::Px { 1.0 } else { 0.01 }, 8192.0);
@@ -56,7 +61,7 @@ fn edit(random: &mut Random, params: &mut Params) {
             let index = random.below(params.layers.len());
             let layer = &mut params.layers[index];
             match kind {
-                3 => layer.detail = random.below(4) as u32,
+                3 => layer.detail = random_detail(random, layer.radius),
                 4 => layer.area_fraction = random.unit(),
                 5 => layer.weathering = random.unit(),
                 6 => layer.height[0] = 3.0,

@@ -5,11 +5,11 @@
 mod common;
 
 use common::checked;
-use rock_field::params::{Layer, PRESETS, Params};
+use rock_field::params::{Layer, Notation, PRESETS, Params};
 use rock_field::rocks::{Field, Generator, generate};
 
 /// Fig. 1 on a smaller image, every layer with these.
-fn fig1(weathering: f64, roughness: f64, detail: u32, embedding: f64) -> Params {
+fn fig1(weathering: f64, roughness: f64, detail: f64, embedding: f64) -> Params {
     let mut params = Params { image_width: 512, image_height: 512, ..Params::default() };
     for layer in &mut params.layers {
         *layer = Layer { weathering, roughness, detail, embedding, ..layer.clone() };
@@ -38,13 +38,63 @@ fn slivers(field: &Field) -> f64 {
 
 #[test]
 fn wear_makes_hardly_a_sliver_that_the_papers_mesh_has_not() {
-    let before = slivers(&generate(&fig1(0.0, 0.0, 0, 0.0)).unwrap());
+    let before = slivers(&generate(&fig1(0.0, 0.0, 0.0, 0.0)).unwrap());
     for weathering in [0.0, 0.1, 0.2, 0.6, 1.0] {
-        for (roughness, detail, embedding) in [(0.0, 1, 0.3), (1.0, 2, 0.0), (0.5, 3, 0.8)] {
+        for (roughness, detail, embedding) in [(0.0, 10.0, 0.3), (1.0, 20.0, 0.0), (0.5, 40.0, 0.8)] {
             let params = fig1(weathering, roughness, detail, embedding);
             let more = slivers(&checked(&params).unwrap()) - before;
             assert!(more < 1.0e-3, "{more} at {weathering} {roughness} {detail} {embedding}");
         }
+    }
+}
+
+/// Triangles of each rock, by layer.
+fn triangles_of(field: &Field, layer: usize) -> Vec<u32> {
+    let mesh = &field.mesh;
+    let of = |rock: usize| (mesh.rock_starts[rock + 1] - mesh.rock_starts[rock]) / 3;
+    (0..mesh.rocks()).filter(|&rock| usize::from(mesh.rock_layer[rock]) == layer).map(of).collect()
+}
+
+#[test]
+fn one_detail_gives_boulders_thousands_of_triangles_and_pebbles_a_few() {
+    let field = checked(&fig1(0.5, 0.3, 50.0, 0.1)).unwrap();
+    let mean = |layer| {
+        let all = triangles_of(&field, layer);
+        f64::from(all.iter().sum::<u32>()) / all.len() as f64
+    };
+    let [boulders, stones, pebbles] = [0, 1, 2].map(mean);
+    assert!(boulders > 6000.0 && pebbles < 300.0, "{boulders} {stones} {pebbles}");
+    // Radii are 90, 30 and 10: areas are in proportion, up to the powers of two.
+    for ratio in [boulders / stones, stones / pebbles] {
+        assert!((3.5..17.0).contains(&ratio), "{ratio}");
+    }
+}
+
+#[test]
+fn edges_are_about_as_long_as_detail_says() {
+    for detail in [13.0, 30.0, 77.0] {
+        let field = checked(&fig1(0.0, 0.0, detail, 0.0)).unwrap();
+        let area: f64 = faces(&field).map(|(_, n)| 0.5 * (n[0] * n[0] + n[1] * n[1] + n[2] * n[2]).sqrt()).sum();
+        let edge = (area / field.mesh.triangles() as f64 * 4.0 / 3.0_f64.sqrt()).sqrt();
+        assert!((0.75..1.33).contains(&(edge * detail / 100.0)), "{edge} px at {detail}");
+    }
+}
+
+#[test]
+fn a_relative_field_is_cut_as_the_same_field_in_pixels() {
+    let px = fig1(0.6, 0.4, 40.0, 0.2);
+    let unit = f64::from(px.image_width) / 100.0;
+    let mut relative = Params { notation: Notation::Relative, ..px.clone() };
+    for layer in &mut relative.layers {
+        let radius = layer.radius;
+        layer.radius /= unit;
+        layer.taper = layer.taper.map(|c| c / unit);
+        layer.height = layer.height.map(|c| c / radius);
+        layer.detail *= unit;
+    }
+    let [ours, theirs] = [&px, &relative].map(|params| generate(params).unwrap());
+    for layer in 0..3 {
+        assert_eq!(triangles_of(&ours, layer), triangles_of(&theirs, layer));
     }
 }
 
@@ -58,9 +108,9 @@ fn natural_presets_keep_every_promise() {
 
 #[test]
 fn wear_that_is_taken_back_leaves_the_papers_mesh_bit_for_bit() {
-    let papers = fig1(0.0, 0.0, 0, 0.0);
+    let papers = fig1(0.0, 0.0, 0.0, 0.0);
     let mut generator = Generator::new();
-    for params in [fig1(1.0, 1.0, 2, 0.3), papers.clone()] {
+    for params in [fig1(1.0, 1.0, 20.0, 0.3), papers.clone()] {
         generator.start(params, u64::MAX).unwrap();
         while !generator.step().unwrap() {}
     }
@@ -69,7 +119,7 @@ fn wear_that_is_taken_back_leaves_the_papers_mesh_bit_for_bit() {
 
 #[test]
 fn a_worn_stone_is_seen_from_its_middle_in_every_direction_once() {
-    let mut params = fig1(1.0, 1.0, 2, 0.3);
+    let mut params = fig1(1.0, 1.0, 20.0, 0.3);
     for layer in &mut params.layers {
         layer.taper = [0.0; 3];
     }
@@ -99,7 +149,7 @@ fn a_worn_stone_is_seen_from_its_middle_in_every_direction_once() {
 fn embedding_buries_the_share_it_says() {
     for share in [0.0, 0.25, 1.0] {
         let highest = |field: &Field| field.mesh.positions.chunks_exact(3).fold(f32::MIN, |most, p| most.max(p[2]));
-        let mut params = fig1(0.0, 0.0, 0, share);
+        let mut params = fig1(0.0, 0.0, 0.0, share);
         params.layers.truncate(1);
         params.layers[0].height = [40.0, 0.0, 0.0];
         let field = generate(&params).unwrap();

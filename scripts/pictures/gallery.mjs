@@ -20,7 +20,7 @@ const MOST_DIFFERENT = 2;
 /** The papers' fields, as in the papers and as natural ground. */
 const BOTH_STYLES = ['journal-fig1', 'journal-fig12a'];
 const NATURAL = { color: 'natural', quality: 'high' };
-const WORN = { weathering: 0.6, roughness: 0.3, detail: 2, embedding: 0.15 };
+const WORN = { weathering: 0.6, roughness: 0.3, detail: 30, embedding: 0.15 };
 const BACKENDS = ['webgpu', 'webgl'];
 
 const CAMERAS = {

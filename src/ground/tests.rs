@@ -233,7 +233,7 @@ fn the_ground_of_random_fields_is_the_image_without_their_rocks() {
             weathering: pick(-1.0, 1.0).max(0.0),
             roughness: pick(-1.0, 1.0).max(0.0),
             embedding: pick(-0.5, 0.9).max(0.0),
-            detail: pick(-1.0, 2.0).max(0.0) as u32,
+            detail: pick(-30.0, 60.0).max(0.0),
             ..Layer::with_defaults(id, Notation::Px)
         });
         let layers = layers.collect();

@@ -7,7 +7,7 @@ use super::mesh::{Extent, Mesh};
 use super::select::{Selection, Threshold};
 use super::shape::Shapes;
 use super::sites::Sites;
-use super::subdivide::counts as counts_of;
+use super::subdivide::Fineness;
 use super::voronoi::Cells;
 use super::wear::Wear;
 use crate::cached::Cached;
@@ -132,6 +132,12 @@ impl LayerCache {
             + self.shapes.value.bytes()
     }
 
+    /// Number of vertices and of triangles in the buffers, once the rocks are selected; and of vertices of the largest rock that is cut.
+    pub(super) fn counts(&self, layer: &Layer) -> [usize; 3] {
+        let selected = &self.selection.value.selected;
+        Fineness::new(layer.detail, layer.height).counts(&self.cells.value, selected, self.rims)
+    }
+
     /// The sizes of the layer's results, and which of them still have to be made. `expected` is used as the number of
     /// sites while it is not known; `selected` says that the selection is known.
     pub(super) fn load(&self, params: &Params, expected: f64, selected: bool) -> Option<Load> {
@@ -144,9 +150,8 @@ impl LayerCache {
         let mut counts = Counts { sites: count, corners, ..Counts::default() };
         if selected {
             let rocks = self.selection.value.selected.len();
-            let [vertices, triangles] = counts_of(rocks, self.rims, Wear::of(layer).segments());
             [counts.rocks, counts.rims] = [rocks as f64, self.rims as f64];
-            [counts.vertices, counts.triangles] = [vertices as f64, triangles as f64];
+            [counts.vertices, counts.triangles, counts.largest] = self.counts(layer).map(|n| n as f64);
         }
         Some(Load { counts, sites, cells, shapes })
     }

@@ -16,7 +16,6 @@ use super::mesher::Mesher;
 use super::select::{Selector, Threshold};
 use super::shape::Shaper;
 use super::sites::DartThrower;
-use super::subdivide::counts;
 use super::voronoi::VoronoiBuilder;
 use super::wear::Wear;
 use super::work::{Taken, Work};
@@ -335,6 +334,7 @@ impl Generator {
         let mut keys = Vec::with_capacity(self.results.layers.len());
         for (index, cache) in self.results.layers.iter_mut().enumerate() {
             let layer = cache.layer.as_ref()?;
+            let sizes = cache.counts(layer);
             let shapes = &cache.shapes.value;
             let wear = Wear::of(layer);
             let (taper, height) = (layer.taper, layer.height);
@@ -344,7 +344,7 @@ impl Generator {
                 cache.mesh = None;
             }
             keys.push(key);
-            let [vertices, triangles] = counts(shapes.len(), shapes.top_vertices(), wear.segments());
+            let [vertices, triangles, _] = sizes;
             at.rocks += shapes.len();
             at.vertices += vertices;
             at.triangles += triangles;

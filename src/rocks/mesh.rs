@@ -6,8 +6,8 @@ use glam::{DVec2, DVec3};
 ///
 /// Rock k owns `indices[rock_starts[k] .. rock_starts[k + 1]]` and the vertices `vertex_starts[k] .. vertex_starts[k +
 /// 1]`: first n rim vertices at z = 0, then n top vertices. Vertex v stands at `positions[3·v .. 3·v + 3]`, px, z up.
-/// Triangles are counter-clockwise seen from above before displacement. A rock that is subdivided has 2^detail times as
-/// many rim vertices, and the rim of a rock that is weathered or embedded lies below the ground.
+/// Triangles are counter-clockwise seen from above before displacement. A rock that is subdivided has a power of two
+/// times as many rim vertices, and the rim of a rock that is weathered or embedded lies below the ground.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Mesh {
     /// 3 per vertex, px.

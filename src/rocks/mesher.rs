@@ -5,6 +5,7 @@ use glam::DVec2;
 use super::cache::MeshKey;
 use super::mesh::{Extent, Mesh, RockBuilder};
 use super::shape::{Shapes, Swings};
+use super::subdivide::Fineness;
 use super::voronoi::Cells;
 use super::wear::{Rock, Wearer};
 
@@ -49,12 +50,20 @@ impl Mesher {
         self.rock as f64 / shapes.len().max(1) as f64
     }
 
-    /// Writes at most `count` rocks, and fewer if they are subdivided. Returns true when all are written.
+    /// Writes at most `count` rocks, and fewer if they are worn. Returns true when all are written.
     #[inline(never)]
     pub(super) fn advance(&mut self, of: &Source<'_>, mesh: &mut Mesh, count: usize) -> bool {
-        let segments = self.key.wear.segments();
-        let count = if self.key.wear.is_none() { count } else { (count / 8 / (segments * segments)).max(4) };
-        let to = (self.rock + count).min(of.shapes.len());
+        let most = (self.rock + count).min(of.shapes.len());
+        if !self.key.wear.is_none() {
+            let mut left = count / 8;
+            while left > 0 && self.rock < most {
+                let segments = self.write(of, self.rock, mesh);
+                self.rock += 1;
+                left = left.saturating_sub(segments * segments);
+            }
+            return self.rock == of.shapes.len();
+        }
+        let to = most;
         for from in (self.rock..to).step_by(ROCKS_AHEAD) {
             let group = from..(from + ROCKS_AHEAD).min(to);
             read_ahead(group.clone().map(|k| {
@@ -69,12 +78,14 @@ impl Mesher {
         to == of.shapes.len()
     }
 
-    fn write(&mut self, of: &Source<'_>, k: usize, mesh: &mut Mesh) {
+    /// Writes a rock. Returns the number of segments into which its edges are cut.
+    fn write(&mut self, of: &Source<'_>, k: usize, mesh: &mut Mesh) -> usize {
         let Mesher { key, builder, wearer, standing, at, .. } = self;
         let site = of.selected[k];
         let (rim, top) = (of.cells.polygon(site as usize), of.shapes.top_of(k));
         let mut triangles = of.shapes.triangles_of(k);
         let mut buried = 0;
+        let mut segments = 1;
         builder.start(rim);
         let mut swings = Swings::new(of.seed, of.layer, site, key.swing);
         swings.displace(top, key.taper, key.height, |p| builder.points.push(p));
@@ -82,13 +93,15 @@ impl Mesher {
             let neighbors = of.cells.neighbors_of(site as usize);
             // A side of the image is not a site, so no rock stands behind it.
             let touches = |edge: usize| standing.get(neighbors[edge] as usize).copied().unwrap_or(false);
-            let rock = Rock { rim, top, triangles, touches: &touches, seed: of.seed, layer: of.layer, site };
+            segments = Fineness::new(key.wear.detail, key.height).at(of.cells, site);
+            let rock = Rock { segments, rim, top, triangles, touches: &touches, seed: of.seed, layer: of.layer, site };
             wearer.wear(key.wear, &rock, builder);
             triangles = &wearer.subdivision.triangles;
             buried = if key.wear.weathering > 0.0 { wearer.subdivision.rim } else { 0 };
         }
         builder.finish(triangles, buried);
         mesh.write_rock(at, key.index as u8, builder, triangles);
+        segments
     }
 }
 

@@ -1,5 +1,80 @@
 //! Cuts every triangle of a rock into m² equal ones. Each new vertex is a weighted mean of the rock's corners, so any
-//! value given at the corners can be carried over to it.
+//! value given at the corners can be carried over to it. m is chosen per rock, so that all rocks of a layer have triangles
+//! of about one size.
+
+use glam::DVec2;
+
+use super::voronoi::Cells;
+
+/// The largest number of segments into which an edge is cut.
+pub(crate) const MOST_SEGMENTS: usize = 32;
+
+/// How finely the rocks of a layer are cut.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Fineness {
+    /// Triangles per px²: those of an equilateral mesh whose edges have the length that was asked for. 0 if rocks are not cut.
+    density: f64,
+    /// Mean height of the layer's top vertices, px.
+    height: f64,
+}
+
+impl Fineness {
+    /// `detail` is the number of edges along 100 px, and `height` holds c_h1, c_h2 and c_h3 of Eq. 3, px.
+    pub(crate) fn new(detail: f64, height: [f64; 3]) -> Self {
+        let per_px = detail * 0.01;
+        // An equilateral triangle of edge e has the area e²·√3/4.
+        Fineness { density: per_px * per_px * 4.0 / 3.0_f64.sqrt(), height: height[0] + 0.5 * (height[1] + height[2]) }
+    }
+
+    /// The number of segments, a power of two, into which every edge of the rock on this cell is cut.
+    fn segments(self, cell: &[DVec2]) -> usize {
+        if self.density == 0.0 {
+            return 1;
+        }
+        let (mut double_area, mut around) = (0.0, 0.0);
+        let mut last = cell[cell.len() - 1];
+        for &corner in cell {
+            double_area += (last - cell[0]).perp_dot(corner - cell[0]);
+            around += (corner - last).length();
+            last = corner;
+        }
+        self.segments_of(cell.len(), 0.5 * double_area, around)
+    }
+
+    /// The same for a cell with this number of corners, this area and this circumference.
+    pub(crate) fn segments_of(self, corners: usize, area: f64, around: f64) -> usize {
+        // The papers' mesh is about as large as a prism without its base.
+        let surface = area + around * self.height;
+        // How many parts each of its triangles should be cut into.
+        let wanted = surface * self.density / (3 * corners - 2) as f64;
+        let fits = |segments: usize| counts(1, corners, segments)[0] <= usize::from(u16::MAX);
+        let mut segments = 1;
+        // Twice as many segments make four times as many parts; twice as many parts are half way.
+        while segments < MOST_SEGMENTS && wanted > 2.0 * (segments * segments) as f64 && fits(2 * segments) {
+            segments *= 2;
+        }
+        segments
+    }
+
+    /// The number of segments for the rock on cell `site`.
+    pub(super) fn at(self, cells: &Cells, site: u32) -> usize {
+        self.segments(cells.polygon(site as usize))
+    }
+
+    /// Number of vertices and of triangles of the rocks on the cells `selected`, which have `rims` rim vertices in all before they
+    /// are cut; and number of vertices of the largest of them, 0 if none is cut.
+    pub(super) fn counts(self, cells: &Cells, selected: &[u32], rims: usize) -> [usize; 3] {
+        if self.density == 0.0 {
+            let [vertices, triangles] = counts(selected.len(), rims, 1);
+            return [vertices, triangles, 0];
+        }
+        selected.iter().fold([0, 0, 0], |[vertices, triangles, largest], &site| {
+            let cell = cells.polygon(site as usize);
+            let [more_vertices, more_triangles] = counts(1, cell.len(), self.segments(cell));
+            [vertices + more_vertices, triangles + more_triangles, largest.max(more_vertices)]
+        })
+    }
+}
 
 /// A vertex as a weighted mean of three corners of the rock: the numbers of the corners and their weights, in units of
 /// 1/`segments`.
@@ -45,13 +120,16 @@ const NONE: u16 = u16::MAX;
 
 impl Subdivision {
     /// Cuts `triangles`, which have `rim` rim vertices and as many top vertices. Every edge is cut into `segments`
-    /// parts, a power of two up to 8.
+    /// parts, a power of two up to [`MOST_SEGMENTS`].
     pub(super) fn cut(&mut self, rim: usize, triangles: &[[u16; 3]], segments: usize) {
         let corners = 2 * rim;
         self.segments = segments;
         self.rim = rim * segments;
         self.blends.clear();
         self.triangles.clear();
+        let [vertices, parts] = counts(1, rim, segments);
+        self.blends.reserve_exact(vertices);
+        self.triangles.reserve_exact(parts);
         self.edges.clear();
         self.edges.resize(corners * corners, NONE);
         for edge in 0..rim {

@@ -25,7 +25,7 @@ use crate::rng::{Purpose, Stream};
 pub(crate) struct Wear {
     pub(crate) weathering: f64,
     pub(crate) roughness: f64,
-    pub(crate) detail: u32,
+    pub(crate) detail: f64,
     pub(crate) embedding: f64,
 }
 
@@ -51,12 +51,7 @@ impl Wear {
 
     /// Whether nothing has to be done, so that the papers' mesh stays as it is.
     pub(crate) fn is_none(self) -> bool {
-        self == Wear { weathering: 0.0, roughness: 0.0, detail: 0, embedding: 0.0 }
-    }
-
-    /// Number of segments into which each edge of the papers' mesh is cut.
-    pub(crate) fn segments(self) -> usize {
-        1 << self.detail
+        self == Wear { weathering: 0.0, roughness: 0.0, detail: 0.0, embedding: 0.0 }
     }
 }
 
@@ -85,6 +80,8 @@ const BUMPS: f64 = 0.16;
 
 /// The rock to be worn.
 pub(super) struct Rock<'a> {
+    /// Number of segments into which each edge of the papers' mesh is cut.
+    pub(super) segments: usize,
     pub(super) rim: &'a [DVec2],
     /// The points p_add before displacement, px.
     pub(super) top: &'a [DVec2],
@@ -111,7 +108,7 @@ impl Wearer {
     /// `subdivision.triangles`.
     pub(super) fn wear(&mut self, wear: Wear, rock: &Rock<'_>, builder: &mut RockBuilder) {
         let rim = rock.rim.len();
-        self.subdivision.cut(rim, rock.triangles, wear.segments());
+        self.subdivision.cut(rim, rock.triangles, rock.segments);
         core::mem::swap(&mut self.corners, &mut builder.points);
         let highest = self.corners.iter().fold(0.0_f64, |most, corner| most.max(corner.z));
         let sunk = DVec3::Z * (wear.embedding * highest);
@@ -254,7 +251,7 @@ impl Wearer {
             axis,
             squeeze,
             last: (1.0 + dip).sqrt(),
-            first_ring: if wear.detail == 0 { 1.15 } else { 1.0 - 0.5 / wear.segments() as f64 },
+            first_ring: if rock.segments == 1 { 1.15 } else { 1.0 - 0.5 / rock.segments as f64 },
             sink: SINK * height,
         }
     }

@@ -33,7 +33,7 @@ pub fn check_mesh(params: &Params, field: &Field) -> Result<(), Violation> {
             let triangles = layer.shapes.triangles_of(k);
             let checked = match Wear::of(&layer.layer) {
                 wear if wear.is_none() => check_rock(mesh, rock, &points, triangles),
-                wear => check_worn(mesh, rock, wear, &points, triangles),
+                wear => check_worn(mesh, rock, wear, layer.layer.height, &points, triangles),
             };
             checked.map_err(|violation| violation.within(format_args!("rock {rock} (layer {index}, site {site})")))?;
             rock += 1;

@@ -9,7 +9,7 @@ use crate::rocks::Wear;
 /// Checks a worn rock against the papers' mesh of the same rock: `points` are that mesh's displaced vertices, the first
 /// half of them the rim, and `triangles` its faces.
 ///
-/// Every triangle must be cut into 4^detail, whose vertices stay on it if only detail and embedding are used. The rim
+/// Every triangle must be cut into as many as the rock's size and `detail` demand (`height` holds the constants of Eq. 3), whose vertices stay on it if only detail and embedding are used. The rim
 /// must stay on its cell, at or below the ground, and the surface must be a disc that ends only there, so that no gap
 /// is visible from above. All numbers must be finite. Normals must have unit length and be the area-weighted means of
 /// their faces; the buried faces at a weathered rim count for the rim only.
@@ -20,10 +20,12 @@ pub(super) fn check_worn(
     mesh: &Mesh,
     rock: usize,
     wear: Wear,
+    height: [f64; 3],
     points: &[DVec3],
     triangles: &[[u16; 3]],
 ) -> Result<(), Violation> {
-    let segments = 1_usize << wear.detail;
+    let given = mesh.rock_starts[rock + 1] as usize - mesh.rock_starts[rock] as usize;
+    let segments = check_segments(given / 3, wear, height, points, triangles.len())?;
     let first = mesh.vertex_starts[rock] as usize;
     let vertices: Vec<Vec3> = mesh.positions[3 * first..3 * mesh.vertex_starts[rock + 1] as usize]
         .chunks_exact(3)
@@ -31,9 +33,6 @@ pub(super) fn check_worn(
         .collect();
     let normals = &mesh.normals[3 * first..3 * mesh.vertex_starts[rock + 1] as usize];
     let corners = &mesh.indices[mesh.rock_starts[rock] as usize..mesh.rock_starts[rock + 1] as usize];
-    ensure(corners.len() == 3 * triangles.len() * segments * segments, || {
-        format!("{} triangles instead of {} times {}", corners.len() / 3, triangles.len(), segments * segments)
-    })?;
     ensure(vertices.iter().all(|v| v.is_finite()), || "a vertex is not finite".into())?;
     let faces: Vec<[usize; 3]> =
         corners.chunks_exact(3).map(|face| [face[0], face[1], face[2]].map(|v| v as usize - first)).collect();
@@ -43,9 +42,39 @@ pub(super) fn check_worn(
     check_rim(&vertices[..rim], points, segments)?;
     check_disc(&faces, rim, vertices.len())?;
     if wear.weathering == 0.0 && wear.roughness == 0.0 {
-        check_flat(&vertices, &faces, points, triangles, wear)?;
+        check_flat(&vertices, &faces, points, triangles, segments, wear.embedding)?;
     }
     check_normals(&vertices, normals, &faces, if wear.weathering > 0.0 { rim } else { 0 })
+}
+
+/// Checks that the edges of the papers' mesh are cut into that power of two, of 1 to 32, by which triangles come nearest to
+/// equilateral ones of the edge that `detail` asks for, if the rock were a prism as high as its layer's mean; not so finely that its vertices
+/// could not be numbered in 16 bits. Returns the number of segments.
+fn check_segments(
+    given: usize,
+    wear: Wear,
+    height: [f64; 3],
+    points: &[DVec3],
+    triangles: usize,
+) -> Result<usize, Violation> {
+    let rim = &points[..points.len() / 2];
+    let next = |i: usize| rim[(i + 1) % rim.len()];
+    let area = 0.5 * (0..rim.len()).map(|i| (rim[i] - rim[0]).truncate().perp_dot((next(i) - rim[0]).truncate())).sum::<f64>();
+    let sides = (0..rim.len()).map(|i| rim[i].distance(next(i))).sum::<f64>() * (height[0] + (height[1] + height[2]) / 2.0);
+    // The edge of an equilateral triangle as large as the mean of the prism's.
+    let edge = ((area + sides) / triangles as f64 * 4.0 / 3.0_f64.sqrt()).sqrt();
+    let power = if wear.detail == 0.0 { 0.0 } else { (edge * wear.detail / 100.0).log2() };
+    // By Euler's formula.
+    let vertices = |power: usize| (((triangles << power) + rim.len()) << power) / 2 + 1;
+    // Half way between two powers rounding may decide.
+    let wanted = [power - 1.0e-9, power + 1.0e-9].map(|power| {
+        let nearest = power.round().clamp(0.0, 5.0) as usize;
+        (0..=nearest).rev().find(|&power| vertices(power) <= usize::from(u16::MAX)).unwrap_or(0)
+    });
+    let found = wanted.into_iter().find(|power| given == triangles << (2 * power));
+    found.map(|power| 1 << power).ok_or_else(|| {
+        Violation(format!("{given} triangles instead of {triangles} times 4^{}", wanted[0]))
+    })
 }
 
 /// Checks that the rim's vertices divide the edges of the cell evenly, and lie at or below the ground.
@@ -91,11 +120,12 @@ fn check_flat(
     faces: &[[usize; 3]],
     points: &[DVec3],
     triangles: &[[u16; 3]],
-    wear: Wear,
+    segments: usize,
+    embedding: f64,
 ) -> Result<(), Violation> {
     let highest = points.iter().fold(0.0_f64, |most, point| most.max(point.z));
-    let sunk = DVec3::Z * (wear.embedding * highest);
-    for (parts, whole) in faces.chunks_exact(1 << (2 * wear.detail)).zip(triangles) {
+    let sunk = DVec3::Z * (embedding * highest);
+    for (parts, whole) in faces.chunks_exact(segments * segments).zip(triangles) {
         let whole = whole.map(|v| points[usize::from(v)] - sunk);
         let normal = |[a, b, c]: [DVec3; 3]| (b - a).cross(c - a);
         let expected = normal(whole);

@@ -19,7 +19,7 @@ const open = (address, options, browser = session) => openRocks(browser, address
 
 test('every slider moves something, and its number says so', async () => {
   // With some wear, since one kind of it needs another.
-  const opened = await open('#w=256&h=256&r=40,20,8&we=0.5,0.5,0.5&ro=0.5,0.5,0.5&de=1,1,1');
+  const opened = await open('#w=256&h=256&r=40,20,8&we=0.5,0.5,0.5&ro=0.5,0.5,0.5&dt=20,20,20');
   const { page } = opened;
   await hidePictures(page);
   for (const name of ['Layer 2', 'Layer 3']) await page.getByRole('button', { name }).first().click();

@@ -75,7 +75,7 @@ async function outcome(raw: Raw, params: Float64Array): Promise<string> {
 test('a field that does not fit ends in OverBudget, and the next one comes', async () => {
   const glue = await capped('generator');
   const end = (request: FieldRequest) => outcome(new glue.Generator(), encodeParams(resolveParams(request)));
-  const detailed = { id: 1, radius: 3, areaFraction: 1, detail: 3 };
+  const detailed = { id: 1, radius: 3, areaFraction: 1, detail: 180 };
   const requests: FieldRequest[] = [
     { imageWidth: 800, imageHeight: 800, border: 'drop', layers: [{ radius: 300, areaFraction: 1 }, detailed] },
     { imageWidth: 800, imageHeight: 800, layers: [detailed] },

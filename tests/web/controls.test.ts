@@ -36,6 +36,7 @@ function inPx({ layers, notation, imageWidth }: Params): Layer[] {
       radius,
       taper: layer.taper.map((c) => c * unit) as Layer['taper'],
       height: layer.height.map((c) => c * radius) as Layer['height'],
+      detail: layer.detail / unit,
     };
   });
 }
@@ -76,7 +77,7 @@ test('another notation, the same rocks, to the last bit or the one before', () =
       for (const [index, layer] of inPx(other.params).entries()) {
         const original = inPx(params)[index];
         assert.ok(original);
-        const numbers = ({ radius, taper, height }: Layer) => [radius, ...taper, ...height];
+        const numbers = ({ radius, taper, height, detail }: Layer) => [radius, ...taper, ...height, detail];
         numbers(layer).forEach((value, at) => {
           const wanted = numbers(original)[at] ?? NaN;
           assert.ok(Math.abs(value - wanted) <= Math.abs(wanted) * 4e-16, `${name} ${imageWidth}: ${value} for ${wanted}`);

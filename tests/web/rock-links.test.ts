@@ -1,6 +1,7 @@
 // Links: every row of the table goes there and back, and nothing that stands in a link can hurt.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
+import { createGenerator } from 'rock-field/core';
 import { ROCKS } from '../../www/rocks/table.ts';
 import { presetColor } from '../../www/table/table.ts';
 import { MAX_LAYERS, PRESETS } from '../../www/rocks/params.ts';
@@ -116,6 +117,44 @@ for (const spec of LAYER_ROWS) {
     }
   });
 }
+
+test('a link of the time when `detail` was a number of cuts shows rocks that are cut as often', async () => {
+  const generator = await createGenerator();
+  for (const [cuts, notation] of [
+    [1, 'px'],
+    [2, 'relative'],
+    [3, 'px'],
+  ] as const) {
+    const [radii, heights] = notation === 'px' ? ['40,9', '12,3'] : ['13,3', '0.3,0.3'];
+    const { params, notices } = decodeLink(
+      `#v=1&preset=journal-fig1&w=300&h=300&u=${notation}&r=${radii}&a=0.4,0.4&h1=${heights}&h2=0,0&h3=0,0&de=${cuts},0`,
+    );
+    assert.deepEqual(notices, []);
+    assert.equal(params.layers[1]!.detail, 0);
+    const { rockLayer, rockStarts, vertexStarts } = await generator.generate(params);
+    let [same, all] = [0, 0];
+    rockLayer.forEach((layer, rock) => {
+      const triangles = (rockStarts[rock + 1]! - rockStarts[rock]!) / 3;
+      const rim = 2 * (vertexStarts[rock + 1]! - vertexStarts[rock]!) - triangles - 2;
+      // A cell of n corners has 3n − 2 triangles before they are cut, and then n·2^cuts corners.
+      const expected = layer === 0 ? cuts : 0;
+      same += Number(triangles === ((3 * rim) / 2 ** expected - 2) * 4 ** expected);
+      all += 1;
+    });
+    assert.ok(all > 20 && same > 0.9 * all, `${same} of ${all} with ${cuts} in ${notation}`);
+  }
+  generator.dispose();
+});
+
+test('a number of cuts that is wrong is told, and gives way to `detail`', () => {
+  const detail = (link: string) => decodeLink(link).params.layers.map((layer) => layer.detail);
+  assert.deepEqual(detail('#preset=journal-fig11a&de=0'), [0]);
+  assert.deepEqual(detail('#preset=journal-fig11a&de=3&dt=20'), [20]);
+  assert.deepEqual(detail('#preset=journal-fig11a&de=9'), detail('#preset=journal-fig11a&de=3'));
+  assert.deepEqual(codes('#preset=journal-fig11a&de=9'), ['clamped']);
+  assert.deepEqual(codes('#preset=journal-fig11a&de=x'), ['not-a-number']);
+  assert.deepEqual(codes('#preset=journal-fig1&de=1,1&r=90,30,10'), ['unequal-lists']);
+});
 
 test('every preset is a short link', () => {
   for (const { name } of PRESETS) {

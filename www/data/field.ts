@@ -52,7 +52,7 @@ export interface Field {
   imageWidth: number;
   imageHeight: number;
   layers: FieldLayer[];
-  /** Float32Array(3v), px, z up: rocks in layer order, within a layer in `selected` order; a rock's n rim vertices (2^detail times as many where it is cut finer), then the others. */
+  /** Float32Array(3v), px, z up: rocks in layer order, within a layer in `selected` order; a rock's n rim vertices (2, 4, 8, 16 or 32 times as many where it is cut finer), then the others. */
   positions: Float32Array;
   /** Float32Array(3v), unit, area-weighted over adjacent faces; of a weathered rock's buried faces at the rim, for the rim alone. */
   normals: Float32Array;

@@ -26,7 +26,32 @@ export function encodeLink(state: Pick<LinkState, 'params'> & Partial<LinkState>
 
 /** Reads `#…`, `?…`, a whole address or what `encodeLink` returns. */
 export function decodeLink(text: string): RockLink {
-  return decode(ROCKS, text, ['id'], withIds);
+  return decode(ROCKS, text, ['id', CUTS.url], (params, lists, reader) => withIds(withCuts(params, lists, reader), lists, reader));
+}
+
+/** What links had before `detail` was a length: how often every triangle of a layer is cut into four. */
+const CUTS = { ...ROCKS.itemRows.find(({ key }) => key === 'detail')!, url: 'de', kind: 'integer', min: 0, max: 3 } as const;
+
+/** A layer that was cut so often gets the `detail` by which most of its rocks are. */
+function withCuts(params: Params, lists: ReadonlyMap<string, string[]>, reader: LinkReader): Params {
+  const given = lists.get(CUTS.url);
+  const row = ROCKS.itemRows.find(({ key }) => key === 'detail')!;
+  if (!given || lists.has(row.url)) return params;
+  const { max } = ROCKS.boundsOf(row, params);
+  const layers = params.layers.map((layer, index) => {
+    const cuts = reader.value(CUTS, CUTS, given[index] ?? '0', 0) as number;
+    return { ...layer, detail: cuts === 0 ? 0 : Math.min(max, Number(((100 * 2 ** cuts) / edgeOf(layer, params.notation)).toPrecision(3))) };
+  });
+  return { ...params, layers };
+}
+
+/** How long the edges of the papers' mesh are in the mean, in the layer's unit: as src/rocks/subdivide.rs has it, of a cell of the mean size. */
+function edgeOf({ radius, height: [base, perRock, perVertex] }: Params['layers'][number], notation: Params['notation']): number {
+  const height = (base + (perRock + perVertex) / 2) * (notation === 'relative' ? radius : 1);
+  const area = 1.42 * radius ** 2;
+  const surface = area + 3.88 * Math.sqrt(area) * height;
+  // Of a cell with six corners come 16 triangles, and an equilateral one has √3/4 of the square of its edge.
+  return Math.sqrt(((surface / 16) * 4) / Math.sqrt(3));
 }
 
 function withIds(params: Params, lists: ReadonlyMap<string, string[]>, reader: LinkReader): Params {

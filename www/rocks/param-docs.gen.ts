@@ -30,7 +30,7 @@ export const PARAM_DOCS: Readonly<Record<string, Words>> = {
   h3: { en: "Adds up to this much height, one random number per vertex: the top grows rugged.", ja: "頂点ごとの乱数で、最大この値まで高さを加え、上面を起伏させます。" },
   we: { en: "Off, the papers' facets; from 0.2, freshly broken stone, worn at its edges and corners first; at 1, rounded by a river.", ja: "0 は論文どおりの面。0.2 から割れたばかりの石となり、角や稜から先に摩耗して、1 で川の丸石になります。" },
   ro: { en: "Bumps of several sizes on the surface.", ja: "表面に大小の凹凸を加えます。" },
-  de: { en: "How often every triangle is cut into four; weathering and roughness need some.", ja: "三角形を4分割する回数。風化と粗さの表現には分割が必要です。" },
+  dt: { en: "How many edges of triangles lie along that much surface: boulders get many triangles, pebbles few. Weathering and roughness need some.", ja: "岩の表面の長さあたりの三角形の辺の数。大きな岩は多くの、小石は少ない三角形になります。風化と粗さの表現に必要です。" },
   em: { en: "Share of a rock's height that lies below the ground.", ja: "岩の高さのうち、地面の下に埋まる割合。" },
   mat: { en: "What the rocks are made of, in natural colours.", ja: "自然な配色での岩の種類。" },
 };

@@ -140,6 +140,7 @@ impl Params {
                     radius,
                     taper: layer.taper.map(|c| c * unit),
                     height: layer.height.map(|c| c * radius),
+                    detail: layer.detail / unit,
                     ..layer.clone()
                 }
             }

@@ -23,6 +23,7 @@ pub enum Stage {
 const PX: [&str; 2] = ["px", "px"];
 const LENGTH: [&str; 2] = ["px", "width/100"];
 const HEIGHT: [&str; 2] = ["px", "r"];
+const DENSITY: [&str; 2] = ["/100 px", "/width"];
 const DEGREES: [&str; 2] = ["°", "°"];
 const NONE: [&str; 2] = ["", ""];
 
@@ -242,13 +243,14 @@ table! {
             ja "表面に大小の凹凸を加えます。"
         }
 
-        /// How many times every triangle is cut into four.
-        pub detail: u32 as "detail", from Mesh {
-            url "de",
-            range [0.0, 3.0] step 1.0 default 0.0, slider [0.0, 3.0] linear,
-            unit NONE, label ["Detail", "細かさ"],
-            en "How often every triangle is cut into four; weathering and roughness need some.",
-            ja "三角形を4分割する回数。風化と粗さの表現には分割が必要です。"
+        /// How many edges of triangles lie along 100 units of length, about; 0 leaves the papers' triangles.
+        pub detail: f64 as "detail", from Mesh {
+            url "dt",
+            range [0.0, 1000.0] step 1.0 default 0.0, slider [0.0, 200.0] linear,
+            relative [0.0, 81_920.0] step 1.0 default 0.0, slider [0.0, 2000.0] linear,
+            unit DENSITY, label ["Detail", "細かさ"],
+            en "How many edges of triangles lie along that much surface: boulders get many triangles, pebbles few. Weathering and roughness need some.",
+            ja "岩の表面の長さあたりの三角形の辺の数。大きな岩は多くの、小石は少ない三角形になります。風化と粗さの表現に必要です。"
         }
 
         /// Share of a rock's height that lies below the ground, 0 … 1.

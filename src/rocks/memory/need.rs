@@ -27,6 +27,8 @@ pub(in crate::rocks) struct Counts {
     /// Number of vertices of all rocks in the buffers.
     pub(in crate::rocks) vertices: f64,
     pub(in crate::rocks) triangles: f64,
+    /// Number of vertices of the largest rock that is cut.
+    pub(in crate::rocks) largest: f64,
 }
 
 impl Counts {
@@ -81,6 +83,7 @@ pub(in crate::rocks) struct Need {
 /// | a cell, while cells are selected | – | 8 + 1/8 |
 /// | a rock of c corners: p_add and 3c − 2 triangles | 12 + c·16 + (3c − 2)·6 | 4, and 4 per site |
 /// | its 2c vertices and 3c − 2 triangles in the buffers, more of them with detail | 24 per vertex, 12 per triangle, 9 per rock | what a buffer had before it grew |
+/// | a vertex of the largest rock that is cut | – | 120, as it is worn |
 /// | copies for the caller | 8 + 4 + c·8 per site, 4 + its buffers per rock | c·8 per site |
 impl Need {
     /// Computes what is needed. `held` bytes are in the cache already; `buffers` holds how many of them positions,
@@ -125,6 +128,7 @@ impl Need {
             }
         }
         kept += sum(|counts| counts.rocks) * 9.0;
+        peak = peak.max(kept + 120.0 * most(|counts| counts.largest));
         peak = peak.max(kept + most(|counts| counts.sites)).max(kept + 8.0 * most(|counts| counts.corners));
         let copies = sum(|counts| 12.0 * counts.sites + 8.0 * counts.corners + 13.0 * counts.rocks);
         Need { peak, until_selection, copies: copies + 24.0 * vertices + 12.0 * triangles }

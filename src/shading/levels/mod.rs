@@ -7,8 +7,8 @@ use std::ops::Range;
 
 use glam::{Mat4, Vec3};
 
-/// Levels that a rock can have. At the coarsest each triangle stands for 16 of the finest.
-pub(crate) const LEVELS: usize = 3;
+/// Levels that a rock can have. At the coarsest each triangle stands for 256 of the finest.
+pub(crate) const LEVELS: usize = 5;
 
 /// Rocks are drawn in groups: those of a layer in a cell of a grid over the field, so many cells on a side.
 const CELLS: usize = 5;
@@ -29,15 +29,11 @@ pub(crate) struct Body {
 impl Body {
     /// The number of parts into which each edge of the papers' mesh is cut; 1 for any other mesh, which has one level.
     fn segments(&self) -> u32 {
-        // A rock of n rim vertices has 2n corners, 5n − 3 edges and 3n − 2 triangles (decision A12).
-        let is_cut = |m: &u32| {
-            let whole = self.triangles / (m * m);
-            let rim = whole.div_ceil(3);
-            self.triangles.is_multiple_of(m * m)
-                && (whole + 2).is_multiple_of(3)
-                && 2 * rim + (5 * rim).saturating_sub(3) * (m - 1) + whole * ((m - 1) * (m - 2) / 2) == self.vertices
-        };
-        [8, 4, 2].into_iter().find(is_cut).unwrap_or(1)
+        // By Euler's formula a surface whose rim has r vertices has 2v − r − 2 triangles; a rock on a cell of n corners has
+        // (3n − 2)·m² of them (decision A12), and r = n·m.
+        let Some(rim) = (2 * self.vertices).checked_sub(self.triangles + 2) else { return 1 };
+        let is_cut = |m: &u32| rim.is_multiple_of(*m) && (3 * rim * m).checked_sub(2 * m * m) == Some(self.triangles);
+        [32, 16, 8, 4, 2].into_iter().find(is_cut).unwrap_or(1)
     }
 
     /// Triangles of a level, 0 being the finest.
@@ -100,7 +96,13 @@ pub(crate) struct Group {
 
 impl Group {
     const EMPTY: Self =
-        Self { low: Vec3::INFINITY, high: Vec3::NEG_INFINITY, surface: 0.0, rocks: 0.0, ranges: [0..0, 0..0, 0..0] };
+    const EMPTY: Self = Self {
+        low: Vec3::INFINITY,
+        high: Vec3::NEG_INFINITY,
+        surface: 0.0,
+        rocks: 0.0,
+        ranges: [const { 0..0 }; LEVELS],
+    };
 
     /// Adds a rock; the ranges begin with 0 until all groups are there.
     fn add(&mut self, body: &Body) {

@@ -53,10 +53,26 @@ fn level(body: &Body, level: usize, mesh: &Mesh, rock: usize) -> Vec<u32> {
 #[test]
 fn how_often_a_rock_is_subdivided_is_told_by_its_counts() {
     for preset in PRESETS {
-        let params = self::preset(preset.name);
-        let mesh = mesh_of(&params);
-        for (body, &layer) in bodies(&mesh).iter().zip(&mesh.rock_layer) {
-            assert_eq!(body.segments(), 1 << params.layers[usize::from(layer)].detail, "{}", preset.name);
+        let mut params = self::preset(preset.name);
+        params.layers.iter_mut().for_each(|layer| layer.detail *= 2.0);
+        let field = generate(&params).expect("a field");
+        let whole = field.layers.iter().flat_map(|layer| {
+            (0..layer.shapes.len()).map(|rock| layer.shapes.triangles_of(rock).len() as u32)
+        });
+        for (body, whole) in bodies(&field.mesh).iter().zip(whole) {
+            assert_eq!(body.segments().pow(2) * whole, body.triangles, "{}", preset.name);
+        }
+    }
+}
+
+#[test]
+fn no_other_rock_has_the_counts_of_one_that_is_subdivided() {
+    for corners in 3..40 {
+        for m in [1, 2, 4, 8, 16, 32] {
+            let triangles = (3 * corners - 2) * m * m;
+            let vertices = (triangles + corners * m) / 2 + 1;
+            let body = Body { layer: 0, low: Vec3::ZERO, high: Vec3::ONE, vertices, triangles };
+            assert_eq!(body.segments(), m, "{corners} corners");
         }
     }
 }
@@ -66,12 +82,14 @@ fn a_level_is_the_mesh_of_a_field_that_is_subdivided_less_often() {
     let mut fine = preset("riverbed");
     for layer in &mut fine.layers {
         // Without noise, and with nothing that depends on how often a rock is subdivided.
-        (layer.detail, layer.roughness, layer.weathering) = (3, 0.0, 0.0);
+        (layer.detail, layer.roughness, layer.weathering) = (120.0, 0.0, 0.0);
     }
     let mesh = mesh_of(&fine);
+    let most = bodies(&mesh).iter().map(Body::segments).max();
+    assert!(most == Some(16) || most == Some(32), "{most:?}");
     for l in 0..LEVELS {
         let mut coarse = fine.clone();
-        coarse.layers.iter_mut().for_each(|layer| layer.detail = 3 - l as u32);
+        coarse.layers.iter_mut().for_each(|layer| layer.detail /= f64::from(1 << l));
         let expected = mesh_of(&coarse);
         let (ours, theirs) = (positions(&mesh), positions(&expected));
         for (rock, body) in bodies(&mesh).iter().enumerate() {

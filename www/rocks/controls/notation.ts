@@ -19,6 +19,7 @@ export function inNotation(params: Params, notation: Notation): { params: Params
       radius,
       taper: layer.taper.map((value) => convert(value, unit)) as Layer['taper'],
       height: layer.height.map((value) => convert(value, radiusPx)) as Layer['height'],
+      detail: notation === 'px' ? layer.detail / unit : shortestProduct(layer.detail, unit),
     };
     for (const spec of LAYER_ROWS) {
       const value = readValue(copy, spec);
@@ -34,10 +35,18 @@ export function inNotation(params: Params, notation: Notation): { params: Params
 
 /** The shortest decimal that times `scale` gives `value` again, to the bit where there is one. */
 function shortestQuotient(value: number, scale: number): number {
-  const quotient = value / scale;
+  return shortest(value / scale, (candidate) => candidate * scale === value);
+}
+
+/** The shortest decimal that divided by `scale` gives `value` again. */
+function shortestProduct(value: number, scale: number): number {
+  return shortest(value * scale, (candidate) => candidate / scale === value);
+}
+
+function shortest(near: number, isRight: (candidate: number) => boolean): number {
   for (let digits = 1; digits <= 17; digits += 1) {
-    const candidate = Number(quotient.toPrecision(digits));
-    if (candidate * scale === value) return candidate;
+    const candidate = Number(near.toPrecision(digits));
+    if (isRight(candidate)) return candidate;
   }
-  return quotient;
+  return near;
 }
