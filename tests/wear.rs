@@ -4,6 +4,8 @@
 
 mod common;
 
+use std::collections::BTreeMap;
+
 use common::checked;
 use rock_field::params::{Layer, Notation, PRESETS, Params};
 use rock_field::rocks::{Field, Generator, generate};
@@ -96,6 +98,103 @@ fn a_relative_field_is_cut_as_the_same_field_in_pixels() {
     for layer in 0..3 {
         assert_eq!(triangles_of(&ours, layer), triangles_of(&theirs, layer));
     }
+}
+
+#[test]
+fn a_rounded_stone_lies_on_its_flat_side_however_tall_its_layer_is() {
+    let mut params = fig1(1.0, 0.0, 20.0, 0.0);
+    for layer in &mut params.layers {
+        layer.height = [3.0 * layer.radius, 0.0, 0.0];
+    }
+    let field = checked(&params).unwrap();
+    let mesh = &field.mesh;
+    let mut flatness = 0.0;
+    for rock in 0..mesh.rocks() {
+        let vertices = (mesh.vertex_starts[rock]..mesh.vertex_starts[rock + 1]).map(|v| corner(&field, v));
+        let above: Vec<_> = vertices.filter(|at| at[2] > 0.0).collect();
+        let extent = |along: &dyn Fn(&[f64; 3]) -> f64| {
+            let at = above.iter().map(along);
+            at.clone().fold(f64::MIN, f64::max) - at.fold(f64::MAX, f64::min)
+        };
+        let high = above.iter().fold(0.0_f64, |most, at| most.max(at[2]));
+        let turns = [[1.0, 0.0], [0.0, 1.0], [0.6, 0.8], [0.6, -0.8], [0.8, 0.6], [0.8, -0.6]];
+        let wide = turns.map(|[x, y]| extent(&|at| x * at[0] + y * at[1])).into_iter().fold(f64::MAX, f64::min);
+        assert!(high < 1.4 * wide, "rock {rock} is {high} high and {wide} wide");
+        flatness += high / wide / mesh.rocks() as f64;
+    }
+    assert!(flatness < 0.75, "{flatness}");
+}
+
+/// The angles at the edges between triangles that stand above the ground, in degrees.
+fn bends(field: &Field) -> Vec<f64> {
+    let mut at_edge: BTreeMap<[u32; 2], ([f64; 3], f64)> = BTreeMap::new();
+    let mut angles = Vec::new();
+    for (face, (corners, normal)) in field.mesh.indices.chunks_exact(3).zip(faces(field)) {
+        if corners.iter().any(|at| at[2] <= 0.0) {
+            continue;
+        }
+        let length = normal.iter().map(|n| n * n).sum::<f64>().sqrt();
+        for k in 0..3 {
+            let [a, b] = [face[k], face[(k + 1) % 3]];
+            match at_edge.remove(&[b, a]) {
+                Some((other, its)) => {
+                    let cos = (0..3).map(|k| normal[k] * other[k]).sum::<f64>() / (length * its);
+                    angles.push(f64::clamp(cos, -1.0, 1.0).acos().to_degrees());
+                }
+                None => drop(at_edge.insert([a, b], (normal, length))),
+            }
+        }
+    }
+    angles
+}
+
+fn share(all: &[f64], is_one: impl Fn(f64) -> bool) -> f64 {
+    all.iter().filter(|&&angle| is_one(angle)).count() as f64 / all.len() as f64
+}
+
+#[test]
+fn a_broken_stone_has_flats_and_crisp_edges_and_a_rounded_one_neither() {
+    let boulders = |weathering| {
+        let mut params = fig1(weathering, 0.0, 50.0, 0.0);
+        params.layers.truncate(1);
+        params.layers[0].height = [50.0, 20.0, 10.0];
+        bends(&checked(&params).unwrap())
+    };
+    let [broken, chipped, round] = [0.2, 0.5, 1.0].map(boulders);
+    let flat = |all: &[f64]| share(all, |angle| angle < 0.5);
+    let crisp = |all: &[f64]| share(all, |angle| angle > 15.0);
+    let report = [&broken, &chipped, &round].map(|all| [flat(all), crisp(all)]);
+    assert!(flat(&broken) > 0.4 && crisp(&broken) > 0.02, "{report:?}");
+    assert!(crisp(&chipped) < crisp(&broken), "{report:?}");
+    assert!(flat(&round) < 0.25 && crisp(&round) < 0.25 * crisp(&broken), "{report:?}");
+}
+
+#[test]
+fn a_rough_boulder_has_structure_at_every_scale_down_to_its_triangles() {
+    let boulders = |roughness, detail| {
+        let mut params = fig1(0.3, roughness, detail, 0.0);
+        params.layers.truncate(1);
+        params.layers[0].height = [60.0, 0.0, 0.0];
+        checked(&params).unwrap()
+    };
+    // How much less neighbours among the vertices differ than vertices anywhere on a rock.
+    let ratio = |detail| {
+        let [smooth, rough] = [0.0, 0.7].map(|roughness| boulders(roughness, detail));
+        let mesh = &rough.mesh;
+        let moved = |v: u32| {
+            let [a, b] = [corner(&smooth, v), corner(&rough, v)];
+            (0..3).map(|k| (b[k] - a[k]).powi(2)).sum::<f64>().sqrt()
+        };
+        let edges: Vec<f64> =
+            mesh.indices.chunks_exact(3).map(|face| (moved(face[0]) - moved(face[1])).abs()).collect();
+        let largest = (0..mesh.rocks())
+            .map(|rock| (mesh.vertex_starts[rock]..mesh.vertex_starts[rock + 1]).map(moved).fold(0.0_f64, f64::max));
+        let largest = largest.sum::<f64>() / mesh.rocks() as f64;
+        edges.iter().sum::<f64>() / edges.len() as f64 / largest
+    };
+    let [coarse, fine] = [20.0, 80.0].map(ratio);
+    // Four times as many edges across a smooth surface: a quarter of the differences.
+    assert!(fine > 0.35 * coarse && fine > 0.015, "{fine} {coarse}");
 }
 
 #[test]

@@ -3,7 +3,7 @@
 //! A point x lies in the body where its gauge G(x) ≤ 1. With planes mᵢ·x = 1, G = maxᵢ mᵢ·x describes the polytope that
 //! they bound: a freshly broken stone. The p-norm Gₚ(x) = (Σᵢ max(0, mᵢ·x)ᵖ)^(1/p) describes a body inside it with
 //! rounded edges and even rounder corners, as abrasion rounds a pebble (Bloore 1977, *The shape of pebbles*; Domokos &
-//! Gibbons 2012). As wear grows, p falls from about 45 to 2. Only powers of two are evaluated, by squaring and √, and
+//! Gibbons 2012). As wear grows, p falls from about 90 to 2. Only powers of two are evaluated, by squaring and √, and
 //! the values between are blended, so the result has the same bits on every platform.
 
 use glam::{DVec3, Vec4};
@@ -11,8 +11,8 @@ use glam::{DVec3, Vec4};
 /// Number of planes per SIMD vector.
 const LANES: usize = 4;
 
-/// log₂ of the largest power of two used for p: 2⁵. The blend also needs 2⁶.
-const MAX_SQUARINGS: f64 = 5.0;
+/// log₂ of the largest power of two used for p: 2⁶. The blend also needs 2⁷.
+const MAX_SQUARINGS: f64 = 6.0;
 
 /// The half-spaces that bound one stone, relative to its middle.
 #[derive(Debug, Default)]
@@ -22,14 +22,31 @@ pub(super) struct Body {
     len: usize,
     squarings: u32,
     blend: f64,
+    /// Balls that are cut out of it.
+    chips: Vec<Chip>,
+    /// How far the edges of chips are rounded, as a share of the distance from the middle.
+    soft: f64,
 }
+
+/// A ball that has been cut out of a body: the hollow that a flake leaves where it breaks off.
+#[derive(Debug)]
+struct Chip {
+    middle: DVec3,
+    /// By how much the square of the middle's distance is larger than that of the ball's radius.
+    power: f64,
+}
+
+/// A chip takes at most this share of the distance from the middle.
+const MOST_CHIPPED: f64 = 0.22;
 
 impl Body {
     /// Removes all planes and sets the wear: 0 is freshly broken, 1 is fully rounded.
     pub(super) fn start(&mut self, wear: f64) {
         self.planes.clear();
+        self.chips.clear();
         self.len = 0;
-        let log_p = MAX_SQUARINGS + 0.5 - (MAX_SQUARINGS - 0.7) * wear.clamp(0.0, 1.0);
+        self.soft = 0.01 + 0.04 * wear.clamp(0.0, 1.0);
+        let log_p = MAX_SQUARINGS + 0.5 - (MAX_SQUARINGS - 0.5) * wear.clamp(0.0, 1.0);
         let whole = log_p.floor();
         self.squarings = whole as u32;
         self.blend = log_p - whole;
@@ -49,6 +66,47 @@ impl Body {
             }
         }
         self.len += 1;
+    }
+
+    /// Cuts a ball of this radius out of the body, in the direction `at`, so that it goes this deep.
+    pub(super) fn chip(&mut self, at: DVec3, radius: f64, depth: f64) {
+        let distance = at.length() / self.gauge(at).max(1.0e-12) + radius - depth;
+        let middle = at.normalize_or(DVec3::Z) * distance;
+        self.chips.push(Chip { middle, power: distance * distance - radius * radius });
+    }
+
+    /// How much of a ray is in the body: where it comes out, in units of its length.
+    pub(super) fn reach(&self, ray: DVec3) -> f64 {
+        let whole = 1.0 / self.gauge(ray).max(1.0e-12);
+        let square = ray.length_squared();
+        let soft = self.soft * whole;
+        let mut reach = whole;
+        for Chip { middle, power } in &self.chips {
+            let along = middle.dot(ray);
+            let root = along * along - square * power;
+            if along <= 0.0 || root <= 0.0 {
+                continue;
+            }
+            let inside = (along - root.sqrt()) / square;
+            // The smaller of both, with a rounded edge between them (Quilez, *Smooth minimum*).
+            let share = (0.5 + 0.5 * (reach - inside) / soft).clamp(0.0, 1.0);
+            reach += (inside - reach) * share - soft * share * (1.0 - share);
+        }
+        reach.max((1.0 - MOST_CHIPPED) * whole)
+    }
+
+    /// How near a direction is to an edge or a corner, 0 … 1: how high the second plane is there, relative to the highest.
+    pub(super) fn edge(&self, at: DVec3) -> f64 {
+        let at = at.as_vec3();
+        let [x, y, z] = at.to_array().map(Vec4::splat);
+        let (mut most, mut second) = (0.0_f32, 0.0_f32);
+        for group in &self.planes {
+            for height in (group[0] * x + group[1] * y + group[2] * z).to_array() {
+                second = second.max(height.min(most));
+                most = most.max(height);
+            }
+        }
+        f64::from(second) / f64::from(most.max(1.0e-12))
     }
 
     /// The gauge Gₚ(x). It is positive in every direction in which a plane bounds the body, and 0 in all others.

@@ -13,7 +13,8 @@ pub struct Mesh {
     /// 3 per vertex, px.
     pub positions: Vec<f32>,
     /// 3 per vertex, unit length: the area-weighted mean over the adjacent faces, or (0, 0, 1) if they cancel. If
-    /// weathering has put the faces at the rim below the ground, those count for the rim vertices only.
+    /// weathering has put the faces at the rim of a subdivided rock below the ground, those count for the rim vertices
+    /// only.
     pub normals: Vec<f32>,
     /// 3 per triangle.
     pub indices: Vec<u32>,

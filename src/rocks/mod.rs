@@ -14,6 +14,7 @@ pub(crate) mod literal;
 pub(crate) mod memory;
 pub(crate) mod mesh;
 mod mesher;
+mod relief;
 mod select;
 mod shape;
 mod sites;

@@ -99,6 +99,14 @@ impl Blend {
     }
 }
 
+impl Blend {
+    /// The share that the rim's corners have, 0 … 1; the first `rim` corners are the rim's.
+    pub(super) fn rim_share(&self, rim: usize, segments: usize) -> f64 {
+        let shares = self.corners.iter().zip(&self.shares).filter(|(corner, _)| usize::from(**corner) < rim);
+        shares.map(|(_, share)| f64::from(*share)).sum::<f64>() / segments as f64
+    }
+}
+
 /// The subdivided triangles of one rock. Re-used from rock to rock to avoid allocations.
 ///
 /// The rim's vertices come first, in order around the cell, m for each of the cell's edges; then the top vertices; then

@@ -15,8 +15,8 @@ use glam::{DVec2, DVec3};
 
 use super::body::Body;
 use super::mesh::RockBuilder;
+use super::relief::Relief;
 use super::subdivide::Subdivision;
-use crate::noise::noise;
 use crate::params::Layer;
 use crate::rng::{Purpose, Stream};
 
@@ -53,6 +53,11 @@ impl Wear {
     pub(crate) fn is_none(self) -> bool {
         self == Wear { weathering: 0.0, roughness: 0.0, detail: 0.0, embedding: 0.0 }
     }
+
+    /// How rounded a stone is: 0 freshly broken, 1 by a river.
+    fn worn(self) -> f64 {
+        ((self.weathering - BROKEN) / (1.0 - BROKEN)).clamp(0.0, 1.0)
+    }
 }
 
 /// At this weathering only the shape of the broken stone is left. Below it, the papers' mesh (at 0) is blended in.
@@ -75,8 +80,17 @@ const UNDERSIDE: f64 = 0.5;
 /// ground.
 const SINK: f64 = 0.04;
 
-/// Amplitude of the noise's coarsest octave at roughness 1, as a share of the stone's radius.
-const BUMPS: f64 = 0.16;
+/// The same of a stone that is not cut: its sides go down to the rim, and are the steeper the deeper that is.
+const SINK_UNCUT: f64 = 0.9;
+
+/// How far out on the disc the outermost top vertices are: of a stone that is not cut, whose edges are cut in two, and of others.
+const WIDEST_UNCUT: f64 = 0.8;
+const WIDEST_HALVED: f64 = 0.62;
+const WIDEST: f64 = 0.55;
+
+/// A stone is at most so many times as high as its cell is wide: broken ones may stand, rounded ones lie.
+const STANDS: f64 = 0.8;
+const LIES: f64 = 0.42;
 
 /// The rock to be worn.
 pub(super) struct Rock<'a> {
@@ -99,6 +113,8 @@ pub(super) struct Wearer {
     pub(super) subdivision: Subdivision,
     body: Body,
     disc: Vec<DVec2>,
+    /// Per edge of the cell, what a point of the disc is multiplied by to give 1 on its chord.
+    chords: Vec<DVec2>,
     sums: Vec<(DVec2, f64)>,
     corners: Vec<DVec3>,
 }
@@ -111,9 +127,10 @@ impl Wearer {
         self.subdivision.cut(rim, rock.triangles, rock.segments);
         core::mem::swap(&mut self.corners, &mut builder.points);
         let highest = self.corners.iter().fold(0.0_f64, |most, corner| most.max(corner.z));
-        let sunk = DVec3::Z * (wear.embedding * highest);
         builder.points.clear();
         let share = blend(wear.weathering / BROKEN);
+        let height = highest.min(most_height(rock.rim, wear.worn()));
+        let sunk = DVec3::Z * (wear.embedding * (highest + (height - highest) * share));
         if share == 0.0 && wear.roughness == 0.0 {
             let Subdivision { blends, segments, .. } = &self.subdivision;
             builder.points.extend(blends.iter().map(|blend| blend.of(&self.corners, *segments) - sunk));
@@ -122,19 +139,22 @@ impl Wearer {
 
         let middle = middle(rock.rim);
         self.spread(rock, middle);
-        let stone = self.shape(wear, rock, middle, highest);
-        let bumps = Bumps::new(wear.roughness, rock);
+        let stone = self.shape(wear, rock, middle, height);
+        let relief = Relief::new(wear.roughness, wear.worn(), rock.segments, [rock.seed, rock.layer, rock.site]);
+        let smooth = relief.is_none();
         let Subdivision { blends, segments, rim: rim_vertices, .. } = &self.subdivision;
         for (v, blend) in blends.iter().enumerate() {
             let flat = blend.of(&self.corners, *segments);
             if v < *rim_vertices {
-                builder.points.push(flat - DVec3::Z * (wear.embedding * highest + share * stone.sink));
+                builder.points.push(flat - sunk - DVec3::Z * (share * stone.sink));
                 continue;
             }
             let at = blend.of(&self.disc, *segments);
-            let worn = stone.at(&self.body, at, self.ring(at));
+            let ring = self.ring(at).max(blend.rim_share(rim, *segments) * stone.last_ring);
+            let worn = stone.at(&self.body, at, ring);
             let from_middle = (flat - stone.centre).lerp(worn, share);
-            builder.points.push(stone.centre + from_middle * bumps.at(from_middle / stone.radius) - sunk);
+            let out = if smooth { 1.0 } else { relief.at(from_middle / stone.radius) };
+            builder.points.push(stone.centre + from_middle * out - sunk);
         }
     }
 
@@ -160,27 +180,57 @@ impl Wearer {
                 *place = *sum / count.max(1.0);
             }
         }
+        self.chords.clear();
+        self.chords.extend((0..rim).map(|edge| {
+            let [a, b] = [self.disc[edge], self.disc[(edge + 1) % rim]];
+            let outward = DVec2::new(b.y - a.y, a.x - b.x);
+            outward / outward.dot(a).max(1.0e-9)
+        }));
+        // The outermost top vertices stand where the stone is widest, or near there if more vertices follow.
+        let outermost = self.disc[rim..].iter().fold(0.0_f64, |most, &at| most.max(self.ring(at)));
+        let widest = match rock.segments {
+            1 => WIDEST_UNCUT,
+            2 => WIDEST_HALVED,
+            _ => WIDEST,
+        };
+        let scale = widest / outermost.max(0.05);
+        self.disc[rim..].iter_mut().for_each(|at| *at *= scale);
+    }
+
+    /// Breaks flakes off the edges of the body.
+    fn chip(&mut self, stream: &mut Stream, [radius, up]: [f64; 2], worn: f64) {
+        let fresh = (1.0 - worn) * (1.0 - worn);
+        for _ in 0..(CHIPS as f64 * fresh) as usize {
+            // Of a few directions that which is nearest to an edge.
+            let (mut at, mut nearest) = (DVec3::Z, -1.0);
+            for _ in 0..5 {
+                let z = stream.unit();
+                let candidate = (stream.direction() * ((1.0 - z * z).sqrt() * radius)).extend(z * up);
+                let edge = self.body.edge(candidate);
+                if edge > nearest {
+                    (at, nearest) = (candidate, edge);
+                }
+            }
+            let [wide, deep] = [CHIPS_WIDE, CHIPS_DEEP].map(|[least, range]| {
+                let share = stream.unit();
+                least + range * share * share
+            });
+            self.body.chip(at, wide * radius, deep * radius * fresh);
+        }
     }
 
     /// How far out a point of the disc is: 0 in the middle, 1 on the chords between the rim's corners.
     fn ring(&self, at: DVec2) -> f64 {
-        let rim = self.subdivision.rim / self.subdivision.segments;
-        let mut most = 0.0_f64;
-        for edge in 0..rim {
-            let [a, b] = [self.disc[edge], self.disc[(edge + 1) % rim]];
-            let outward = DVec2::new(b.y - a.y, a.x - b.x);
-            most = most.max(outward.dot(at) / outward.dot(a).max(1.0e-9));
-        }
-        most
+        self.chords.iter().fold(0.0_f64, |most, chord| most.max(chord.dot(at)))
     }
 
     /// Builds the body of the stone around its middle and returns how to map the disc onto it. `highest` is the height
-    /// of the rock's highest corner, px.
+    /// of the stone above the ground before it is embedded, px.
     fn shape(&mut self, wear: Wear, rock: &Rock<'_>, middle: DVec2, highest: f64) -> Stone {
         let Rock { rim, .. } = *rock;
         let corners = rim.len();
         let top = &self.corners[corners..];
-        let worn = ((wear.weathering - BROKEN) / (1.0 - BROKEN)).clamp(0.0, 1.0);
+        let worn = wear.worn();
         let mut stream = Stream::new(rock.seed, Purpose::Facets, rock.layer, rock.site);
 
         // The sides stand outside the cell by as much as Eq. 2 has moved the top outward on average.
@@ -240,6 +290,10 @@ impl Wearer {
         let axis = stream.direction();
         let squeeze = 1.0 - SQUEEZE * stream.unit();
 
+        if rock.segments >= CHIPPED_FROM {
+            self.chip(&mut stream, [radius, up], worn);
+        }
+
         // The ring next to the rim ends below the ground, or at least below the waist.
         let [waist, below] = [(WAIST - wear.embedding) * height, 0.03 * height];
         let dip = ((waist + below) / down).clamp(0.12, 0.9);
@@ -251,11 +305,24 @@ impl Wearer {
             axis,
             squeeze,
             last: (1.0 + dip).sqrt(),
-            first_ring: if rock.segments == 1 { 1.15 } else { 1.0 - 0.5 / rock.segments as f64 },
-            sink: SINK * height,
+            first_ring: 1.0 - if rock.segments == 1 { 0.0 } else { 0.5 / rock.segments as f64 },
+            last_ring: if rock.segments == 1 {
+                0.0
+            } else {
+                (rock.segments as f64 - 0.5) / (rock.segments as f64 - 1.0)
+            },
+            sink: if rock.segments == 1 { SINK_UNCUT } else { SINK } * height,
         }
     }
 }
+
+/// How finely a stone has to be cut for its chips to be seen.
+const CHIPPED_FROM: usize = 16;
+
+/// Number of chips, and their radii and depths, in radii of the stone: least and range.
+const CHIPS: usize = 12;
+const CHIPS_WIDE: [f64; 2] = [0.3, 1.0];
+const CHIPS_DEEP: [f64; 2] = [0.03, 0.1];
 
 // The numbers below are chosen by eye. Those whose names end with `WORN` are what a fully rounded stone has in addition,
 // or is lacking.
@@ -278,8 +345,8 @@ const LEAST_HEIGHT: f64 = 0.3;
 /// high above the waist, as a share of the height above it. They are moved outward by the factors `FACETS_OUT`.
 const FACETS_WITHIN: f64 = 0.85;
 const FACETS_ABOVE: f64 = 0.2;
-const FACETS_OUT: f64 = 1.08;
-const FACETS_OUT_WORN: f64 = 0.17;
+const FACETS_OUT: f64 = 1.24;
+const FACETS_OUT_WORN: f64 = 0.01;
 
 /// Number of planes that a stone has broken along, besides its top, its sides and the facets of its top vertices.
 const CUTS: usize = 4;
@@ -289,9 +356,9 @@ const CUTS_UP: f64 = 0.1;
 const CUTS_STEEPER: f64 = 0.75;
 
 /// Distances of the planes from the middle, relative to the ellipsoid around it: least distance and range.
-const CUTS_OUT: f64 = 0.68;
-const CUTS_VARY: f64 = 0.3;
-const CUTS_OUT_WORN: f64 = 0.25;
+const CUTS_OUT: f64 = 0.6;
+const CUTS_VARY: f64 = 0.38;
+const CUTS_OUT_WORN: f64 = 0.33;
 
 /// Largest tilt of the top, relative to the slope from the middle to the waist.
 const TILT: f64 = 0.9;
@@ -315,6 +382,8 @@ struct Stone {
     last: f64,
     /// Place of that ring on the disc, 0 … 1.
     first_ring: f64,
+    /// By how much the share that the rim has in a vertex is multiplied, so that those next to the rim are in that ring.
+    last_ring: f64,
     sink: f64,
 }
 
@@ -329,34 +398,10 @@ impl Stone {
         let around = at.normalize_or(DVec2::X) * (sin * self.radius);
         let [up, down] = self.semi;
         let ray = around.extend(cos * if cos > 0.0 { up } else { down });
-        let on_body = ray / body.gauge(ray).max(1.0e-12);
+        let on_body = ray * body.reach(ray);
         let across = on_body.truncate() * self.scale[0];
         let squeezed = across - self.axis * (self.axis.dot(across) * (1.0 - self.squeeze));
         squeezed.extend(on_body.z * self.scale[1])
-    }
-}
-
-/// The noise that displaces one rock along the rays from its middle. Moving along rays cannot tear the surface open.
-struct Bumps {
-    amplitude: f64,
-    offset: DVec3,
-}
-
-impl Bumps {
-    fn new(roughness: f64, rock: &Rock<'_>) -> Self {
-        let mut stream = Stream::new(rock.seed, Purpose::Bumps, rock.layer, rock.site);
-        let offset = DVec3::new(stream.unit(), stream.unit(), stream.unit()) * 512.0;
-        Bumps { amplitude: BUMPS * roughness, offset }
-    }
-
-    /// The factor for the distance of a point from the middle. The point is given relative to the middle, in radii.
-    fn at(&self, from_middle: DVec3) -> f64 {
-        if self.amplitude == 0.0 {
-            return 1.0;
-        }
-        let ray = from_middle.normalize_or(DVec3::Z);
-        let octave = |frequency: f64| noise(ray * frequency + self.offset);
-        1.0 + self.amplitude * (octave(1.4) + 0.5 * octave(3.1) + 0.3 * octave(6.7))
     }
 }
 
@@ -364,6 +409,18 @@ impl Bumps {
 fn blend(t: f64) -> f64 {
     let t = t.clamp(0.0, 1.0);
     t * t * (3.0 - 2.0 * t)
+}
+
+/// The most that a stone on this cell can be high.
+fn most_height(rim: &[DVec2], worn: f64) -> f64 {
+    let corners = rim.len();
+    let width = |i: usize| {
+        let (a, b) = (rim[i], rim[(i + 1) % corners]);
+        let inward = DVec2::new(a.y - b.y, b.x - a.x).normalize_or(DVec2::X);
+        rim.iter().fold(0.0_f64, |most, &corner| most.max(inward.dot(corner - a)))
+    };
+    let narrowest = (0..corners).map(width).fold(f64::INFINITY, f64::min);
+    (STANDS + (LIES - STANDS) * worn) * narrowest
 }
 
 /// The centroid of a polygon's outline. It is inside the polygon if that is convex, and needs no division by an area,

@@ -12,7 +12,7 @@ use crate::rocks::Wear;
 /// Every triangle must be cut into as many as the rock's size and `detail` demand (`height` holds the constants of Eq. 3), whose vertices stay on it if only detail and embedding are used. The rim
 /// must stay on its cell, at or below the ground, and the surface must be a disc that ends only there, so that no gap
 /// is visible from above. All numbers must be finite. Normals must have unit length and be the area-weighted means of
-/// their faces; the buried faces at a weathered rim count for the rim only.
+/// their faces; the buried faces at the rim of a weathered rock count for the rim only, if its triangles are cut.
 ///
 /// # Errors
 /// Returns the first violation.
@@ -44,7 +44,7 @@ pub(super) fn check_worn(
     if wear.weathering == 0.0 && wear.roughness == 0.0 {
         check_flat(&vertices, &faces, points, triangles, segments, wear.embedding)?;
     }
-    check_normals(&vertices, normals, &faces, if wear.weathering > 0.0 { rim } else { 0 })
+    check_normals(&vertices, normals, &faces, if wear.weathering > 0.0 && segments > 1 { rim } else { 0 })
 }
 
 /// Checks that the edges of the papers' mesh are cut into that power of two, of 1 to 32, by which triangles come nearest to
@@ -59,8 +59,10 @@ fn check_segments(
 ) -> Result<usize, Violation> {
     let rim = &points[..points.len() / 2];
     let next = |i: usize| rim[(i + 1) % rim.len()];
-    let area = 0.5 * (0..rim.len()).map(|i| (rim[i] - rim[0]).truncate().perp_dot((next(i) - rim[0]).truncate())).sum::<f64>();
-    let sides = (0..rim.len()).map(|i| rim[i].distance(next(i))).sum::<f64>() * (height[0] + (height[1] + height[2]) / 2.0);
+    let area =
+        0.5 * (0..rim.len()).map(|i| (rim[i] - rim[0]).truncate().perp_dot((next(i) - rim[0]).truncate())).sum::<f64>();
+    let sides =
+        (0..rim.len()).map(|i| rim[i].distance(next(i))).sum::<f64>() * (height[0] + (height[1] + height[2]) / 2.0);
     // The edge of an equilateral triangle as large as the mean of the prism's.
     let edge = ((area + sides) / triangles as f64 * 4.0 / 3.0_f64.sqrt()).sqrt();
     let power = if wear.detail == 0.0 { 0.0 } else { (edge * wear.detail / 100.0).log2() };
@@ -72,9 +74,9 @@ fn check_segments(
         (0..=nearest).rev().find(|&power| vertices(power) <= usize::from(u16::MAX)).unwrap_or(0)
     });
     let found = wanted.into_iter().find(|power| given == triangles << (2 * power));
-    found.map(|power| 1 << power).ok_or_else(|| {
-        Violation(format!("{given} triangles instead of {triangles} times 4^{}", wanted[0]))
-    })
+    found
+        .map(|power| 1 << power)
+        .ok_or_else(|| Violation(format!("{given} triangles instead of {triangles} times 4^{}", wanted[0])))
 }
 
 /// Checks that the rim's vertices divide the edges of the cell evenly, and lie at or below the ground.

@@ -56,9 +56,10 @@ fn how_often_a_rock_is_subdivided_is_told_by_its_counts() {
         let mut params = self::preset(preset.name);
         params.layers.iter_mut().for_each(|layer| layer.detail *= 2.0);
         let field = generate(&params).expect("a field");
-        let whole = field.layers.iter().flat_map(|layer| {
-            (0..layer.shapes.len()).map(|rock| layer.shapes.triangles_of(rock).len() as u32)
-        });
+        let whole = field
+            .layers
+            .iter()
+            .flat_map(|layer| (0..layer.shapes.len()).map(|rock| layer.shapes.triangles_of(rock).len() as u32));
         for (body, whole) in bodies(&field.mesh).iter().zip(whole) {
             assert_eq!(body.segments().pow(2) * whole, body.triangles, "{}", preset.name);
         }
