@@ -24,6 +24,12 @@ const GAIN_WORN: f64 = 0.3;
 /// The finest octave that the triangles can show, in features per radius and segment.
 const FINEST: f64 = 0.41;
 
+/// What is lower than this, in radii, is left out.
+const LEAST: f64 = 0.0015;
+
+/// Scars that are so many times as high as swells hide all but the coarsest of them.
+const HIDES: f64 = 3.0;
+
 /// Number of beds per radius, and the share of a bed in which its ledge rises.
 const BEDS: f64 = 4.5;
 const LEDGE: f64 = 0.14;
@@ -60,12 +66,6 @@ impl Relief {
         let mut stream = Stream::new(seed, Purpose::Bumps, layer, site);
         let offset = DVec3::new(stream.unit(), stream.unit(), stream.unit()) * 512.0;
         let fresh = 1.0 - worn;
-        let finest = FINEST * segments as f64;
-        let (mut octaves, mut frequency) = (1, COARSEST * FINER);
-        while frequency <= finest {
-            octaves += 1;
-            frequency *= FINER;
-        }
         let tilted = |stream: &mut Stream, tilt: f64| {
             let z = 1.0 - tilt * stream.unit();
             (stream.direction() * (1.0 - z * z).sqrt()).extend(z)
@@ -80,16 +80,27 @@ impl Relief {
         // What stands out by less than a triangle's edge is not there yet on a coarse mesh.
         let shown = ((segments as f64 - 2.0) / 6.0).clamp(0.0, 1.0);
         let some = (2.0 * roughness).min(1.0) * shown;
+        let seen = |amplitude: f64| if amplitude < LEAST { 0.0 } else { amplitude };
+        let swells = seen(BUMPS * roughness * (0.15 + 3.4 * worn * fresh).clamp(0.6 * worn, 0.9));
+        let scars = seen(1.1 * BUMPS * roughness * fresh * fresh * shown);
+        let gain = GAIN + (GAIN_WORN - GAIN) * worn;
+        let finest = FINEST * segments as f64;
+        let (mut octaves, mut frequency, mut amplitude) = (1, COARSEST * FINER, gain * swells.max(scars));
+        while frequency <= finest && amplitude >= LEAST {
+            octaves += 1;
+            frequency *= FINER;
+            amplitude *= gain;
+        }
         Relief {
-            swells: BUMPS * roughness * (0.15 + 3.4 * worn * fresh).clamp(0.6 * worn, 0.9),
-            scars: 1.1 * BUMPS * roughness * fresh * fresh * shown,
-            gain: GAIN + (GAIN_WORN - GAIN) * worn,
+            swells,
+            scars,
+            gain,
             octaves,
             offset,
-            beds: BEDS_OUT * some * fresh * bedded * bedded * (0.5 + 2.0 * worn).min(1.0),
+            beds: seen(BEDS_OUT * some * fresh * bedded * bedded * (0.5 + 2.0 * worn).min(1.0)),
             bedding,
             joints,
-            crack: CRACK_DEPTH * some * fresh * ((segments as f64 - 8.0) / 8.0).clamp(0.0, 1.0),
+            crack: seen(CRACK_DEPTH * some * fresh * ((segments as f64 - 8.0) / 8.0).clamp(0.0, 1.0)),
             crack_width: (1.6 / segments as f64).max(0.035),
             pits: PIT_DEPTH * (roughness - 0.4).max(0.0) * fresh * shown,
             blunt: blunt * (0.22 * worn),
@@ -98,7 +109,7 @@ impl Relief {
 
     /// Whether the surface stays as it is.
     pub(super) fn is_none(&self) -> bool {
-        self.swells == 0.0 && self.blunt == DVec3::ZERO
+        self.swells == 0.0 && self.scars == 0.0 && self.blunt == DVec3::ZERO
     }
 
     /// The factor for the distance of a point from the middle. The point is given relative to the middle, in radii.
@@ -108,7 +119,7 @@ impl Relief {
             let ray = from_middle.normalize_or(DVec3::Z);
             out += 0.5 * (self.blunt.dot(ray) - self.blunt.length());
         }
-        if self.swells == 0.0 {
+        if self.swells == 0.0 && self.scars == 0.0 {
             return out;
         }
         let (mut frequency, mut amplitude) = (COARSEST, 1.0);
@@ -116,7 +127,8 @@ impl Relief {
         let mut coarsest = 0.0;
         for octave in 0..self.octaves {
             let at = from_middle * frequency + self.offset;
-            let value = noise(at);
+            let is_hidden = octave > 0 && self.scars > HIDES * self.swells && self.pits == 0.0;
+            let value = if is_hidden { 0.0 } else { noise(at) };
             swells += amplitude * value;
             if octave == 0 {
                 coarsest = value;
