@@ -40,7 +40,10 @@ function withCuts(params: Params, lists: ReadonlyMap<string, string[]>, reader: 
   const { max } = ROCKS.boundsOf(row, params);
   const layers = params.layers.map((layer, index) => {
     const cuts = reader.value(CUTS, CUTS, given[index] ?? '0', 0) as number;
-    return { ...layer, detail: cuts === 0 ? 0 : Math.min(max, Number(((100 * 2 ** cuts) / edgeOf(layer, params.notation)).toPrecision(3))) };
+    return {
+      ...layer,
+      detail: cuts === 0 ? 0 : Math.min(max, Number(((100 * 2 ** cuts) / edgeOf(layer, params.notation)).toPrecision(3))),
+    };
   });
   return { ...params, layers };
 }
