@@ -237,7 +237,7 @@ field_test! {
     fn a_run_that_turns_out_too_large_ends_before_its_rocks_are_made_and_the_next_one_is_as_on_a_new_generator() {
         let good = params(200, 150, vec![layer(0, 12.0, 0.4), layer(1, 5.0, 0.4)]);
         // Nobody can know beforehand how many rocks stand beside a footprint.
-        let large = params(600, 600, vec![Layer { detail: 150.0, ..layer(0, 4.0, 1.0) }]);
+        let large = params(600, 600, vec![layer(0, 2.0, 1.0)]);
         let budget = 20 << 20;
         let mut generator = Generator::new();
         generator.set_footprint(&[0.0, 0.0, 1.0, 0.0, 0.0, 1.0]).unwrap();
