@@ -201,7 +201,12 @@ fn check_vertices(ground: &Ground, cut: &Sheet, whole: &Sheet, what: &str) {
         }
         assert!(whole.contains(&key), "{what}: {end:?} is no vertex of the whole ground");
         let own = |rock: &[[Point; 2]]| rock.iter().flatten().any(|other| bits(*other) == key);
-        let is_alone = ground.outlines.rocks().all(|rock| own(rock) || turns(rock, at) == 0);
+        // What is nearer to another rock than this may have become a part of that rock's outline.
+        let is_near = |rock: &[[Point; 2]]| {
+            let mut ends = rock.iter().flatten().map(|other| other.map(f64::from));
+            ends.any(|[x, y]| (x - at[0]).hypot(y - at[1]) < 1.0e-3)
+        };
+        let is_alone = ground.outlines.rocks().all(|rock| own(rock) || (turns(rock, at) == 0 && !is_near(rock)));
         let free = |dx: i32, dy: i32| {
             let beside = [at[0] + 1.0e-3 * (f64::from(dx) + 0.37), at[1] + 1.0e-3 * (f64::from(dy) + 0.41)];
             is_inside(beside) && ground.outlines.rocks().all(|rock| turns(rock, beside) == 0)
