@@ -95,7 +95,6 @@ pub(crate) struct Group {
 }
 
 impl Group {
-    const EMPTY: Self =
     const EMPTY: Self = Self {
         low: Vec3::INFINITY,
         high: Vec3::NEG_INFINITY,
