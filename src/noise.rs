@@ -4,6 +4,7 @@ use glam::DVec3;
 
 /// Returns smooth noise, −1 … 1, with features about one unit wide: random values on the integer lattice, blended by
 /// quintics (the blend is from Perlin 2002, *Improving noise*).
+#[inline(never)]
 pub(crate) fn noise(at: DVec3) -> f64 {
     let cell = at.floor();
     let f = at - cell;
@@ -18,6 +19,7 @@ pub(crate) fn noise(at: DVec3) -> f64 {
 /// Returns how high a point lies on a surface of scars, 0 … 1: bowls with crisp ridges between them, about one unit wide, as
 /// flakes leave where they break off. In each cell of the lattice is the middle of one bowl (Worley 1996, *A cellular texture
 /// basis function*).
+#[inline(never)]
 pub(crate) fn scars(at: DVec3) -> f64 {
     let low = (at - 0.5).floor();
     let [x0, y0, z0] = low.to_array().map(|c| c as i32 as u32);

@@ -238,7 +238,7 @@ field_test! {
         let good = params(200, 150, vec![layer(0, 12.0, 0.4), layer(1, 5.0, 0.4)]);
         // Nobody can know beforehand how many rocks stand beside a footprint.
         let large = params(600, 600, vec![layer(0, 2.0, 1.0)]);
-        let budget = 20 << 20;
+        let budget = 22 << 20;
         let mut generator = Generator::new();
         generator.set_footprint(&[0.0, 0.0, 1.0, 0.0, 0.0, 1.0]).unwrap();
         generator.start(large, budget).unwrap();

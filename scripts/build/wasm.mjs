@@ -12,13 +12,16 @@ const WASM = 'wasm32-unknown-unknown';
 /** An instance can be replaced after a trap: a renderer's, and a generator's in Node and for `rock-field/core`, where there is no worker to be ended. */
 const RESET = ['--experimental-reset-state-function'];
 
+/** How the renderers are made: what they draw takes the GPU's time, and what panics say nobody reads. */
+const SMALL = { silent: true, optimise: ['-Oz', '--strip-target-features', '--strip-producers'], bindgen: RESET };
+
 /**
  * `feature` is the cargo feature and the name of the files in pkg/; the generators and tools say themselves how they are made, the renderers are made for size.
  * Those that take longest come first. Each has a profile of its own, since cargo builds one thing at a time in the folder of a profile.
  */
 export const artefacts = [
-  { feature: 'renderer-webgl', profile: 'renderer-webgl', optimise: ['-Oz'], expected: '2–6 min the first time', bindgen: RESET },
-  { feature: 'renderer-webgpu', profile: 'renderer-webgpu', optimise: ['-Oz'], expected: '1–4 min the first time', bindgen: RESET },
+  { feature: 'renderer-webgl', profile: 'renderer-webgl', ...SMALL, expected: '2–6 min the first time' },
+  { feature: 'renderer-webgpu', profile: 'renderer-webgpu', ...SMALL, expected: '1–4 min the first time' },
   ...[...GENERATORS, ...TOOLS].map(({ wasm, compile }) => ({ feature: wasm, expected: '10–60 s', bindgen: RESET, ...compile })),
 ];
 

@@ -40,8 +40,20 @@ export const GENERATORS = [
     classEntry: 'element',
     wasm: 'generator',
     // Made for speed. Functions called once stay functions: V8 makes a third slower code of very large ones.
-    compile: { profile: 'release', optimise: ['-O3', '--one-caller-inline-max-function-size', '0'] },
-    budget: 110_000,
+    compile: {
+      profile: 'release',
+      rustc: ['-C', 'llvm-args=-unroll-runtime=false -unroll-allow-partial=false'],
+      silent: true,
+      optimise: [
+        '-O3',
+        '--one-caller-inline-max-function-size',
+        '0',
+        '--low-memory-unused',
+        '--strip-target-features',
+        '--strip-producers',
+      ],
+    },
+    budget: 68_000,
     worker: 'worker',
     otherWorkers: ['export-worker'],
     panel: 'panel',

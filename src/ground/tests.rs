@@ -201,12 +201,10 @@ fn check_vertices(ground: &Ground, cut: &Sheet, whole: &Sheet, what: &str) {
         }
         assert!(whole.contains(&key), "{what}: {end:?} is no vertex of the whole ground");
         let own = |rock: &[[Point; 2]]| rock.iter().flatten().any(|other| bits(*other) == key);
-        // What is nearer to another rock than this may have become a part of that rock's outline.
-        let is_near = |rock: &[[Point; 2]]| {
-            let mut ends = rock.iter().flatten().map(|other| other.map(f64::from));
-            ends.any(|[x, y]| (x - at[0]).hypot(y - at[1]) < 1.0e-3)
-        };
-        let is_alone = ground.outlines.rocks().all(|rock| own(rock) || (turns(rock, at) == 0 && !is_near(rock)));
+        // What another edge passes nearer than this may be on a spike that is too thin to be there.
+        let others = |edge: &&[Point; 2]| edge.iter().all(|other| bits(*other) != key);
+        let is_passed = |rock: &[[Point; 2]]| rock.iter().filter(others).any(|edge| distance(edge, at) < 1.0e-3);
+        let is_alone = ground.outlines.rocks().all(|rock| !is_passed(rock) && (own(rock) || turns(rock, at) == 0));
         let free = |dx: i32, dy: i32| {
             let beside = [at[0] + 1.0e-3 * (f64::from(dx) + 0.37), at[1] + 1.0e-3 * (f64::from(dy) + 0.41)];
             is_inside(beside) && ground.outlines.rocks().all(|rock| turns(rock, beside) == 0)
@@ -215,6 +213,15 @@ fn check_vertices(ground: &Ground, cut: &Sheet, whole: &Sheet, what: &str) {
             assert!(cut.contains(&key), "{what}: {end:?} is no vertex of the cut ground");
         }
     }
+}
+
+/// From a point to the nearest one of an edge, px.
+fn distance(edge: &[Point; 2], at: [f64; 2]) -> f64 {
+    let [from, to] = edge.map(|end| end.map(f64::from));
+    let (along, away) = ([to[0] - from[0], to[1] - from[1]], [at[0] - from[0], at[1] - from[1]]);
+    let length = along[0] * along[0] + along[1] * along[1];
+    let share = if length > 0.0 { ((along[0] * away[0] + along[1] * away[1]) / length).clamp(0.0, 1.0) } else { 0.0 };
+    (away[0] - share * along[0]).hypot(away[1] - share * along[1])
 }
 
 #[test]

@@ -62,6 +62,7 @@ pub(super) struct Relief {
 
 impl Relief {
     /// `worn` is 0 for a freshly broken stone and 1 for a rounded one, `key` is the seed, the layer and the site.
+    #[inline(never)]
     pub(super) fn new(roughness: f64, worn: f64, segments: usize, [seed, layer, site]: [u32; 3]) -> Self {
         let mut stream = Stream::new(seed, Purpose::Bumps, layer, site);
         let offset = DVec3::new(stream.unit(), stream.unit(), stream.unit()) * 512.0;
@@ -113,6 +114,7 @@ impl Relief {
     }
 
     /// The factor for the distance of a point from the middle. The point is given relative to the middle, in radii.
+    #[inline(never)]
     pub(super) fn at(&self, from_middle: DVec3) -> f64 {
         let mut out = 1.0;
         if self.blunt != DVec3::ZERO {

@@ -1,24 +1,31 @@
 //! The shaders: one file per pass, and files of functions that are prepended to several of them.
 
-const COMMON: &str = include_str!("common.wgsl");
+/// The shader in the file of this name, without its comments (build.rs).
+macro_rules! wgsl {
+    ($name:expr) => {
+        include_str!(concat!(env!("OUT_DIR"), "/", $name, ".wgsl"))
+    };
+}
+
+const COMMON: &str = wgsl!("common");
 
 /// Prepended to the passes of the papers' style.
-const LIGHTING: &[&str] = &[include_str!("lighting.wgsl")];
+const LIGHTING: &[&str] = &[wgsl!("lighting")];
 
-const RECIPE: &str = include_str!("recipe.wgsl");
-const NOISE: &str = include_str!("noise.wgsl");
-const STONE: &str = include_str!("stone.wgsl");
-const COVER: &str = include_str!("cover.wgsl");
-const SKY: &str = include_str!("sky.wgsl");
-const DAYLIGHT: &str = include_str!("daylight.wgsl");
-const SAMPLED: &str = include_str!("sampled.wgsl");
-const FILM: &str = include_str!("film.wgsl");
+const RECIPE: &str = wgsl!("recipe");
+const NOISE: &str = wgsl!("noise");
+const STONE: &str = wgsl!("stone");
+const COVER: &str = wgsl!("cover");
+const SKY: &str = wgsl!("sky");
+const DAYLIGHT: &str = wgsl!("daylight");
+const SAMPLED: &str = wgsl!("sampled");
+const FILM: &str = wgsl!("film");
 
 /// Prepended to the passes in natural colours.
 const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, DAYLIGHT, SAMPLED];
 
 /// Prepended to the passes that draw rocks in natural colours.
-const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, DAYLIGHT, SAMPLED, include_str!("surface.wgsl")];
+const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, DAYLIGHT, SAMPLED, wgsl!("surface")];
 
 /// Prepended to the pass that makes a picture of a still.
 const DEVELOPING: &[&str] = &[RECIPE, FILM];
@@ -36,7 +43,7 @@ pub(crate) enum Reads {
 }
 
 /// Shows a picture that was drawn before. It stands alone.
-pub(crate) const PRESENT: &str = include_str!("present.wgsl");
+pub(crate) const PRESENT: &str = wgsl!("present");
 
 /// The shader of a pass.
 #[derive(Clone, Copy)]
@@ -78,7 +85,7 @@ impl Shader {
 macro_rules! shaders {
     ($($constant:ident $name:literal after $before:expr;)*) => {
         $(pub(crate) const $constant: Shader =
-            Shader { name: $name, before: $before, source: include_str!(concat!($name, ".wgsl")) };)*
+            Shader { name: $name, before: $before, source: wgsl!($name) };)*
 
         /// Every shader, for the tests.
         #[cfg(test)]
