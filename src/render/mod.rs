@@ -8,6 +8,7 @@
 //! Plan   the diagrams or the selection seen from above, as strokes and fills; built when first shown
 //! Bake   where a scene's vertices are in an atlas, and the tile of it that is being drawn; made for exports
 //! Picture    what a view shows, drawn piece by piece on the device's easel, and shown when it is whole
+//! Still  the mean of samples of a view, each in the light of one point of the sun, the sky and the ground
 //! View   camera, style, and with WebGPU its own surface and targets              one per canvas
 //! ```
 //!
