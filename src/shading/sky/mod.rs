@@ -35,7 +35,7 @@ const OZONE: (Vec3, f32, f32) = (Vec3::new(0.650e-3, 1.881e-3, 0.085e-3), 25.0, 
 const ALBEDO: f32 = 0.25;
 
 /// Three wavelengths stand for wide and overlapping bands, whose colours are paler.
-const SATURATION: f32 = 0.72;
+const SATURATION: f32 = 0.64;
 
 /// Light under one sky.
 #[derive(Clone, Debug)]
@@ -105,9 +105,9 @@ impl Sky {
         // What stands faces a low sun, and is what a photographer would meter then.
         let upright = self.sunshine * elevation.cos() + 0.5 * self.on_level_ground();
         let key = luminance(level).max(0.72 * luminance(upright));
-        // White is what is white at noon; and as eyes do, the camera gets used to half of what is warmer than that.
+        // White is what is white at noon; and as eyes do, the camera gets used to some of what is warmer than that.
         let warm = level / luminance(level);
-        let gains = warm.map(|share| share.powf(-0.5));
+        let gains = warm.map(|share| share.powf(-0.4));
         let gains = gains / luminance(gains * warm) * (EXPOSURE * key.powf(-0.85));
         self.sunshine *= gains;
         for light in self.diffuse.iter_mut().chain(&mut self.map) {
@@ -117,7 +117,7 @@ impl Sky {
 }
 
 /// How bright a white and level surface is under the sky, before the tone curve.
-const EXPOSURE: f32 = 1.82;
+const EXPOSURE: f32 = 2.55;
 
 fn luminance(color: Vec3) -> f32 {
     color.dot(Vec3::new(0.2126, 0.7152, 0.0722))
