@@ -96,8 +96,14 @@ async function remove() {
   return { workers, backend: element.backend, complaints };
 }
 
-/** Two frames later the compositor has what was drawn in the first. */
+/** Two frames later the compositor has what was drawn in the first; without a GPU that is drawn in pieces, out of sight, and shown when it is whole. */
 async function painted() {
+  await frames();
+  await until(() => !element.shadowRoot.querySelector('[data-drawing]'), 'the whole picture');
+  await frames();
+}
+
+async function frames() {
   for (let frame = 0; frame < 2; frame += 1) await new Promise((resolve) => requestAnimationFrame(resolve));
 }
 
