@@ -220,11 +220,15 @@ test('keys and pointer move the camera; frame all brings it back, with and witho
     }));
     assert.deepEqual([moved.framed, moved.elsewhere], [false, true]);
     assert(moved.times >= 3);
-    const frames = await quiet(page);
+    await quiet(page);
+    const changes = () => page.evaluate(() => types().filter((type) => type === 'camera-change').length);
+    const before = await changes();
     await page.evaluate(() => a.frameAll());
     await until(page, () => a.framed);
-    const used = (await quiet(page)) - frames;
-    if (reducedMotion === 'reduce') assert(used <= 2, `${used} frames`);
+    await quiet(page);
+    // How many frames are drawn is the device's affair; without motion, the camera is there at once.
+    const used = (await changes()) - before;
+    if (reducedMotion === 'reduce') assert(used <= 2, `${used} changes of the camera`);
     // All of the field first, from where it was looked at; the default camera with the second call.
     await page.evaluate(() => a.frameAll());
     await until(page, () => a.framed && JSON.stringify(a.camera) === JSON.stringify(a.defaultCamera));
