@@ -185,7 +185,11 @@ impl View {
     /// The same, with submissions of their own for the maps, none of which takes long.
     pub(super) fn prepare_apart(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) -> Option<Maps> {
         scene.light(gpu, self.look.sun, props, self.is_surrounded());
-        let draw = |scene: &Scene, maps: &Maps| scene.submit_maps(gpu, &self.frame_group, maps, props);
+        let draw = |scene: &Scene, maps: &Maps| {
+            // Submitted before the uniforms of the picture are written, and rocks sink by these.
+            self.write(gpu, &self.globals(&self.shot, Some(scene)));
+            scene.submit_maps(gpu, &self.frame_group, maps, props);
+        };
         self.is_solid().then(|| self.maps(gpu, scene, self.shown_color(), draw))
     }
 

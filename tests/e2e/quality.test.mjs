@@ -47,6 +47,32 @@ test('a still of auto is one of high, also after a motion, and nothing is drawn 
   }
 });
 
+test('a still drawn in pieces has the shadows of one that is drawn at once', async () => {
+  const session = await launch({ intercept: pageOf('quality.html', () => html) });
+  try {
+    const { page, errors } = await session.open('quality.html', { colorScheme: 'light', deviceScaleFactor: 1 });
+    await page.evaluate(() => document.querySelector('rock-field').ready);
+    await quiet(page);
+    const pictures = await page.evaluate(async () => {
+      const shown = document.querySelector('rock-field');
+      const other = /** @type {typeof shown} */ (shown.cloneNode(true));
+      other.style.display = 'none';
+      document.body.append(other);
+      // The shadow maps of the first are those of its pieces; the other has never drawn any.
+      const take = async (element) => {
+        const blob = await element.toBlob({ width: 160, height: 100, link: false });
+        return [...new Uint8Array(await blob.arrayBuffer())];
+      };
+      return [await take(shown), await take(other)];
+    });
+    const [pieces, whole] = pictures.map((bytes) => readPicture(Buffer.from(bytes)));
+    assert.equal(meanDifference(pieces, whole), 0);
+    assert.deepEqual(errors, []);
+  } finally {
+    await session.close();
+  }
+});
+
 test('without a GPU a small picture comes before the whole one, also after a touch and when the device is lost meanwhile', async () => {
   const session = await launch({ intercept: pageOf('quality.html', () => html) });
   try {
