@@ -1,5 +1,7 @@
 /** When a device is done with what it was given. */
 
+import type { GpuBackend } from '../base/view.ts';
+
 /** The little of a WebGPU canvas that is used; TypeScript's DOM library has none of it. */
 interface GpuContext {
   getConfiguration?(): { device: { lost: Promise<unknown>; queue: { onSubmittedWorkDone(): Promise<unknown> } } } | null;
@@ -9,7 +11,7 @@ interface GpuContext {
 const POLL_MS = 4;
 
 /** Resolves when all that was drawn on the canvas's device until now is drawn, or the device is lost. */
-export async function deviceDone(canvas: HTMLCanvasElement, backend: 'webgpu' | 'webgl'): Promise<void> {
+export async function deviceDone(canvas: HTMLCanvasElement, backend: GpuBackend): Promise<void> {
   if (backend === 'webgpu') {
     const device = (canvas.getContext('webgpu') as GpuContext | null)?.getConfiguration?.()?.device;
     if (device) await Promise.race([device.lost, device.queue.onSubmittedWorkDone().catch(() => undefined)]);

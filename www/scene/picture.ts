@@ -328,16 +328,11 @@ function draw(renderer: SceneRenderer, size: readonly [number, number], camera: 
 /** Between a loss and the news of it. */
 const LOSS_MS = 50;
 
-/** The little of a WebGPU canvas that is used; TypeScript's DOM library has none of it. */
-interface GpuContext {
-  getConfiguration?(): { device: { lost: Promise<unknown>; queue: { onSubmittedWorkDone(): Promise<unknown> } } } | null;
-}
-
 /** Whether what was drawn last was drawn: WebGPU and 2D canvases tell of a loss some time after they have given a blank picture. */
 async function isSound(renderer: SceneRenderer): Promise<boolean> {
   if (renderer.backend === 'webgpu') {
-    const device = (renderer.canvas.getContext('webgpu') as GpuContext | null)?.getConfiguration?.()?.device;
-    if (device) await Promise.race([device.lost, device.queue.onSubmittedWorkDone().catch(() => undefined)]);
+    const { deviceDone } = await lazily(() => import('../renderer/done.ts'));
+    await deviceDone(renderer.canvas, renderer.backend);
   }
   if (renderer.backend !== 'webgl') await Promise.race([renderer.lost, new Promise((resolve) => setTimeout(resolve, LOSS_MS))]);
   return !renderer.isLost;
