@@ -15,7 +15,10 @@ const GROUPS = [
   { name: 'Which rocks', has: ({ name, spec }) => ['src', 'preset'].includes(name) || (spec?.scope === 'field' && spec.stage !== 'look') },
   { name: 'The layers', has: ({ spec }) => spec?.scope === 'layer' },
   { name: 'The look', has: ({ spec }) => spec?.stage === 'look' },
-  { name: 'View and camera', has: ({ name }) => ['view', 'color', 'camera-orbit', 'auto-rotate', 'metres-per-pixel'].includes(name) },
+  {
+    name: 'View and camera',
+    has: ({ name }) => ['view', 'color', 'camera-orbit', 'fov', 'auto-rotate', 'metres-per-pixel'].includes(name),
+  },
   { name: 'Manners', has: () => true },
 ];
 const KIND_GROUPS = { slot: 'Slots', part: 'CSS parts', 'css-property': 'CSS custom properties' };

@@ -7,6 +7,7 @@ import { GENERATORS } from './generators.mjs';
 const SOURCES = [
   ...[
     'base/error-list',
+    'base/fov',
     'base/view',
     'table/notices',
     'table/table',

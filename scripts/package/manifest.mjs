@@ -128,7 +128,7 @@ function spelledOut(member, aliases, ofKind) {
 
 async function knowledge({ written, kind, table, paramDocs, hasItemAttributes }) {
   const known = await tables();
-  const { INTERACTIONS, LOADINGS, METRES_PER_PIXEL, QUALITY_CHOICES } = known;
+  const { FOV, INTERACTIONS, LOADINGS, METRES_PER_PIXEL, QUALITY_CHOICES } = known;
   for (const name of [table, paramDocs]) if (!known[name]) throw new Failure(`no module of scripts/lib/tables.mjs exports ${name}`);
   const { colors, itemRows, presets, rows, views } = known[table];
   const oneOf = (words) => ({ type: { text: union(words) }, default: words[0] });
@@ -147,6 +147,7 @@ async function knowledge({ written, kind, table, paramDocs, hasItemAttributes })
       loading: oneOf(LOADINGS),
       backend: { type: { text: `'auto' | ${backends}` }, default: 'auto' },
       'metres-per-pixel': { type: { text: 'number' }, default: String(METRES_PER_PIXEL) },
+      fov: { type: { text: 'number' }, default: String(FOV) },
       'auto-rotate': { type: { text: 'boolean' }, default: 'false' },
       disabled: { type: { text: 'boolean' }, default: 'false' },
       editable: { type: { text: 'boolean' }, default: 'false' },

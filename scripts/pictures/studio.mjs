@@ -11,7 +11,7 @@ import { Failure } from '../lib/run.mjs';
 const pageWith = (tag) => `<!doctype html><html lang="en"><meta charset="utf-8"><title>studio</title><link rel="icon" href="data:,">
 <style>body { margin: 0 } ${tag} { width: 64px; height: 40px } ${tag}[hidden] { display: none }</style><script type="module" src="./${tag}.js"></script>`;
 
-/** tan of half the vertical field of view, as in www/renderer/limits.ts. */
+/** tan of half the vertical field of view, as in www/base/fov.ts. */
 const TAN = Math.tan(Math.PI / 10);
 
 /** Looking straight down: `across` pixels of the ground fill the height of the picture. */
@@ -122,11 +122,11 @@ async function show(attributes) {
   };
 }
 
-async function take({ width, height, camera, samples }) {
+async function take({ camera, samples, ...options }) {
   const element = /** @type {Rocks | WoodEars} */ (document.body.firstElementChild);
   element.camera = camera;
   const start = performance.now();
-  const blob = await element.toBlob({ width, height, ...(samples && { samples }) });
+  const blob = await element.toBlob({ ...options, ...(samples && { samples }) });
   const ms = performance.now() - start;
   const url = await new Promise((resolve) => {
     const reader = new FileReader();

@@ -6,7 +6,7 @@ use std::rc::Rc;
 use wasm_bindgen::prelude::*;
 
 use crate::render::{
-    Bake, Camera, Gpu, Layer, Mesh, Picture, Plan, Prop, Props, RenderError, Rocks, Scene, Still, Tile, View,
+    Bake, Camera, Gpu, Layer, Lens, Mesh, Picture, Plan, Prop, Props, RenderError, Rocks, Scene, Still, Tile, View,
 };
 use crate::shading::{ColorMode, Look, Mode, Quality};
 
@@ -211,8 +211,9 @@ impl Renderer {
         self.view.set_quality(Quality::at(level).unwrap_or(Quality::High));
     }
 
-    /// Sets the camera, with angles in radians and lengths in px.
+    /// Sets the camera, with angles in radians and lengths in px; `fov` is the vertical field of view.
     #[wasm_bindgen(js_name = setCamera)]
+    #[allow(clippy::too_many_arguments, reason = "a number each")]
     pub fn set_camera(
         &mut self,
         azimuth: f32,
@@ -221,8 +222,9 @@ impl Renderer {
         target_x: f32,
         target_y: f32,
         target_z: f32,
+        fov: f32,
     ) {
-        self.view.set_camera(Camera { azimuth, elevation, distance, target: [target_x, target_y, target_z] });
+        self.view.set_camera(Camera { azimuth, elevation, distance, target: [target_x, target_y, target_z], fov });
     }
 
     /// Sets the size of the picture in device pixels, and how many of them make a CSS pixel.
@@ -244,11 +246,13 @@ impl Renderer {
     }
 
     /// Begins a still of what the view shows, of the size and through the camera that are set, in place of another. It needs natural
-    /// colours; what it shows must not change until [`Renderer::end_still`].
+    /// colours; what it shows must not change until [`Renderer::end_still`]. `lens`: the radius of the lens, 0 where all is sharp, and how far
+    /// away the plane is that is sharp, px.
     #[wasm_bindgen(js_name = beginStill)]
-    pub fn begin_still(&mut self) -> Result<(), js_sys::Error> {
+    pub fn begin_still(&mut self, lens: f32, focus: f32) -> Result<(), js_sys::Error> {
         self.still = None;
-        self.still = Some(Still::new(&self.gpu, &self.view).map_err(|error| to_js(&error))?);
+        let lens = Lens { radius: lens, focus };
+        self.still = Some(Still::new(&self.gpu, &self.view, lens).map_err(|error| to_js(&error))?);
         Ok(())
     }
 

@@ -1,11 +1,12 @@
 //! Converts the page's orbit camera to matrices. The conventions are those of the whole renderer: z up, depth 0…1,
 //! column vectors.
 
+use std::f32::consts::FRAC_PI_2;
+
 use glam::{Mat4, Vec3, Vec4};
 
-/// Vertical field of view, radians. 36° is narrow enough that boulders do not seem to lean. `www/renderer/limits.ts`
-/// has the same number.
-pub(crate) const FOV_Y: f32 = 36.0 * std::f32::consts::PI / 180.0;
+/// How far above the ground the eye is at least, px: from below it there is nothing to be seen.
+const LOWEST: f32 = 1.0;
 
 /// An eye on a sphere around a target. At azimuth 0 it looks along +y.
 #[derive(Clone, Copy, Debug)]
@@ -18,6 +19,8 @@ pub(crate) struct Camera {
     pub(crate) distance: f32,
     /// The point that the eye looks at, px.
     pub(crate) target: [f32; 3],
+    /// Vertical field of view, radians.
+    pub(crate) fov: f32,
 }
 
 /// The eye and the unit axes of the picture, in the world.
@@ -26,6 +29,8 @@ pub(crate) struct Frame {
     pub(crate) right: Vec3,
     pub(crate) up: Vec3,
     pub(crate) forward: Vec3,
+    /// Half the picture's height at a distance of one.
+    pub(crate) tangent: f32,
 }
 
 impl Camera {
@@ -35,9 +40,10 @@ impl Camera {
         let or = |value: f32, fallback: f32| if value.is_finite() { value } else { fallback };
         Self {
             azimuth: or(self.azimuth, 0.0),
-            elevation: or(self.elevation, 1.0).clamp(0.01, std::f32::consts::FRAC_PI_2),
+            elevation: or(self.elevation, 1.0).clamp(-FRAC_PI_2, FRAC_PI_2),
             distance: or(self.distance, 1.0).max(1.0),
             target: self.target.map(|value| or(value, 0.0)),
+            fov: or(self.fov, 1.0).clamp(0.02, 3.0),
         }
     }
 
@@ -47,12 +53,19 @@ impl Camera {
         let (sin_e, cos_e) = self.elevation.sin_cos();
         let ahead = Vec3::new(-sin_a, cos_a, 0.0);
         let forward = ahead * cos_e - Vec3::Z * sin_e;
+        let eye = Vec3::from(self.target) - forward * self.distance;
         Frame {
-            eye: Vec3::from(self.target) - forward * self.distance,
+            eye: eye.with_z(eye.z.max(LOWEST)),
             right: Vec3::new(cos_a, sin_a, 0.0),
             up: ahead * sin_e + Vec3::Z * cos_e,
             forward,
+            tangent: self.tangent(),
         }
+    }
+
+    /// Half the picture's height at a distance of one.
+    pub(crate) fn tangent(&self) -> f32 {
+        (0.5 * self.fov).tan()
     }
 }
 
@@ -64,9 +77,8 @@ impl Frame {
         let ahead = (center - self.eye).dot(self.forward);
         let far = (ahead + radius).max(2.0);
         // With 24 bits of depth, near must not be too small. 1/2000 of far still lets the eye stand among the rocks.
-        let tangent = (0.5 * FOV_Y).tan();
         // Where the lowest rays of the picture are as high.
-        let below = |top: f32| (self.eye.z - top) / (tangent * self.up.z - self.forward.z);
+        let below = |top: f32| (self.eye.z - top) / (self.tangent * self.up.z - self.forward.z);
         let near = horizon.map_or(ahead - radius, |top| (ahead - radius).min(0.95 * below(top)));
         let near = near.max(far / 2000.0).max(0.05);
         let view = Mat4::from_cols(
@@ -78,7 +90,7 @@ impl Frame {
         // A larger far costs next to no precision, which depends on near.
         let far = if horizon.is_some() { 10_000.0 * far } else { far };
         // The eye looks along -z, and depth is 0…1.
-        let focal = 1.0 / tangent;
+        let focal = 1.0 / self.tangent;
         let depth = far / (near - far);
         let projection = Mat4::from_cols(
             Vec4::X * (focal / aspect),

@@ -60,5 +60,5 @@ pub(crate) use picture::Picture;
 pub(crate) use plan::{Layer, Plan};
 pub(crate) use props::{Place, Prop, Props};
 pub(crate) use scene::{Rocks, Scene};
-pub(crate) use still::Still;
+pub(crate) use still::{Lens, Still};
 pub(crate) use view::{Tile, View};

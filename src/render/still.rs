@@ -22,6 +22,15 @@ const SIDES: [u32; 3] = [4096, 2048, 2048];
 /// Texels of the sun's map for each pixel along the longer side of the picture, which does not show more; half as many of the others.
 const FINE: u32 = 4;
 
+/// What the picture is taken through.
+#[derive(Clone, Copy)]
+pub(crate) struct Lens {
+    /// px; at 0 everything is sharp.
+    pub(crate) radius: f32,
+    /// From the eye to the plane that is sharp, px.
+    pub(crate) focus: f32,
+}
+
 /// One light of a sample: its shadow map, and the uniforms with which that is drawn.
 struct Light {
     side: u32,
@@ -33,6 +42,7 @@ struct Light {
 /// The samples of one picture.
 pub(crate) struct Still {
     shot: Shot,
+    lens: Lens,
     /// How many samples there are.
     count: u32,
     sample: wgpu::TextureView,
@@ -62,8 +72,8 @@ impl Drop for Still {
 }
 
 impl Still {
-    /// A still of what `view` shows, through its camera and as large as it is now. Fails with [`RenderError::TooLarge`].
-    pub(crate) fn new(gpu: &Gpu, view: &View) -> Result<Self, RenderError> {
+    /// A still of what `view` shows, through its camera and as large as it is now, with the depth of field of `lens`. Fails with [`RenderError::TooLarge`].
+    pub(crate) fn new(gpu: &Gpu, view: &View, lens: Lens) -> Result<Self, RenderError> {
         let shot = view.shot;
         let bytes = PIXEL_BYTES * u64::from(shot.width) * u64::from(shot.height);
         if bytes > MOST_BYTES {
@@ -95,7 +105,7 @@ impl Still {
         };
         let [sun, sky, below] = SIDES.map(light);
         let lights = [sun?, sky?, below?];
-        Ok(Self { shot, count: 0, sample, depth, means, gathered, lights, uniforms, group })
+        Ok(Self { shot, lens, count: 0, sample, depth, means, gathered, lights, uniforms, group })
     }
 
     /// Draws one more sample. The scene, the props and the view must be those of the samples before.
@@ -105,7 +115,7 @@ impl Still {
             return;
         };
         let sample = Sample::new(self.count, view.sun());
-        let mut globals = moved(view.globals(&self.shot, Some(scene)), sample.pixel);
+        let mut globals = moved(view.globals(&self.shot, Some(scene)), &sample, self.lens);
         self.count += 1;
         globals.scene[1] = 1.0 / self.count as f32;
         view.write(gpu, &globals);
@@ -198,10 +208,21 @@ fn uniforms(gpu: &Gpu) -> Result<(wgpu::Buffer, wgpu::BindGroup), RenderError> {
     Ok((uniforms, group))
 }
 
-/// The same picture, of which each pixel shows what is so far from its middle, px.
-fn moved(mut globals: Globals, by: Vec2) -> Globals {
+/// The same picture, of which each pixel shows what the sample's point of it sees through its point of the lens.
+fn moved(mut globals: Globals, sample: &Sample, lens: Lens) -> Globals {
     let [_, _, width, height] = globals.tile;
-    let shift = Vec4::new(-2.0 * by.x / width, 2.0 * by.y / height, 0.0, 0.0);
+    let by = sample.pixel;
+    let mut shift = Vec4::new(-2.0 * by.x / width, 2.0 * by.y / height, 0.0, 0.0);
+    if lens.radius > 0.0 {
+        let [right, up] = [globals.ray_right, globals.ray_up].map(|axis| Vec4::from(axis).with_w(0.0));
+        let at = sample.lens * lens.radius;
+        let aside = right.normalize() * at.x + up.normalize() * at.y;
+        globals.eye = (Vec4::from(globals.eye) + aside).to_array();
+        // What is in focus stays where it is in the picture.
+        globals.ray_forward = (Vec4::from(globals.ray_forward) - aside / lens.focus).to_array();
+        shift.x += at.x / (lens.focus * right.length()) * globals.ray_right[3] / width;
+        shift.y += at.y / (lens.focus * up.length()) * globals.ray_up[3] / height;
+    }
     for column in &mut globals.clip_from_eye {
         let moved = Vec4::from(*column) + shift * column[3];
         *column = moved.to_array();

@@ -4,7 +4,6 @@ mod atlas;
 
 use glam::{Mat4, Vec3, Vec4};
 
-use super::camera::FOV_Y;
 use super::maps::Maps;
 use super::pipelines::Natural;
 use super::surface::Screen;
@@ -70,7 +69,7 @@ impl View {
             number: gpu.next_number(),
             own,
             shot: Shot {
-                camera: Camera { azimuth: 0.0, elevation: 1.0, distance: 1000.0, target: [0.0; 3] },
+                camera: Camera { azimuth: 0.0, elevation: 1.0, distance: 1000.0, target: [0.0; 3], fov: 1.0 },
                 width: 1,
                 height: 1,
                 tile: None,
@@ -347,7 +346,7 @@ impl View {
             clip_from_eye: Mat4::from_cols_array_2d(&globals.clip_from_eye),
             eye: Vec4::from(globals.eye).truncate(),
             sunk: if natural { scene.highest() } else { 0.0 },
-            scale: 0.5 * globals.ray_up[3] / (0.5 * FOV_Y).tan(),
+            scale: 0.5 * globals.ray_up[3] / self.shot.camera.tangent(),
             most: if natural { self.quality.triangle() } else { 0.0 },
             // Smaller ones are left to the ground's shader, which finds them in the map of heights.
             least: if scene.is_repeated() { SMALLEST } else { 0.0 },
@@ -403,7 +402,7 @@ impl View {
         let aspect = width / height;
         let frame = shot.camera.frame();
         let (center, radius) = scene.map_or((frame.eye, 1.0), |scene| (scene.center, scene.radius));
-        let tangent = (0.5 * FOV_Y).tan();
+        let tangent = frame.tangent;
         // At the target's distance, a plan shows as much as the 3D view: half the height is distance · tan.
         let zoom = 1.0 / (shot.camera.distance * tangent);
         let natural = self.is_natural();

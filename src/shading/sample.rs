@@ -1,4 +1,4 @@
-//! What the samples of a still are: for each a point of the pixel, of the sun's disc, of the sky, and of the ground.
+//! What the samples of a still are: for each a point of the pixel, of the lens, of the sun's disc, of the sky, and of the ground.
 //!
 //! All are drawn from sequences that fill their ranges evenly however many are taken, so that the error of the mean falls faster than
 //! that of random numbers. The same sample is the same everywhere.
@@ -15,6 +15,9 @@ const SUN_RADIUS: f32 = 0.004_65;
 pub(crate) struct Sample {
     /// From the middle of a pixel, px.
     pub(crate) pixel: Vec2,
+    /// In a lens of radius 1, to the right and up. It follows the sequence of the pixel, and not that of the light: each part of a blurred
+    /// spot would have a light of its own.
+    pub(crate) lens: Vec2,
     /// Unit vectors towards a point of the sun's disc, and to points of the sky and of the ground. The density of the last two over
     /// the sphere is (|z| + 1/2) / 2π: `drawn` in `shaders/sampled.wgsl` divides by it.
     pub(crate) sun: Vec3,
@@ -25,21 +28,26 @@ pub(crate) struct Sample {
 impl Sample {
     /// The sample of this number, from 0, for a sun in the direction `sun`.
     pub(crate) fn new(number: u32, sun: Vec3) -> Self {
-        let pixel = Vec2::new(radical_inverse(2, number), radical_inverse(3, number)) - 0.5;
+        let square = Vec2::new(radical_inverse(2, number), radical_inverse(3, number));
         // Each adds its light to that of the others, so they may follow the same sequence. Sky and ground are on opposite sides: a wall
         // that one of them is behind has the other before it. From here even the first sixteen fill the sphere evenly.
         let starts = [Vec2::splat(0.25), Vec2::new(0.0625, 0.375), Vec2::new(0.0625, 0.875)];
         let [disc, sky, below] = starts.map(|start| plastic(number, start));
         let right = Vec3::Z.cross(sun).try_normalize().unwrap_or(Vec3::X);
-        let (sin, cos) = (TAU * disc.y).sin_cos();
-        let aside = (right * cos + sun.cross(right) * sin) * (SUN_RADIUS * disc.x.sqrt());
+        let disc = in_disc(disc) * SUN_RADIUS;
         Self {
-            pixel,
-            sun: (sun + aside).normalize(),
+            pixel: square - 0.5,
+            lens: in_disc(square),
+            sun: (sun + right * disc.x + sun.cross(right) * disc.y).normalize(),
             sky: towards(sky),
             below: towards(below) * Vec3::new(1.0, 1.0, -1.0),
         }
     }
+}
+
+/// A point of the disc of radius 1, as even as `at` is in the unit square.
+fn in_disc(at: Vec2) -> Vec2 {
+    Vec2::from_angle(TAU * at.y) * at.x.sqrt()
 }
 
 /// A direction to the upper half of the sphere.
@@ -81,13 +89,14 @@ mod tests {
 
     #[test]
     fn directions_have_length_one_and_keep_to_their_halves() {
-        for Sample { sun, sky, below, pixel } in samples(5000) {
+        for Sample { sun, sky, below, pixel, lens } in samples(5000) {
             for way in [sun, sky, below] {
                 assert!((way.length() - 1.0).abs() < 1.0e-5, "{way}");
             }
             assert!(sky.z > 0.0 && below.z < 0.0, "{sky} {below}");
             assert!(sun.dot(SUN) >= (1.01 * SUN_RADIUS).cos(), "{sun} is beside the sun");
             assert!(pixel.abs().max_element() <= 0.5, "{pixel}");
+            assert!(lens.length() < 1.0, "{lens} is outside the lens");
         }
     }
 
@@ -115,5 +124,21 @@ mod tests {
             cells[x.min(3)][y.min(3)] = true;
         }
         assert!(cells.iter().flatten().all(|&hit| hit), "{cells:?}");
+    }
+
+    /// A spot out of focus has as much light on each side, in each half of its radius, and on the mean the light of all parts of the sky.
+    #[test]
+    fn the_lens_is_filled_evenly_and_each_part_of_it_sees_all_of_the_light() {
+        let all: Vec<Sample> = samples(64).collect();
+        let middle = all.iter().map(|sample| sample.lens).sum::<Vec2>() / 64.0;
+        assert!(middle.length() < 0.05, "the spot is shifted by {middle}");
+        let inner = all.iter().filter(|sample| sample.lens.length_squared() < 0.5).count();
+        assert!((28..=36).contains(&inner), "{inner} of 64 in the inner half");
+        for side in [Vec2::X, Vec2::Y, Vec2::NEG_X, Vec2::NEG_Y] {
+            let half: Vec<Vec3> =
+                all.iter().filter(|sample| sample.lens.dot(side) > 0.0).map(|sample| sample.sky).collect();
+            let mean = half.iter().sum::<Vec3>() / half.len() as f32;
+            assert!(mean.truncate().length() < 0.2, "{side}: its light comes from {mean}");
+        }
     }
 }

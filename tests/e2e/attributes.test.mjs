@@ -17,6 +17,7 @@ const COMMON = {
   quality: ['low', 'best'],
   theme: ['dark', 'sepia'],
   'camera-orbit': ['45deg 55deg 120%', '45 55'],
+  fov: ['60', '1e3', '120'],
   interaction: ['always', 'sometimes'],
   loading: ['lazy', 'late'],
   'metres-per-pixel': ['0.05', '-1'],
@@ -131,6 +132,7 @@ async function changes({ tag, name, valid, malformed, takenFor, attributes }) {
       element.quality,
       element.theme,
       element.cameraOrbit === valid,
+      element.fov,
       element.interaction,
       element.metresPerPixel,
     ]);

@@ -264,7 +264,7 @@ test('src is a share link: everything is taken from it, what is wrong in it is n
     [state.params.seed, state.params.imageWidth, state.params.imageHeight, state.params.packing, state.view, state.framed],
     [9, 300, 200, 1, 'wireframe', false],
   );
-  assert.deepEqual(state.camera, { azimuth: 1, elevation: 0.5, distance: 200, target: [150, 100, 0] });
+  assert.deepEqual(state.camera, { azimuth: 1, elevation: 0.5, distance: 200, target: [150, 100, 0], fov: 36 });
   assert.equal(state.notices.length, 1);
   assert.match(state.notices[0], /^src: .*cd/);
   assert.deepEqual(errors, []);

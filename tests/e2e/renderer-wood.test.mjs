@@ -56,7 +56,7 @@ async function draw() {
   const none = new Uint32Array();
   renderer.setField(100, 100, new Float32Array(), new Float32Array(), none, new Uint32Array(1), new Uint32Array(1), none, none);
   renderer.setStyle(0, 2, false);
-  renderer.setCamera(0.3, 0.5, 120, 50, 50, 5);
+  renderer.setCamera(0.3, 0.5, 120, 50, 50, 5, 0.63);
   renderer.resize(64, 48, 1);
   const place = Float32Array.of(50, 50, 0, 1);
   const picture = () => {
@@ -175,7 +175,7 @@ async function drawSkirts(backend) {
     for (let at = 0; at < a.length; at += 4) count += [0, 1, 2].some((channel) => Math.abs(a[at + channel] - b[at + channel]) > 24) ? 1 : 0;
     return (100 * count) / (width * height);
   };
-  renderer.setCamera(0.3, 0.3, 100, 50, 50, 0);
+  renderer.setCamera(0.3, 0.3, 100, 50, 50, 0, 0.63);
   const above = [
     [9, 14],
     [11, 0],

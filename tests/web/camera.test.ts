@@ -1,11 +1,13 @@
 // What the camera frames by itself.
 import assert from 'node:assert/strict';
-import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
-import { cameraAxes, defaultCamera, groundPoint, TAN } from '../../www/scene/camera/camera.ts';
+import { cameraAxes, defaultCamera, groundPoint } from '../../www/scene/camera/camera.ts';
+import { orbit } from '../../www/scene/camera/moves.ts';
+import { project, rayThrough } from '../../www/scene/camera/pick.ts';
 import { SceneCamera } from '../../www/scene/camera/scene-camera.ts';
 import type { Subject } from '../../www/scene/camera/camera.ts';
-import { FOV_Y } from '../../www/renderer/limits.ts';
+import { FOV, FOV_BOUNDS, tangentOf } from '../../www/base/fov.ts';
+import { checkCamera } from '../../www/table/camera-bounds.ts';
 import type { CameraState } from '../../www/base/view.ts';
 
 const SIZES = [
@@ -14,13 +16,6 @@ const SIZES = [
   [300, 900],
 ] as const;
 const ASPECTS = [0.3, 0.5, 1, 1.6, 3];
-
-test('the page frames with the field of view that the renderer draws with', () => {
-  const source = readFileSync(new URL('../../src/render/camera.rs', import.meta.url), 'utf8');
-  const [, degrees] = /FOV_Y: f32 =\s*([\d.]+)\s*\*\s*std::f32::consts::PI\s*\/\s*180\.0;/.exec(source) ?? [];
-  assert.ok(degrees, 'FOV_Y of src/render/camera.rs is not written as degrees');
-  assert.ok(Math.abs((180 * FOV_Y) / Math.PI - Number(degrees)) < 1e-9);
-});
 
 test('close up, a picture of any shape shows the field to its edges and nothing beside it', () => {
   for (const [width, height] of SIZES) {
@@ -52,12 +47,13 @@ test('plans are framed as they are, close up or not', () => {
 function seen(camera: CameraState, [width, height]: readonly [number, number], high: number, aspect: number): { reach: number } {
   const { eye, right, up, forward } = cameraAxes(camera);
   let reach = 0;
+  const tan = tangentOf(camera);
   for (let corner = 0; corner < 8; corner += 1) {
     const from = [corner & 1 ? width : 0, corner & 2 ? height : 0, corner & 4 ? high : 0].map((value, k) => value - eye[k]!);
     const along = (axis: readonly number[]): number => axis.reduce((sum, value, k) => sum + value * from[k]!, 0);
     const depth = along(forward);
     assert(depth > 0, 'behind the eye');
-    reach = Math.max(reach, Math.abs(along(right)) / (depth * TAN * aspect), Math.abs(along(up)) / (depth * TAN));
+    reach = Math.max(reach, Math.abs(along(right)) / (depth * tan * aspect), Math.abs(along(up)) / (depth * tan));
   }
   return { reach };
 }
@@ -74,12 +70,12 @@ test('all of the field is framed with a margin in every window, from every side,
         ] as const) {
           const scene = new SceneCamera(() => ({ extent: [...size], aspect, plan: false, closeUp, subject: null, height: () => 40 }));
           scene.current = { azimuth, elevation, distance: 50, target: [0, 0, 0] };
-          const to = scene.frameAll(null);
+          const to = scene.frameAll();
           assert.deepEqual(scene.current, to);
           assert.deepEqual([to.azimuth, to.elevation, scene.framed, scene.isDefault], [azimuth, elevation, true, false]);
           const { reach } = seen(to, size, 40, aspect);
           assert(reach <= 0.91 && reach > 0.6, `${size.join(' × ')} at ${aspect} from ${azimuth}, ${elevation}: ${reach}`);
-          scene.frameAll(null);
+          scene.frameAll();
           assert.deepEqual([scene.current, scene.isDefault], [scene.framing(), true]);
         }
       }
@@ -94,10 +90,11 @@ test('a plan shows all of a field, and of what stands on it, with a margin in ev
       for (const what of [null, subject]) {
         const scene = new SceneCamera(() => ({ extent: [...size], aspect, plan: true, closeUp: true, subject: what, height: () => 40 }));
         const { low, high } = what ?? { low: [0, 0], high: size };
-        const { target, distance } = scene.current;
-        // As plans are drawn: half the picture's height is distance · TAN.
+        const camera = scene.current;
+        const { target, distance } = camera;
+        // As plans are drawn: half the picture's height is distance · tan(fov / 2).
         const reaches = [0, 1].map((axis) => {
-          const half = distance * TAN * (axis === 0 ? aspect : 1);
+          const half = distance * tangentOf(camera) * (axis === 0 ? aspect : 1);
           return Math.max(target[axis]! - low[axis]!, high[axis]! - target[axis]!) / half;
         });
         const reach = Math.max(...reaches);
@@ -109,7 +106,7 @@ test('a plan shows all of a field, and of what stands on it, with a margin in ev
 
 test('plans are whole already: framing them is the default at once', () => {
   const scene = new SceneCamera(() => ({ extent: [640, 480], aspect: 1.5, plan: true, closeUp: true, subject: null, height: () => 40 }));
-  assert.deepEqual(scene.frameAll(null), scene.framing());
+  assert.deepEqual(scene.frameAll(), scene.framing());
   assert.ok(scene.isDefault);
 });
 
@@ -128,4 +125,66 @@ test('another colour does not move a camera that nobody moved, until another pre
   scene.release();
   assert.deepEqual([scene.current, scene.isDefault], [scene.framing(), true]);
   assert.notDeepEqual(scene.current, before);
+});
+
+/** How many degrees. */
+const LENSES = [FOV_BOUNDS.min, 20, FOV, 75, FOV_BOUNDS.max];
+
+test('whatever the field of view is, what is framed fills as much of the picture', () => {
+  for (const fov of LENSES) {
+    for (const aspect of ASPECTS) {
+      const scene = new SceneCamera(() => ({ extent: [640, 480], aspect, plan: false, closeUp: false, subject: null, height: () => 40 }));
+      scene.fov = fov;
+      assert.equal(scene.current.fov, fov);
+      const { reach } = seen(scene.frameAll(), [640, 480], 40, aspect);
+      assert(reach <= 0.91 && reach > 0.6, `${fov}° at ${aspect}: ${reach}`);
+      const plan = defaultCamera(640, 480, aspect, true, false, fov);
+      const usual = defaultCamera(640, 480, aspect, true);
+      assert(Math.abs(plan.distance * tangentOf(plan) - usual.distance * tangentOf(usual)) < 1e-9, `${fov}° at ${aspect}: the plan`);
+    }
+  }
+});
+
+test('a ray goes through the point of the picture where its points are shown, whatever the field of view is', () => {
+  for (const fov of LENSES) {
+    const camera: CameraState = { azimuth: 0.4, elevation: 0.7, distance: 300, target: [20, 30, 5], fov };
+    for (const [x, y] of [
+      [0.9, -0.8],
+      [-0.3, 0.2],
+    ] as const) {
+      const { from, along } = rayThrough(camera, x, y, 1.5);
+      const [right, up] = project(camera, from.map((value, k) => value + 7 * along[k]!) as [number, number, number], 1.5)!;
+      assert(Math.hypot(right - x, up - y) < 1e-9, `${fov}°: ${right}, ${up}`);
+    }
+  }
+});
+
+test('a camera is seen through the field of view of its scene, or through its own until the scene is given another', () => {
+  const scene = new SceneCamera(() => ({ extent: [640, 480], aspect: 1, plan: false, closeUp: true, subject: null, height: () => 40 }));
+  const place: CameraState = { azimuth: 0, elevation: 1, distance: 100, target: [1, 2, 3] };
+  scene.current = place;
+  assert.deepEqual(scene.current, { ...place, fov: FOV });
+  scene.current = { ...place, fov: 60 };
+  assert.deepEqual([scene.fov, scene.current], [60, { ...place, fov: 60 }]);
+  scene.fov = 20;
+  assert.deepEqual([scene.fov, scene.current], [20, { ...place, fov: 20 }]);
+  scene.current = null;
+  assert.deepEqual([scene.fov, scene.isDefault], [20, false], 'a link would have to tell it');
+});
+
+test('a field of view out of its bounds is refused with them, and nothing else is', () => {
+  const place = { azimuth: 0, elevation: 1, distance: 100, target: [1, 2, 3] };
+  for (const fov of [4.9, 121, NaN, Infinity]) {
+    assert.throws(() => checkCamera({ ...place, fov }), { name: 'OutOfRange', key: 'fov', value: fov, ...FOV_BOUNDS });
+  }
+  assert.throws(() => checkCamera({ ...place, fov: 'wide' }), { key: 'fov' });
+  for (const fov of LENSES) assert.deepEqual(checkCamera({ ...place, fov }), { ...place, fov });
+  assert.deepEqual(checkCamera(place), place);
+});
+
+test('a touch raises a camera near the ground without a jump', () => {
+  const low: CameraState = { azimuth: 0, elevation: 0.01, distance: 100, target: [1, 2, 3] };
+  assert.equal(orbit(low, 0.1, 0).elevation, 0.01);
+  assert(Math.abs(orbit(low, 0, 0.05).elevation - 0.06) < 1e-12);
+  assert.equal(orbit({ ...low, elevation: 0.5 }, 0, -1).elevation, (5 * Math.PI) / 180);
 });

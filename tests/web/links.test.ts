@@ -277,6 +277,8 @@ test('a camera that is none is the whole field, with a notice', () => {
     '1e309,1,1,1,1,1',
     '1,1,1,1,1',
     '1,1,1,1,1,1,1',
+    '1,1,1,1,1,1,121',
+    '1,1,1,1,1,1,40,1',
   ]) {
     const read = decodeLink(`#preset=riverbed&camera=${camera}`);
     assert.deepEqual([read.camera, read.notices.map(({ code }) => code)], [null, ['bad-camera']], camera);

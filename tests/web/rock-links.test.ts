@@ -197,6 +197,10 @@ test('view, colour and camera are in the link only when changed', () => {
   assert.deepEqual([read.view, read.color, read.notices], ['selection', 'plain', []]);
   assert.deepEqual(read.camera, { azimuth: 0.1235, elevation: 0.6, distance: 1234.6, target: [512, 512, 0] });
   assert.equal(encodeLink(read), link);
+  assert.equal(encodeLink({ params, camera: { ...camera, fov: 36 } }), encodeLink({ params, camera }));
+  const wide = encodeLink({ params, camera: { ...camera, fov: 64.5 } });
+  assert.deepEqual(decodeLink(wide).camera, { ...read.camera, fov: 64.5 });
+  assert.match(wide, /&camera=0\.1235,0\.6,1234\.6,512,512,0,64\.5$/);
 });
 
 test("a colour is in the link only when it is not the preset's own", () => {

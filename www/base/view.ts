@@ -38,4 +38,6 @@ export interface CameraState {
   distance: number;
   /** The point in the middle of the picture, px. */
   target: [number, number, number];
+  /** Vertical field of view, degrees; as the attribute `fov` where it is left out. */
+  fov?: number | undefined;
 }

@@ -28,13 +28,21 @@ export interface PictureParts<K extends Kind> {
 const SIZES = ['screen', '3840', '7680', '16384'] as const;
 /** Of the picture on the screen, and of means of samples. */
 const SAMPLES = ['none', '16', '64', '256'] as const;
+/** f-numbers, with samples: what is in the middle of the picture is sharp. */
+const APERTURES = ['none', '8', '2.8', '1.2', '0.4'] as const;
 const KINDS = ['postcard', 'picture', 'cutout'] as const;
 
 /** What was chosen last counts the next time, as long as the page is open. */
-const chosen: { kind: (typeof KINDS)[number]; size: (typeof SIZES)[number]; samples: (typeof SAMPLES)[number] } = {
+const chosen: {
+  kind: (typeof KINDS)[number];
+  size: (typeof SIZES)[number];
+  samples: (typeof SAMPLES)[number];
+  aperture: (typeof APERTURES)[number];
+} = {
   kind: 'postcard',
   size: 'screen',
   samples: 'none',
+  aperture: 'none',
 };
 
 interface State {
@@ -109,7 +117,7 @@ export function showPicture<K extends Kind>(parts: PictureParts<K>): void {
       const blob = await element.toBlob({
         ...sizeOf(element, side),
         ground: chosen.kind === 'picture',
-        ...(hasSamples(element) && chosen.samples !== 'none' && { samples: Number(chosen.samples) }),
+        ...(hasSamples(element) && chosen.samples !== 'none' && sampled()),
         signal,
         onProgress: (progress) => set({ progress }),
       });
@@ -138,6 +146,10 @@ export function showPicture<K extends Kind>(parts: PictureParts<K>): void {
 /** Whether what is chosen can be the mean of samples. */
 function hasSamples(element: { color: string; view: string; backend: string | null }): boolean {
   return chosen.kind === 'picture' && element.color === 'natural' && element.view === '3d' && element.backend !== 'canvas2d';
+}
+
+function sampled(): { samples: number; aperture?: number } {
+  return { samples: Number(chosen.samples), ...(chosen.aperture !== 'none' && { aperture: Number(chosen.aperture) }) };
 }
 
 /** `side`: the longer one, device pixels; as on the screen where it is left out. */
@@ -204,6 +216,17 @@ function content<K extends Kind>(
             options: SAMPLES.map((value) => ({ value, label: later(language, `samples-${value}`) })),
             value: chosen.samples,
             action: (samples) => choose({ samples }),
+          })
+        : nothing
+    }
+    ${
+      canBeSampled && chosen.samples !== 'none'
+        ? menu({
+            name: 'picture-aperture',
+            label: later(language, 'pictureAperture'),
+            options: APERTURES.map((value) => ({ value, label: later(language, `aperture-${value}`) })),
+            value: chosen.aperture,
+            action: (aperture) => choose({ aperture }),
           })
         : nothing
     }

@@ -10,6 +10,7 @@ import { attributeNoticeText } from './attribute-notices.ts';
 import type { AttributeNoticeCode } from './attribute-notices.ts';
 import { METRES_PER_PIXEL, parseOrbit } from '../scene/camera/orbit.ts';
 import type { Orbit } from '../scene/camera/orbit.ts';
+import { FOV, FOV_BOUNDS } from '../base/fov.ts';
 import { INTERACTIONS, LOADINGS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
 import type { ColorMode, Interaction, Loading, Theme, WantedQuality } from '../base/view.ts';
 import { errorInfo, RockFieldError } from '../base/errors.ts';
@@ -41,6 +42,7 @@ export const COMMON_ATTRIBUTES = [
   'color',
   'quality',
   'camera-orbit',
+  'fov',
   'interaction',
   'theme',
   'loading',
@@ -50,6 +52,8 @@ export const COMMON_ATTRIBUTES = [
 export interface ElementAttributes<K extends Kind> extends Link<K> {
   /** Where the camera is while everything is framed; null: as it is framed by itself. */
   orbit: Orbit | null;
+  /** Vertical, degrees. */
+  fov: number;
   quality: WantedQuality;
   theme: Theme;
   interaction: Interaction;
@@ -175,6 +179,7 @@ export class AttributeReader<K extends Kind> {
       color: this.#color(source),
       camera: source.camera,
       orbit: this.#orbit(),
+      fov: this.#fov(),
       quality: this.choice('quality', QUALITY_CHOICES, QUALITY_CHOICES[0]),
       theme: this.choice('theme', THEMES, THEMES[0]),
       interaction: this.choice('interaction', INTERACTIONS, INTERACTIONS[0]),
@@ -193,7 +198,10 @@ export class AttributeReader<K extends Kind> {
       return fallback;
     }
     if (row.kind.startsWith('optional') && given === NONE) return null;
-    const isReal = row.kind.endsWith('real');
+    return this.#number(name, given, row.kind.endsWith('real'), { min, max }, fallback);
+  }
+
+  #number(name: string, given: string, isReal: boolean, { min, max }: Pick<Bounds, 'min' | 'max'>, fallback: unknown): unknown {
     const isNumber = NUMBER.test(given) && (isReal || Number.isInteger(Number(given)));
     const value = isNumber ? Math.min(max, Math.max(min, Number(given))) : fallback;
     if (!isNumber || value !== Number(given)) {
@@ -229,6 +237,11 @@ export class AttributeReader<K extends Kind> {
     const orbit = given === null ? null : parseOrbit(given);
     if (given !== null && !orbit) this.note('camera-orbit', 'no-orbit', { given: quote(given) });
     return orbit;
+  }
+
+  #fov(): number {
+    const given = this.get('fov');
+    return given === null ? FOV : (this.#number('fov', given.trim(), true, FOV_BOUNDS, FOV) as number);
   }
 
   #scale(): number {

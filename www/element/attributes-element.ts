@@ -1,10 +1,12 @@
 /** An element's attributes, and the properties beside the parameters: view, colour, camera, and the manner of the picture. */
 
 import { errorInfo } from '../base/errors.ts';
+import { FOV, FOV_BOUNDS } from '../base/fov.ts';
 import { INTERACTIONS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
 import type { Backend, CameraState, ColorMode, Interaction, Theme, View, WantedQuality } from '../base/view.ts';
 import { METRES_PER_PIXEL } from '../scene/camera/orbit.ts';
 import { checkCamera } from '../table/camera-bounds.ts';
+import { checkNumber } from '../table/param-checks.ts';
 import type { Link } from '../table/link.ts';
 import { presetColor } from '../table/table.ts';
 import type { Kind } from '../table/table.ts';
@@ -39,6 +41,7 @@ const PROPERTIES = [
   'color',
   'quality',
   'camera',
+  'fov',
   'theme',
   'cameraOrbit',
   'interaction',
@@ -125,6 +128,7 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
     if (has('src', 'color')) this.#chooseColor(read.color);
     this.dress();
     if (has('camera-orbit', 'metres-per-pixel')) this.setFraming(read.orbit, read.metresPerPixel);
+    if (has('fov')) this.sceneFov = read.fov;
     if (has('src', 'camera-orbit')) super.camera = read.camera;
   }
 
@@ -226,6 +230,22 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
     const checked = checkCamera(camera);
     this.readAttributes();
     super.camera = checked;
+  }
+
+  /** The vertical field of view that is seen through, degrees: see the attribute. */
+  get fov(): number {
+    this.readAttributes();
+    return this.sceneFov;
+  }
+
+  /** @throws {RockFieldError} naming key, value and bounds; nothing has changed. */
+  set fov(degrees: number | `${number}` | null) {
+    // Frameworks assign what is written as text, and nothing to take it away.
+    const checked = checkNumber('fov', typeof degrees === 'string' ? Number(degrees) : (degrees ?? FOV), FOV_BOUNDS, false);
+    writeAttribute(this, 'fov', degrees);
+    this.readAttributes();
+    // The camera may have had another, of its own.
+    this.sceneFov = checked;
   }
 
   get #seen(): Seen<K> {

@@ -35,6 +35,7 @@ export interface ElementEventMap<Stage extends string> {
  * @attribute quality - `low`, `medium` or `high`, of natural colours; `auto`: as well as motion flows, and `high` at rest. Slow devices draw fewer pixels in motion.
  * @attribute theme - `light`, `dark`, or `auto`: as the system is set.
  * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
+ * @attribute fov - Vertical field of view in degrees, 5 … 120; default 36.
  * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
  * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
  * @attribute metres-per-pixel - Size of a pixel of the image; default 0.01.

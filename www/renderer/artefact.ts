@@ -52,11 +52,11 @@ export interface RawRenderer {
   setStyle(view: number, color: number, dark: boolean): void;
   setLook(values: Float32Array, layerIds: Uint32Array, materials: Uint8Array): void;
   setQuality(level: number): void;
-  setCamera(azimuth: number, elevation: number, distance: number, targetX: number, targetY: number, targetZ: number): void;
+  setCamera(azimuth: number, elevation: number, distance: number, targetX: number, targetY: number, targetZ: number, fov: number): void;
   resize(width: number, height: number, ratio: number): void;
   setTile(width: number, height: number, x: number, y: number, backing: number): void;
   render(): void;
-  beginStill(): void;
+  beginStill(lens: number, focus: number): void;
   addSample(): void;
   showStill(): void;
   endStill(): void;

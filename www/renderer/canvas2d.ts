@@ -4,7 +4,7 @@
  */
 
 import type { Field, FieldLayer } from '../data/field.ts';
-import { FOV_Y } from './limits.ts';
+import { tangentOf } from '../base/fov.ts';
 import type { CameraState } from '../base/view.ts';
 import type { Look } from '../data/look.ts';
 import type { SceneRenderer, SceneStyle, Wood } from './renderer.ts';
@@ -93,8 +93,8 @@ export class Canvas2dRenderer implements SceneRenderer {
     context.fillRect(0, 0, width, height);
     const field = this.#field;
     if (!field) return;
-    // As the plans of the GPU renderers: half the height is distance · tan(FOV_Y / 2), y up.
-    const scale = height / 2 / (this.#camera.distance * Math.tan(FOV_Y / 2));
+    // As the plans of the GPU renderers: half the height is distance · tan(fov / 2), y up.
+    const scale = height / 2 / (this.#camera.distance * tangentOf(this.#camera));
     const [x, y] = this.#camera.target;
     context.setTransform(scale, 0, 0, -scale, width / 2 - x * scale, height / 2 + y * scale);
     const diagrams = this.#style.view === 'diagrams';

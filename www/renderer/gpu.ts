@@ -6,6 +6,7 @@ import type { RawRenderer } from './artefact.ts';
 import { joinDevice } from './device.ts';
 import type { CameraState, GpuBackend, Quality } from '../base/view.ts';
 import type { LossListener, SharedDevice } from './device.ts';
+import { fovOf } from '../base/fov.ts';
 import { COLORS, FLESH, LOOK, QUALITIES, VIEWS } from './order.gen.ts';
 import type { Look } from '../data/look.ts';
 import type { Pieces, SceneRenderer, SceneStyle, Stills, Tile, Wood } from './renderer.ts';
@@ -150,10 +151,9 @@ export class GpuRenderer implements SceneRenderer {
     this.#guard(() => this.#raw.setQuality(QUALITIES.indexOf(level)));
   }
 
-  setCamera({ azimuth, elevation, distance, target }: CameraState): void {
-    this.#guard(() => {
-      this.#raw.setCamera(azimuth, elevation, distance, target[0], target[1], target[2]);
-    });
+  setCamera(camera: CameraState): void {
+    const { azimuth, elevation, distance, target } = camera;
+    this.#guard(() => this.#raw.setCamera(azimuth, elevation, distance, ...target, fovOf(camera)));
   }
 
   resize(width: number, height: number): void {
@@ -179,9 +179,9 @@ export class GpuRenderer implements SceneRenderer {
   }
 
   readonly stills: Stills = {
-    begin: (tile) => {
+    begin: (tile, lens = { radius: 0, focus: 1 }) => {
       if (tile) this.#setTile(tile);
-      this.#guard(() => this.#raw.beginStill());
+      this.#guard(() => this.#raw.beginStill(lens.radius, lens.focus));
     },
     add: async () => {
       this.#guard(() => this.#raw.addSample());

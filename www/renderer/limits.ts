@@ -1,8 +1,5 @@
 /** Numbers that pictures of every kind share. */
 
-/** Vertical field of view, radians: 36°. The same number is in `src/render/camera.rs`. */
-export const FOV_Y = (36 * Math.PI) / 180;
-
 /** A 4K screen's worth. With 4 samples a pixel takes some 40 bytes, so this is 330 MB on the device. */
 export const MAX_PIXELS = 3840 * 2160;
 

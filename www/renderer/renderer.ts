@@ -37,9 +37,17 @@ export interface Tile {
   backing: 'none' | 'black' | 'white';
 }
 
+/** What depth of field comes from, px. */
+export interface Lens {
+  /** Of the lens. */
+  radius: number;
+  /** From the eye to the plane that is sharp. */
+  focus: number;
+}
+
 export interface Stills {
-  /** Begins one of what the camera shows now, at the present size; `tile` is of a part. What is drawn must not change until `end`. */
-  begin(tile?: Tile): void;
+  /** Begins one of what the camera shows now, at the present size; `tile` is of a part. Without a lens everything is sharp. What is drawn must not change until `end`. */
+  begin(tile?: Tile, lens?: Lens): void;
   /** Draws one more sample, out of sight. Resolves when the device is done with it. */
   add(): Promise<void>;
   /** Shows the mean of the samples now, at the size of `begin`. */

@@ -6,7 +6,11 @@ import { errorText } from './renderer-keeper.ts';
 import type { CameraState } from '../base/view.ts';
 import { KEYWORD, originOf } from '../export/origin/origin.ts';
 import { withText } from '../export/origin/png-text.ts';
+import type { Field } from '../data/field.ts';
+import type { Wood } from '../renderer/renderer.ts';
 import type { Failures } from './failures.ts';
+import { checkLens, lensOf } from './lens.ts';
+import type { LensOptions } from './lens.ts';
 import type { FramePacer } from './frame-pacer.ts';
 import type { SceneRenderer } from '../renderer/renderer.ts';
 import type { StageSize } from './stage-size.ts';
@@ -18,7 +22,7 @@ import type { TiledPicture } from './tiles.ts';
 import { lazily } from '../base/lazy.ts';
 import { MAX_PIXELS, MAX_SIDE } from '../renderer/limits.ts';
 
-export interface PictureOptions {
+export interface PictureOptions extends LensOptions {
   /** Device pixels; one follows from the other, and both from the size on the screen, when left out. */
   width?: number;
   height?: number;
@@ -84,12 +88,14 @@ interface Pictured {
   size(): StageSize | undefined;
   camera(aspect: number): CameraState;
   /** What is drawn, and how: as long as these are the same, so is the picture. */
-  drawn(): readonly unknown[];
+  drawn(): readonly [Field | null, Wood | null, ...unknown[]];
   source(): PictureSource;
 }
 
 /** The picture as a file, as soon as there is one; taken again when the device was lost meanwhile, since it is blank then. */
 export async function picture(options: PictureOptions, scene: Pictured): Promise<Blob> {
+  checkSamples(options.samples, options.ground);
+  checkLens(options);
   for (const end = performance.now() + LOSSES_MS; ; ) {
     await drawable(scene);
     const renderer = scene.renderer();
@@ -101,10 +107,14 @@ export async function picture(options: PictureOptions, scene: Pictured): Promise
     const isTiled = needsTiles(options, own, renderer);
     const size = pictureSize(options, own, isTiled);
     const source = scene.source();
+    const aspect = size[0] / size[1];
+    const camera = scene.camera(aspect);
+    const [field, wood] = scene.drawn();
     const shot: Shot = {
       renderer,
       size,
-      camera: scene.camera(size[0] / size[1]),
+      camera,
+      lens: lensOf(options, { camera, aspect, field, wood, metresPerPixel: source.metresPerPixel }),
       prepare: () => {
         const { best } = scene.pacer;
         if (best) renderer.setQuality(best);
@@ -132,7 +142,7 @@ export async function picture(options: PictureOptions, scene: Pictured): Promise
 }
 
 /** A picture that is about to be taken. */
-type Shot = Pick<TiledPicture, 'renderer' | 'size' | 'camera' | 'prepare' | 'restore'>;
+type Shot = Pick<TiledPicture, 'renderer' | 'size' | 'camera' | 'lens' | 'prepare' | 'restore'>;
 
 function take({ renderer, size, camera, prepare, restore }: Shot, options: PictureOptions): Promise<Blob> {
   prepare();
@@ -216,8 +226,7 @@ function sizeOf({ width, height }: PictureOptions, [ownWidth, ownHeight]: readon
  * @throws {RockFieldError} `OutOfRange` for a type of file that is not written so, `NoPicture` where this renderer does not draw so.
  */
 function needsTiles(options: PictureOptions, own: readonly [number, number], { renderTile, maxSide = MAX_SIDE }: SceneRenderer): boolean {
-  const { type = PNG, ground = true, samples } = options;
-  checkSamples(samples, ground);
+  const { type = PNG, ground = true } = options;
   const [width, height] = sizeOf(options, own);
   if (ground && (type !== PNG || !renderTile)) return false;
   if (type !== PNG) {
@@ -229,7 +238,7 @@ function needsTiles(options: PictureOptions, own: readonly [number, number], { r
 }
 
 /** @throws {RockFieldError} `OutOfRange` for a number of samples that is not drawn. */
-function checkSamples(samples: number | undefined, ground: boolean): void {
+function checkSamples(samples: number | undefined, ground = true): void {
   if (samples === undefined) return;
   const bounds = { key: 'samples', value: samples, min: 1, max: MAX_SAMPLES };
   if (!(Number.isInteger(samples) && samples >= 1 && samples <= MAX_SAMPLES)) {

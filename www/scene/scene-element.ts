@@ -6,7 +6,7 @@ import type { Field } from '../data/field.ts';
 import { prefersStillness } from './camera/auto-rotation.ts';
 import type { Subject } from './camera/camera.ts';
 import type { Orbit } from './camera/orbit.ts';
-import type { OrbitControls } from './camera/orbit-controls.ts';
+import type { Steering } from './camera/steering.ts';
 import { SceneCamera } from './camera/scene-camera.ts';
 import { DrawnElement } from './drawn-element.ts';
 
@@ -23,7 +23,7 @@ export abstract class SceneElement extends DrawnElement {
     height: () => this.#rocksHeight(),
   }));
   #measured: { field: Field | null; height: number } = { field: null, height: 0 };
-  #controls: OrbitControls | undefined;
+  #controls: Steering | undefined;
 
   // What a kind of scene adds.
 
@@ -47,6 +47,15 @@ export abstract class SceneElement extends DrawnElement {
     this.invalidate();
   }
 
+  protected get sceneFov(): number {
+    return this.#camera.fov;
+  }
+
+  protected set sceneFov(degrees: number) {
+    this.#camera.fov = degrees;
+    this.invalidate();
+  }
+
   /** The camera that frames the whole field, or as `camera-orbit` has it, for the present size and view. */
   get defaultCamera(): CameraState {
     return this.#camera.framing();
@@ -63,7 +72,7 @@ export abstract class SceneElement extends DrawnElement {
    */
   frameAll(animate = true): void {
     const flies = animate && this.canDraw && !prefersStillness(this.ownWindow);
-    const to = this.#camera.frameAll(flies ? performance.now() : null);
+    const to = this.#camera.frameAll(flies ? this.#controls?.fly : undefined);
     this.invalidate();
     this.emit('camera-change', { camera: to, framed: true });
   }

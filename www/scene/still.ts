@@ -2,7 +2,7 @@
 
 import { RockFieldError } from '../base/errors.ts';
 import type { CameraState } from '../base/view.ts';
-import type { SceneRenderer, Tile } from '../renderer/renderer.ts';
+import type { Lens, SceneRenderer, Tile } from '../renderer/renderer.ts';
 
 export interface StillPicture {
   renderer: SceneRenderer;
@@ -11,6 +11,7 @@ export interface StillPicture {
   tile?: Tile;
   camera: CameraState;
   samples: number;
+  lens?: Lens | undefined;
   /** Readies the renderer for the picture. */
   prepare: () => void;
   /** Gives the screen its own picture back, in the same task. */
@@ -40,7 +41,7 @@ export async function stillPicture<T>(picture: StillPicture, take: () => T): Pro
       restore();
     }
   };
-  onStage(() => stills.begin(picture.tile));
+  onStage(() => stills.begin(picture.tile, picture.lens));
   try {
     for (let drawn = 0; drawn < samples; drawn += 1) {
       prepare();

@@ -4,7 +4,7 @@ import { RockFieldError } from '../base/errors.ts';
 import { lazily } from '../base/lazy.ts';
 import type { CameraState } from '../base/view.ts';
 import { PngRows } from '../export/formats/png-rows.ts';
-import type { SceneRenderer, Tile } from '../renderer/renderer.ts';
+import type { Lens, SceneRenderer, Tile } from '../renderer/renderer.ts';
 
 /** Width and height of a part, device pixels: even, since some of what is drawn is worked out for four pixels together. */
 const TILE = [2048, 512] as const;
@@ -16,6 +16,7 @@ export interface TiledPicture {
   camera: CameraState;
   /** Of how many samples each part is the mean; undefined where light and shade are worked out at once. */
   samples?: number | undefined;
+  lens?: Lens | undefined;
   /** Without ground and backdrop, which are then transparent. */
   isBare: boolean;
   /** Readies the renderer for a part. */
@@ -81,7 +82,7 @@ async function drawnPart(
   context: CanvasRenderingContext2D,
   tile: Omit<Tile, 'backing'>,
 ): Promise<ImageData | undefined> {
-  const { renderer, camera, samples, isBare, isSame, signal, prepare, restore } = picture;
+  const { renderer, camera, samples, lens, isBare, isSame, signal, prepare, restore } = picture;
   const [width, height] = tile.size;
   const read = (): ImageData => {
     // At once: in the next task the canvas may be blank.
@@ -95,7 +96,7 @@ async function drawnPart(
   if (samples) {
     const { stillPicture } = await lazily(() => import('./still.ts'));
     const part = { ...tile, backing: 'none' } as const;
-    return stillPicture({ renderer, size: tile.size, tile: part, camera, samples, isSame, signal, prepare, restore }, read);
+    return stillPicture({ renderer, size: tile.size, tile: part, camera, samples, lens, isSame, signal, prepare, restore }, read);
   }
   prepare();
   renderer.setCamera(camera);

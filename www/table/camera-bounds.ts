@@ -1,5 +1,6 @@
 /** Where a camera can be: what is assigned and what links hold lies within these, so that every link can be read again. */
 
+import { FOV_BOUNDS } from '../base/fov.ts';
 import { checkNumber, isList, objectOf, wrongType } from './param-checks.ts';
 import type { CameraState } from '../base/view.ts';
 
@@ -30,5 +31,12 @@ export function checkCamera(camera: unknown): CameraState | null {
     const key = ['azimuth', 'elevation', 'distance'][k] ?? 'target';
     return checkNumber(key, k < 3 ? given[key] : place[k - 3], bounds, false, at, k < 3 ? key : `target[${k - 3}]`);
   }) as [number, number, number, number, number, number];
-  return { azimuth, elevation, distance, target: [x, y, z] };
+  const fov = given['fov'];
+  return {
+    azimuth,
+    elevation,
+    distance,
+    target: [x, y, z],
+    ...(fov !== undefined && { fov: checkNumber('fov', fov, FOV_BOUNDS, false, at) }),
+  };
 }

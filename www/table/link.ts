@@ -8,6 +8,7 @@
 
 import { noticeText } from './notices.ts';
 import type { Notice, NoticeCode } from './notices.ts';
+import { FOV, FOV_BOUNDS } from '../base/fov.ts';
 import { CAMERA_BOUNDS } from './camera-bounds.ts';
 import type { Bounds, Row } from './row.ts';
 import type { CameraState, ColorMode, View } from '../base/view.ts';
@@ -194,19 +195,22 @@ function readCamera(reader: LinkReader): CameraState | null {
   const given = reader.take('camera');
   if (given === undefined) return null;
   const numbers = given.split(',').map((item) => (NUMBER.test(item.trim()) ? Number(item) : NaN));
-  const [azimuth = NaN, elevation = NaN, distance = NaN, x = NaN, y = NaN, z = NaN] = numbers;
-  if (numbers.length === CAMERA_BOUNDS.length && CAMERA_BOUNDS.every(({ min, max }, k) => numbers[k]! >= min && numbers[k]! <= max))
-    return { azimuth, elevation, distance, target: [x, y, z] };
+  const [azimuth = NaN, elevation = NaN, distance = NaN, x = NaN, y = NaN, z = NaN, fov] = numbers;
+  const bounds = fov === undefined ? CAMERA_BOUNDS : [...CAMERA_BOUNDS, FOV_BOUNDS];
+  if (numbers.length === bounds.length && bounds.every(({ min, max }, k) => numbers[k]! >= min && numbers[k]! <= max))
+    return { azimuth, elevation, distance, target: [x, y, z], ...(fov !== undefined && { fov }) };
   reader.note('bad-camera', 'camera', given, '');
   return null;
 }
 
-function cameraText({ azimuth, elevation, distance, target }: CameraState): string {
+/** The field of view stands at its end where it is not the usual one. */
+function cameraText({ azimuth, elevation, distance, target, fov = FOV }: CameraState): string {
   const text = (value: number, k: number): string => {
     const { min, max } = CAMERA_BOUNDS[k]!;
     return String(Number(Math.min(max, Math.max(min, value)).toFixed(CAMERA_DIGITS[k])) + 0);
   };
-  return [azimuth, elevation, distance, ...target].map(text).join(',');
+  const place = [azimuth, elevation, distance, ...target].map(text);
+  return [...place, ...(fov === FOV ? [] : [Number(fov.toFixed(2))])].join(',');
 }
 
 function written(value: unknown): string {

@@ -13,6 +13,8 @@ type SceneProperty = 'params' | 'view' | 'color' | 'quality' | 'interaction' | '
 /** Whatever both elements have. */
 interface Shared {
   camera: RockFieldElement['camera'] | null;
+  /** Vertical, degrees. */
+  fov: number | `${number}`;
   /** Read when the element is connected; `null` draws nothing. */
   backend: 'auto' | Backend;
   /** A button that opens the panel; `open`: it begins open. */

@@ -3,16 +3,14 @@
  *
  * At azimuth 0 the eye looks along +y; growing azimuth carries it counter-clockwise round the target.
  * Elevation π/2 looks straight down with +y up. Plans (`diagrams`, `selection`) are seen from straight
- * above with +y up whatever the angles; half their picture's height is `distance · tan(FOV_Y / 2)`, so
+ * above with +y up whatever the angles; half their picture's height is `distance · tan(fov / 2)`, so
  * that a length at the target is as long on the screen as in the 3D view.
  * The picture's own coordinates run from -1 to 1, x right, y up.
  */
 
-import { FOV_Y } from '../../renderer/limits.ts';
+import { tangentOf } from '../../base/fov.ts';
 import type { CameraState, View } from '../../base/view.ts';
 
-/** Half the picture's height at a distance of one. */
-export const TAN = Math.tan(FOV_Y / 2);
 /** Close enough to fill the picture with one small rock. */
 export const MIN_DISTANCE_PX = 6;
 /** Steeper in tall pictures, where 35° would leave a thin band of rocks. */
@@ -53,12 +51,13 @@ export function cameraAxes(camera: CameraState): CameraAxes {
 
 /** Where the ray through (x, y) of the picture meets the ground z = 0; null above the horizon. */
 export function groundPoint(camera: CameraState, x: number, y: number, aspect: number, plan = false): [number, number] | null {
+  const tan = tangentOf(camera);
   if (plan) {
-    const half = camera.distance * TAN;
+    const half = camera.distance * tan;
     return [camera.target[0] + x * half * aspect, camera.target[1] + y * half];
   }
   const { eye, right, up, forward } = cameraAxes(camera);
-  const ray = [0, 1, 2].map((i) => forward[i]! + x * TAN * aspect * right[i]! + y * TAN * up[i]!) as Vector;
+  const ray = [0, 1, 2].map((i) => forward[i]! + x * tan * aspect * right[i]! + y * tan * up[i]!) as Vector;
   if (ray[2] > -1e-4) return null;
   const steps = -eye[2] / ray[2];
   return [eye[0] + steps * ray[0], eye[1] + steps * ray[1]];
@@ -69,16 +68,24 @@ export function groundPoint(camera: CameraState, x: number, y: number, aspect: n
  * `plan` decides between the oblique picture, whose outermost corners may leave it, and the plan,
  * which is shown whole. With `closeUp` the oblique picture is as much ground as fills it.
  */
-export function defaultCamera(imageWidth: number, imageHeight: number, aspect: number, plan = false, closeUp = false): CameraState {
+export function defaultCamera(
+  imageWidth: number,
+  imageHeight: number,
+  aspect: number,
+  plan = false,
+  closeUp = false,
+  fov?: number,
+): CameraState {
   const middle: Vector = [imageWidth / 2, imageHeight / 2, 0];
   const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
   // 0 in a tall picture (a phone held upright), 1 in a wide one.
   const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
   const elevation = ELEVATION_TALL + (ELEVATION_WIDE - ELEVATION_TALL) * wide;
-  const camera: CameraState = { azimuth: AZIMUTH_DEFAULT, elevation, distance: 1, target: middle };
+  const camera: CameraState = { azimuth: AZIMUTH_DEFAULT, elevation, distance: 1, target: middle, fov };
+  const tan = tangentOf(camera);
   if (plan) {
     const half = Math.max(imageHeight, imageWidth / ratio) / 2;
-    return { ...camera, distance: (half * 1.04) / TAN };
+    return { ...camera, distance: (half * 1.04) / tan };
   }
   if (closeUp) return fillingCamera(camera, imageWidth, imageHeight, ratio);
   // How far the outermost corners may lie outside, 1 = the picture's edge: filled rather than floating.
@@ -87,7 +94,7 @@ export function defaultCamera(imageWidth: number, imageHeight: number, aspect: n
     camera.distance = fittingDistance(camera, imageWidth, imageHeight, ratio, reach);
     const [low, high] = heights(camera, imageWidth, imageHeight);
     // Perspective makes the near half taller: slide along the view until the field is centred.
-    const slide = (((low + high) / 2) * camera.distance * TAN) / Math.sin(elevation);
+    const slide = (((low + high) / 2) * camera.distance * tan) / Math.sin(elevation);
     camera.target = [camera.target[0] - Math.sin(camera.azimuth) * slide, camera.target[1] + Math.cos(camera.azimuth) * slide, 0];
   }
   return camera;
@@ -111,6 +118,9 @@ function fillingCamera(from: CameraState, width: number, height: number, aspect:
   };
 }
 
+/** Which way a camera looks, and how much of it. */
+export type Angles = Pick<CameraState, 'azimuth' | 'elevation' | 'fov'>;
+
 /** What a picture is about, where it is not the whole field: a box, px. */
 export interface Subject {
   low: Vector;
@@ -125,23 +135,24 @@ const SUBJECT = {
 } as const;
 
 /** The nearest camera that shows all of a subject. */
-export function subjectCamera({ low, high }: Subject, aspect: number, plan = false): CameraState {
-  if (plan) return boxCamera({ low, high }, aspect, 0, Math.PI / 2, SUBJECT.room);
+export function subjectCamera({ low, high }: Subject, aspect: number, plan = false, fov?: number): CameraState {
+  if (plan) return boxCamera({ low, high }, aspect, { azimuth: 0, elevation: Math.PI / 2, fov }, SUBJECT.room);
   const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
   const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
   const between = ([tall, flat]: readonly [number, number]): number => tall + (flat - tall) * wide;
-  return boxCamera({ low, high }, ratio, between(SUBJECT.azimuth), between(SUBJECT.elevation), SUBJECT.room);
+  return boxCamera({ low, high }, ratio, { azimuth: between(SUBJECT.azimuth), elevation: between(SUBJECT.elevation), fov }, SUBJECT.room);
 }
 
-/** The nearest camera at the given angles whose picture shows all of a box in its inner part, `room` of 1, with the box's middle in its own. */
-export function boxCamera({ low, high }: Subject, aspect: number, azimuth: number, elevation: number, room: number): CameraState {
+/** The nearest camera with the angles of `seen` whose picture shows all of a box in its inner part, `room` of 1, with the box's middle in its own. */
+export function boxCamera({ low, high }: Subject, aspect: number, seen: Angles, room: number): CameraState {
   const target = low.map((value, k) => (value + high[k]!) / 2) as Vector;
-  const camera: CameraState = { azimuth, elevation, distance: MIN_DISTANCE_PX, target };
+  const camera: CameraState = { ...seen, distance: MIN_DISTANCE_PX, target };
+  const tan = tangentOf(camera);
   const { right, up, forward } = cameraAxes(camera);
   for (let corner = 0; corner < 8; corner += 1) {
     const from = low.map((value, k) => (corner & (1 << k) ? high[k]! : value) - target[k]!);
     const along = (axis: Vector): number => axis[0] * from[0]! + axis[1] * from[1]! + axis[2] * from[2]!;
-    const reach = Math.max(Math.abs(along(right)) / (TAN * aspect), Math.abs(along(up)) / TAN) / room;
+    const reach = Math.max(Math.abs(along(right)) / (tan * aspect), Math.abs(along(up)) / tan) / room;
     camera.distance = Math.max(camera.distance, reach - along(forward));
   }
   return camera;
@@ -159,8 +170,9 @@ function corners(camera: CameraState, width: number, height: number): Vector[] {
 
 function fittingDistance(camera: CameraState, width: number, height: number, aspect: number, reach: number): number {
   let distance = MIN_DISTANCE_PX;
+  const tan = tangentOf(camera);
   for (const [x, y, z] of corners(camera, width, height)) {
-    distance = Math.max(distance, Math.abs(x) / (TAN * aspect * reach) - z, Math.abs(y) / (TAN * reach) - z);
+    distance = Math.max(distance, Math.abs(x) / (tan * aspect * reach) - z, Math.abs(y) / (tan * reach) - z);
   }
   return distance;
 }
@@ -169,7 +181,7 @@ function fittingDistance(camera: CameraState, width: number, height: number, asp
 function heights(camera: CameraState, width: number, height: number): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (const [, y, z] of corners(camera, width, height)) {
-    const at = y / (TAN * Math.max(camera.distance + z, 1));
+    const at = y / (tangentOf(camera) * Math.max(camera.distance + z, 1));
     low = Math.min(low, at);
     high = Math.max(high, at);
   }

@@ -1,5 +1,6 @@
 /** A short flight from one camera to another: the short way round, distances in equal factors, gently off and gently on. */
 
+import { FOV } from '../../base/fov.ts';
 import type { CameraState } from '../../base/view.ts';
 
 const FLIGHT_MS = 350;
@@ -30,5 +31,6 @@ function between(from: CameraState, to: CameraState, t: number): CameraState {
     elevation: mix(from.elevation, to.elevation),
     distance: from.distance * (to.distance / from.distance) ** t,
     target: [mix(from.target[0], to.target[0]), mix(from.target[1], to.target[1]), mix(from.target[2], to.target[2])],
+    fov: mix(from.fov ?? FOV, to.fov ?? FOV),
   };
 }

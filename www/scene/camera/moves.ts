@@ -1,6 +1,7 @@
 /** The moves of the orbit camera as pure functions: orbiting, zooming, panning. The conventions are those of `camera.ts`. */
 
-import { groundPoint, MIN_DISTANCE_PX, TAN } from './camera.ts';
+import { groundPoint, MIN_DISTANCE_PX } from './camera.ts';
+import { tangentOf } from '../../base/fov.ts';
 import type { CameraState } from '../../base/view.ts';
 
 const MIN_ELEVATION = (5 * Math.PI) / 180;
@@ -8,10 +9,10 @@ const MAX_ELEVATION = Math.PI / 2;
 /** A dozen times what frames the largest image. */
 const MAX_DISTANCE_PX = 250_000;
 
-/** Turned by angles in radians; the elevation stays between 5° and 90°. */
+/** Turned by angles in radians; the elevation stays between 5° and 90°, and is raised where it is lower without a jump. */
 export function orbit(camera: CameraState, azimuth: number, elevation: number): CameraState {
   const turned = (camera.azimuth + azimuth) % (2 * Math.PI);
-  const raised = Math.min(MAX_ELEVATION, Math.max(MIN_ELEVATION, camera.elevation + elevation));
+  const raised = Math.min(MAX_ELEVATION, Math.max(Math.min(MIN_ELEVATION, camera.elevation), camera.elevation + elevation));
   return { ...camera, azimuth: turned, elevation: raised };
 }
 
@@ -44,7 +45,7 @@ export function zoom(
  * pointer.
  */
 export function pan(camera: CameraState, dx: number, dy: number, heightPx: number, plan = false): CameraState {
-  const perPixel = (2 * camera.distance * TAN) / Math.max(heightPx, 1);
+  const perPixel = (2 * camera.distance * tangentOf(camera)) / Math.max(heightPx, 1);
   const azimuth = plan ? 0 : camera.azimuth;
   // Seen at a grazing angle a pixel spans much ground; beyond a third the drag would run away.
   const foreshortening = plan ? 1 : Math.max(Math.sin(camera.elevation), 1 / 3);

@@ -61,7 +61,7 @@ export function orbitCamera(framing: CameraState, orbit: Orbit, centre: [number,
   // What the framing shifts along the view to centre the picture goes round with the view.
   const [x, y] = turned(framing.target, centre, azimuth - framing.azimuth);
   const target: CameraState['target'] = orbit.elevation === null ? [x, y, framing.target[2]] : [...centre, 0];
-  return { azimuth, elevation, distance, target };
+  return { ...framing, azimuth, elevation, distance, target };
 }
 
 /** A camera carried round the vertical axis through `centre`. */

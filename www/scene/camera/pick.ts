@@ -1,6 +1,7 @@
 /** What of a mesh lies under a point of the picture, and where a point of the world is in the picture. */
 
-import { cameraAxes, TAN } from './camera.ts';
+import { tangentOf } from '../../base/fov.ts';
+import { cameraAxes } from './camera.ts';
 import type { CameraState } from '../../base/view.ts';
 
 type Vector = [number, number, number];
@@ -8,7 +9,8 @@ type Vector = [number, number, number];
 /** From the eye through (x, y) of the picture, which run from -1 to 1, x right, y up. */
 export function rayThrough(camera: CameraState, x: number, y: number, aspect: number): { from: Vector; along: Vector } {
   const { eye, right, up, forward } = cameraAxes(camera);
-  return { from: eye, along: forward.map((value, k) => value + x * TAN * aspect * right[k]! + y * TAN * up[k]!) as Vector };
+  const tan = tangentOf(camera);
+  return { from: eye, along: forward.map((value, k) => value + x * tan * aspect * right[k]! + y * tan * up[k]!) as Vector };
 }
 
 /** Where a point of the world is in the picture; null behind the eye. */
@@ -16,7 +18,8 @@ export function project(camera: CameraState, point: Vector, aspect: number): [nu
   const { eye, right, up, forward } = cameraAxes(camera);
   const from = point.map((value, k) => value - eye[k]!) as Vector;
   const depth = dot(forward, from);
-  return depth > 0 ? [dot(right, from) / (depth * TAN * aspect), dot(up, from) / (depth * TAN)] : null;
+  const half = depth * tangentOf(camera);
+  return depth > 0 ? [dot(right, from) / (half * aspect), dot(up, from) / half] : null;
 }
 
 /** The nearest point of the triangles on the ray; null where it misses them all. Möller & Trumbore 1997. */

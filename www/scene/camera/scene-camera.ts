@@ -1,11 +1,12 @@
 /** Where the eye is: moved by the user, flying, turning by itself, or framing the whole field, whatever its size. */
 
 import { AutoRotation } from './auto-rotation.ts';
-import { CameraFlight } from './flight.ts';
+import type { CameraFlight } from './flight.ts';
 import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './orbit.ts';
 import type { Orbit } from './orbit.ts';
 import { boxCamera, defaultCamera, subjectCamera } from './camera.ts';
 import type { Subject } from './camera.ts';
+import { FOV } from '../../base/fov.ts';
 import type { CameraState } from '../../base/view.ts';
 
 /** What is framed, and through what. */
@@ -37,6 +38,8 @@ export class SceneCamera {
   /** What the framing is when the page asks for another than ours. */
   #orbit: Orbit | null = null;
   #metresPerPixel = METRES_PER_PIXEL;
+  /** Of cameras that have none of their own, degrees. */
+  #fov = FOV;
   #rotation = new AutoRotation();
   #frame: () => Frame;
 
@@ -59,7 +62,7 @@ export class SceneCamera {
   /** The default camera, for the present aspect or another. */
   framing(aspect = this.#frame().aspect, closeUp = this.#frame().closeUp, plan = this.#frame().plan): CameraState {
     const { extent, subject } = this.#frame();
-    const camera = subject ? subjectCamera(subject, aspect, plan) : defaultCamera(...extent, aspect, plan, closeUp);
+    const camera = subject ? subjectCamera(subject, aspect, plan, this.#fov) : defaultCamera(...extent, aspect, plan, closeUp, this.#fov);
     if (!this.#orbit) return camera;
     const orbited = orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel);
     return subject ? { ...orbited, target: camera.target } : orbited;
@@ -80,15 +83,24 @@ export class SceneCamera {
     } = this.#frame();
     // Plans are framed whole as they are.
     if (!this.#whole || plan) return this.framing(aspect, this.#heldCloseUp);
-    const { azimuth, elevation } = this.#whole;
     const high = Math.max(rocks(), subject?.high[2] ?? 0);
-    return boxCamera({ low: [0, 0, 0], high: [width, height, high] }, aspect, azimuth, elevation, WHOLE_ROOM);
+    return boxCamera({ low: [0, 0, 0], high: [width, height, high] }, aspect, { ...this.#whole, fov: this.#fov }, WHOLE_ROOM);
+  }
+
+  get fov(): number {
+    return this.current.fov ?? this.#fov;
+  }
+
+  /** Of every camera that does not say it; the present one does not from now on. */
+  set fov(degrees: number) {
+    this.#fov = degrees;
+    if (this.#camera) this.#camera.fov = undefined;
   }
 
   /** Whether the camera is the default one, which no link has to tell. */
   get isDefault(): boolean {
     const { closeUp } = this.#frame();
-    return this.framed && !this.#whole && (this.#heldCloseUp ?? closeUp) === closeUp;
+    return this.framed && !this.#whole && (this.#heldCloseUp ?? closeUp) === closeUp && this.#fov === FOV;
   }
 
   /** The colour is about to change: what frames the field stays where it is until `release`. */
@@ -111,16 +123,16 @@ export class SceneCamera {
   }
 
   /**
-   * Frames all of the field with a margin, seen as now; where that is so already, as the default camera does. With `now`, in ms, it
-   * flies there. Returns where it will be.
+   * Frames all of the field with a margin, seen as now; where that is so already, as the default camera does. With `fly` it is on its way
+   * there first. Returns where it will be.
    */
-  frameAll(now: number | null): CameraState {
+  frameAll(fly?: (from: CameraState, to: CameraState) => CameraFlight): CameraState {
     const from = this.current;
     const whole = this.framed && this.#whole ? null : { azimuth: from.azimuth, elevation: from.elevation };
     this.current = null;
     if (!this.#frame().plan) this.#whole = whole;
     const to = this.#framed();
-    if (now !== null) this.#flight = new CameraFlight(from, to, now);
+    this.#flight = fly?.(from, to);
     return to;
   }
 
@@ -147,7 +159,8 @@ export class SceneCamera {
 
   #at(camera: CameraState): CameraState {
     const { angle } = this.#rotation;
-    return angle === 0 ? structuredClone(camera) : turnCamera(camera, this.#centre(), angle);
+    const seen = { ...structuredClone(camera), fov: camera.fov ?? this.#fov };
+    return angle === 0 ? seen : turnCamera(seen, this.#centre(), angle);
   }
 
   #centre(): [number, number] {

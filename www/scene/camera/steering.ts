@@ -4,6 +4,7 @@ import type { Language } from '../../base/language.ts';
 import { lazily } from '../../base/lazy.ts';
 import type { CameraState, Interaction } from '../../base/view.ts';
 import type { SceneTree } from '../tree.ts';
+import { CameraFlight } from './flight.ts';
 import { OrbitControls } from './orbit-controls.ts';
 
 /** The scene that is steered. */
@@ -24,9 +25,17 @@ export interface Steered {
 /** Scenes that have explained once what fingers do: these meet the picture whenever they scroll. */
 const explained = new WeakSet<SceneTree>();
 
-/** Gestures move the camera until `dispose` is called. After a change of `interaction`, call `refresh`. */
-export function steer(scene: Steered): OrbitControls {
-  return new OrbitControls(
+export interface Steering {
+  /** A flight that begins now. */
+  fly(from: CameraState, to: CameraState): CameraFlight;
+  /** To be called after a change of `interaction`. */
+  refresh(): void;
+  dispose(): void;
+}
+
+/** Gestures move the camera until `dispose` is called. */
+export function steer(scene: Steered): Steering {
+  const controls = new OrbitControls(
     scene.tree.stage,
     () => scene.camera(),
     (camera) => scene.move(camera),
@@ -38,6 +47,11 @@ export function steer(scene: Steered): OrbitControls {
       interaction: () => scene.interaction(),
     },
   );
+  return {
+    fly: (from, to) => new CameraFlight(from, to, performance.now()),
+    refresh: () => controls.refresh(),
+    dispose: () => controls.dispose(),
+  };
 }
 
 /** Says why a gesture did nothing. */
