@@ -1,8 +1,11 @@
-// `npm run gallery`: pictures of every natural preset, to be looked at, into .cache/gallery/.
+// `npm run gallery`: pictures of every natural preset through four cameras, to be looked at, into .cache/gallery/: one sheet for each, and one of all.
 //
 //   npm run gallery                                    both backends, which have to show the same: else it fails
 //   npm run gallery -- --only riverbed,scree --webgpu  some presets, natural or not, with one backend
 //   npm run gallery -- --size 800x500 --out DIR        smaller, elsewhere
+//   npm run gallery -- --seed 3 --sun 240,12           another field, with the sun elsewhere: azimuth and elevation, degrees
+//   npm run gallery -- --cameras low,close             some of the cameras
+//   npm run gallery -- --samples 64                    with so many samples of light
 //   npm run gallery -- --beside SHORE.png@4 --only riverbed   a render beside a photograph, both 4 metres across; see beside.mjs
 import { mkdir, writeFile } from 'node:fs/promises';
 import path from 'node:path';
@@ -12,7 +15,7 @@ import { besides } from './beside.mjs';
 import { root } from '../lib/env.mjs';
 import { meanDifference, readPicture } from '../lib/pixels.mjs';
 import { Failure, isMain, main, messageOf, say } from '../lib/run.mjs';
-import { openStudio, photograph } from './studio.mjs';
+import { fromAbove, openStudio, photograph } from './studio.mjs';
 import { tables } from '../lib/tables.mjs';
 
 /** How far the backends may be apart, mean over all pixels and channels, per cent of full scale. */
@@ -23,9 +26,11 @@ const NATURAL = { color: 'natural', quality: 'high' };
 const WORN = { weathering: 0.6, roughness: 0.3, detail: 30, embedding: 0.15 };
 const BACKENDS = ['webgpu', 'webgl'];
 
-const CAMERAS = {
+export const CAMERAS = {
   framed: () => null,
   low: lowCamera,
+  close: closeCamera,
+  above: ({ middle, imageWidth }) => fromAbove(middle, 0.7 * imageWidth),
 };
 
 /** 12° above the ground, a few of the largest stones in front. */
@@ -34,7 +39,17 @@ export function lowCamera({ rock, radius, imageWidth }) {
   return { azimuth: (30 * Math.PI) / 180, elevation: (12 * Math.PI) / 180, distance, target: [...rock, 0.3 * radius] };
 }
 
-async function gallery({ backends, subjects, size, out }) {
+/** 20 centimetres before one of the largest stones, seen a little from above. */
+function closeCamera({ rock, radius, metresPerPixel }) {
+  return {
+    azimuth: (30 * Math.PI) / 180,
+    elevation: (28 * Math.PI) / 180,
+    distance: 0.8 * radius + 0.2 / metresPerPixel,
+    target: [...rock, 0.2 * radius],
+  };
+}
+
+async function gallery({ backends, subjects, size, samples, out }) {
   const studio = await openStudio({ backends });
   try {
     const pictures = [];
@@ -42,7 +57,7 @@ async function gallery({ backends, subjects, size, out }) {
       for (const backend of backends) {
         const scene = await studio.show(backend, subject.attributes);
         for (const camera of subject.cameras) {
-          const { png, ms } = await studio.take(backend, { ...size, camera: CAMERAS[camera](scene) });
+          const { png, ms } = await studio.take(backend, { ...size, samples, camera: CAMERAS[camera](scene) });
           const name = `${subject.name}-${camera}-${backend}`;
           await writeFile(path.join(out, `${name}.png`), png);
           say(
@@ -53,7 +68,7 @@ async function gallery({ backends, subjects, size, out }) {
       }
     }
     const differences = compare(pictures);
-    await sheets(studio.browser, pictures, differences, out);
+    await sheets(studio.browser, pictures, differences, { size, out });
     return differences;
   } finally {
     await studio.close();
@@ -69,7 +84,7 @@ function compare(pictures) {
   });
 }
 
-async function sheets(browser, pictures, differences, out) {
+async function sheets(browser, pictures, differences, { size, out }) {
   const rows = [...new Set(pictures.map(({ subject }) => subject))].map((subject) => ({
     subject,
     shown: pictures.filter((picture) => picture.subject === subject),
@@ -85,6 +100,18 @@ async function sheets(browser, pictures, differences, out) {
     ),
   );
   await sheet(browser, path.join(out, 'index.html'), 'Natural grounds', all, 400);
+  // Of one, at full size: two pictures in a row, which are of the same camera where both backends draw.
+  for (const { subject, shown } of rows) {
+    const text = ({ camera, backend }) => `${camera}, ${backend}`;
+    const pairs = Array.from({ length: Math.ceil(shown.length / 2) }, (_, k) => shown.slice(2 * k, 2 * k + 2));
+    const figures = pairs.map((pair) =>
+      row(
+        '',
+        pair.map((picture) => ({ file: picture.file, text: text(picture) })),
+      ),
+    );
+    await sheet(browser, path.join(out, `${subject}.html`), subject, figures, size.width);
+  }
   const [backend] = new Set(pictures.map((picture) => picture.backend));
   const both = BOTH_STYLES.filter((name) => rows.some(({ subject }) => subject === `${name}-paper`)).map((name) =>
     row(
@@ -113,8 +140,8 @@ async function sheet(browser, file, title, rows, width) {
   await writeFile(file.replace(/html$/, 'png'), await photograph(browser, pathToFileURL(file).href, { width: columns * (width + 8) + 16 }));
 }
 
-/** What is shown: natural presets from two cameras, and the papers' in both styles. */
-async function chooseSubjects(only) {
+/** What is shown: natural presets through all cameras, and the papers' in both styles. `look` has further attributes. */
+async function chooseSubjects({ only, cameras, look }) {
   const { PRESETS, presetParams } = await tables();
   const natural = PRESETS.filter((preset) => preset.natural).map(({ name }) => name);
   const known = PRESETS.map(({ name }) => name);
@@ -125,10 +152,10 @@ async function chooseSubjects(only) {
     return Object.fromEntries(Object.entries(WORN).map(([name, value]) => [name, layers.map(() => value).join(' ')]));
   };
   return (only ?? [...natural, ...BOTH_STYLES]).flatMap((preset) => {
-    if (natural.includes(preset)) return [{ name: preset, cameras: ['framed', 'low'], attributes: { preset, ...NATURAL } }];
+    if (natural.includes(preset)) return [{ name: preset, cameras, attributes: { preset, ...NATURAL, ...look } }];
     return [
-      { name: `${preset}-paper`, cameras: ['framed'], attributes: { preset, quality: 'high', color: 'layer' } },
-      { name: `${preset}-natural`, cameras: ['framed', 'low'], attributes: { preset, ...NATURAL, ...worn(preset) } },
+      { name: `${preset}-paper`, cameras: ['framed'], attributes: { preset, quality: 'high', color: 'layer', ...look } },
+      { name: `${preset}-natural`, cameras, attributes: { preset, ...NATURAL, ...worn(preset), ...look } },
     ];
   });
 }
@@ -140,6 +167,10 @@ function readArguments() {
     webgl: { type: 'boolean' },
     size: { type: 'string', default: '1600x1000' },
     out: { type: 'string', default: '.cache/gallery' },
+    cameras: { type: 'string', default: Object.keys(CAMERAS).join(',') },
+    samples: { type: 'string' },
+    seed: { type: 'string' },
+    sun: { type: 'string' },
     beside: { type: 'string', multiple: true },
   });
   let values, positionals;
@@ -151,11 +182,19 @@ function readArguments() {
   const [width, height] = (/^(\d+)x(\d+)$/.exec(values.size) ?? []).slice(1).map(Number);
   if (!(width > 0 && height > 0)) throw new Failure(`--size takes a size like 1600x1000, not ${values.size}`);
   if (positionals.length > 0 && !values.beside) throw new Failure(`${positionals[0]} is no option`);
+  const cameras = values.cameras.split(',');
+  const unknown = cameras.find((name) => !(name in CAMERAS));
+  if (unknown !== undefined) throw new Failure(`there is no camera called ${unknown}; there are: ${Object.keys(CAMERAS).join(', ')}`);
+  const [azimuth, elevation] = values.sun?.split(',') ?? [];
+  const look = { ...(values.seed && { seed: values.seed }), ...(values.sun && { 'sun-azimuth': azimuth, 'sun-elevation': elevation }) };
   const asked = BACKENDS.filter((backend) => values[backend]);
   return {
     only: values.only?.split(',').filter(Boolean),
     backends: asked.length > 0 ? asked : BACKENDS,
     size: { width, height },
+    cameras,
+    samples: values.samples === undefined ? undefined : Number(values.samples),
+    look,
     out: path.resolve(root, values.out),
     photos: values.beside && [...values.beside, ...positionals],
   };
@@ -163,13 +202,13 @@ function readArguments() {
 
 if (isMain(import.meta)) {
   await main(async () => {
-    const { only, photos, backends, size, out } = readArguments();
+    const { only, photos, backends, size, samples, cameras, look, out } = readArguments();
     await mkdir(out, { recursive: true });
     if (photos) {
-      await besides({ photos, presets: only, backend: backends[0], attributes: NATURAL, out });
+      await besides({ photos, presets: only, backend: backends[0], attributes: { ...NATURAL, ...look }, out });
       return;
     }
-    const differences = await gallery({ backends, subjects: await chooseSubjects(only), size, out });
+    const differences = await gallery({ backends, subjects: await chooseSubjects({ only, cameras, look }), size, samples, out });
     for (const { subject, camera, percent } of differences)
       say(`${`${subject}, ${camera}`.padEnd(42)}${percent.toFixed(3).padStart(7)} %${percent > MOST_DIFFERENT ? '   ✗' : ''}`);
     const apart = differences.filter(({ percent }) => percent > MOST_DIFFERENT);

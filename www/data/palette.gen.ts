@@ -18,7 +18,7 @@ export const MIXED = [24, 18, 20, 5, 19, 6, 8] as const;
 /** The kinds of stone, with their mean colour in linear light. */
 export const STONE_KINDS = [
   { name: 'granite', albedo: [0.235, 0.228, 0.214] },
-  { name: 'basalt', albedo: [0.122, 0.122, 0.12] },
+  { name: 'basalt', albedo: [0.126, 0.12, 0.113] },
   { name: 'sandstone', albedo: [0.27, 0.227, 0.174] },
   { name: 'limestone', albedo: [0.35, 0.335, 0.3] },
   { name: 'slate', albedo: [0.152, 0.16, 0.158] },

@@ -17,8 +17,8 @@ fn soil_albedo(ground: f32) -> vec3f {
   let c = select(vec3f(0.115, 0.092, 0.069), vec3f(0.4, 0.335, 0.245), ground == 1.0);
   let mixed = select(c, vec3f(0.19, 0.174, 0.148), ground == 2.0);
   let debris = globals.scene.w;
-  let share = select(select(0.12, 0.0, ground == 1.0), 0.6, ground == 2.0);
-  return mix(mixed, 0.75 * kind_albedo(debris), select(share, 0.0, debris < 0.5));
+  let share = select(select(0.12, 0.0, ground == 1.0), 0.85, ground == 2.0);
+  return mix(mixed, 0.8 * kind_albedo(debris), select(share, 0.0, debris < 0.5));
 }
 
 // Stones of about half a `period`, one per cell of a jittered grid, turned by `axis` so that no two sizes' grids agree: halves of

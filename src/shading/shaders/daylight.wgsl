@@ -137,11 +137,17 @@ fn glint(n_h: f32, n_v: f32, n_l: f32, v_h: f32, rough: f32) -> f32 {
   return a * a / (3.14159 * d * d) * masking * fresnel * n_l;
 }
 
+// What comes from a rock that stands before the sky: a constant, fitted to what Blender's Cycles gives for a riverbed.
+fn light_of_rocks() -> vec3f {
+  let lit = 0.38 * sunshine() * (0.5 + field.sun.z) + 0.5 * sky_light(vec3f(0.0, 0.0, 1.0));
+  return 0.85 * kind_albedo(globals.scene.w) * lit;
+}
+
 // Light from a surface to the eye. `face` without its relief, `normal` with it; `seen` from `sky_seen`.
 fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
   let sun = field.sun.xyz;
   let sun_color = sunshine();
-  let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.45 + sky_light(vec3f(0.0, 0.0, 1.0)) * 0.6);
+  let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.8 + sky_light(vec3f(0.0, 0.0, 1.0)) * 0.6);
 
   let n_l = dot(normal, sun);
   // At the terminator a shadow map is unsure; of many that are not the same, the mean is not.
@@ -152,7 +158,7 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   }
   // Towards where it is open; what is not sky is ground.
   let open = normalize(normal + vec3f(0.7 * open_towards.xy, 0.0));
-  var ambient = (sky_light(open) + bounce_color * (0.5 - 0.5 * open.z)) * seen * seen;
+  var ambient = mix(light_of_rocks(), sky_light(open) + bounce_color * (0.5 - 0.5 * open.z), seen * seen);
   if is_sampled {
     ambient = around(world, face, normal);
   }

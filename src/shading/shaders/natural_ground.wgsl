@@ -18,14 +18,15 @@ fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
   return out;
 }
 
-// What `rock_afar` found: 1 on a rock, where, and its normal there.
+// What `rock_afar` found: 1 on a rock, where, its normal there, and 0 where a pixel reaches over so many rocks that only their mean is shown.
+var<private> afar_one: f32 = 1.0;
 var<private> afar_rock: f32;
 var<private> afar_at: vec3f;
 var<private> afar_normal: vec3f;
 
 // Rocks that are not drawn, since they would be small, are left in the map of heights: whether the way from `home` on the ground to the
 // eye meets one, looked for in a few places. `apart` px lie between points whose heights tell a slope.
-fn rock_afar(home: vec3f, to_eye: vec3f, apart: f32) {
+fn rock_afar(home: vec3f, to_eye: vec3f, apart: f32, footprint: f32) {
   let steep = max(to_eye.z, 0.08) * inverseSqrt(max(1.0 - to_eye.z * to_eye.z, 1e-4));
   let towards = to_eye.xy * inverseSqrt(max(dot(to_eye.xy, to_eye.xy), 1e-6));
   var at = home;
@@ -35,17 +36,19 @@ fn rock_afar(home: vec3f, to_eye: vec3f, apart: f32) {
     let ray = 0.55 * field.size.z * share * share;
     let place = home.xy + towards * (ray / steep);
     let high = height_at(place);
-    if high > max(ray, 0.5) {
+    if high > max(ray, 0.1) {
       at = vec3f(place, high);
       break;
     }
   }
   let slope = vec2f(height_at(at.xy + vec2f(apart, 0.0)), height_at(at.xy + vec2f(0.0, apart))) - at.z;
-  afar_rock = select(0.0, 1.0, at.z > 0.0);
+  // The sides of single rocks and their shadows would glitter along the horizon.
+  afar_one = 1.0 - smoothstep(0.1, 0.4, footprint / field.size.z);
+  afar_rock = mix(0.8, select(0.0, 1.0, at.z > 0.0), afar_one);
   afar_at = at;
   // Of what is smaller than a pixel, the sides towards the eye are seen.
-  let lean = to_eye.xy * (0.7 * (1.0 - to_eye.z));
-  afar_normal = normalize(vec3f((lean - slope / apart) * afar_rock, 1.0));
+  let lean = to_eye.xy * (0.7 * (1.0 - to_eye.z) * mix(0.35, 1.0, afar_one));
+  afar_normal = normalize(vec3f((lean - slope * afar_one / apart) * afar_rock, 1.0));
 }
 
 @fragment
@@ -72,12 +75,14 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   var home = at_home(world, shift);
   var up = vec3f(0.0, 0.0, 1.0);
   if field.bricks.w > 0.5 && (any(shift != vec3f(0.0)) || across > 1.2) {
-    rock_afar(home, to_eye, max(0.7 * across, field.ground.y));
+    rock_afar(home, to_eye, max(0.7 * across, field.ground.y), footprint);
     home = afar_at;
     up = afar_normal;
   }
   let rock = afar_rock;
-  let seen = sky_seen(home, up);
+  // In the shadow of so many rocks lies about a quarter of the ground, and none of it in a shadow of its own.
+  home = select(home, vec3f(home.xy + 1e6, home.z), afar_one < 0.5);
+  let seen = mix(0.85, sky_seen(home, up), afar_one);
   if globals.soil.w > 0.5 {
     return backing(sun_seen(world, up), seen);
   }
@@ -108,7 +113,7 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   let rolling = noise2(world.xy / (0.9 * side)) + 0.5 * noise2(world.xy / (0.31 * side) + 5.0);
   let drift = noise2(world.xy / (4.1 * side) + 9.0) + 0.6 * noise2(world.xy / (1.7 * side));
   let mean = kind_albedo(globals.scene.w) * (0.85 + 0.3 * noise2(world.xy / 11.0));
-  albedo = mix(albedo, mean, rock) * (1.0 + smoothstep(0.5, 3.0, outside) * (0.14 * drift + 0.1 * rolling));
+  albedo = mix(albedo, mean, rock) * mix(0.8, 1.0, afar_one) * (1.0 + smoothstep(0.5, 3.0, outside) * (0.14 * drift + 0.1 * rolling));
   let open = seen * mix(mix(0.6, 1.0, cover_open), 1.0, rock);
   let light = daylight(albedo, rough, home, up, bumped(up, slope * (1.0 - rock)), to_eye, open);
 

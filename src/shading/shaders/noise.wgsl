@@ -43,6 +43,9 @@ fn numbers_of(cell: vec2i, which: i32) -> vec4f {
   return point_of(vec3i(cell, which + 5 * block.x + 11 * block.y));
 }
 
+// From a point that `grains` was asked for to the middle of its cell.
+var<private> grain_middle: vec3f;
+
 // The cell of a jittered grid that `at` lies in: x the distance to its middle, y, z, w three numbers of its own, which run
 // into the next cell's within `blur` of the edge. Eight candidates are enough for a jitter of a quarter.
 fn grains(at: vec3f, blur: f32) -> vec4f {
@@ -63,6 +66,7 @@ fn grains(at: vec3f, blur: f32) -> vec4f {
       next = cell;
     }
   }
+  grain_middle = vec3f(nearest) + 0.25 + 0.5 * point_of(nearest).xyz - at;
   let reach = sqrt(first);
   let inside = 0.5 + 0.5 * min((reach.y - reach.x) / blur, 1.0);
   // Numbers that have nothing to do with where its middle lies: another cell's.

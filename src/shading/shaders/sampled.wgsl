@@ -41,8 +41,7 @@ fn ground_drawn(world: vec3f, face: vec3f) -> f32 {
 fn around(world: vec3f, face: vec3f, normal: vec3f) -> vec3f {
   let sun_color = sunshine();
   let open_sky = sky_light(vec3f(0.0, 0.0, 1.0));
-  // Of a rock that stands in the way: a constant, fitted to what Blender's Cycles gives for a riverbed of this albedo.
-  let stone = 0.2 * (0.38 * sun_color * (0.5 + field.sun.z) + 0.5 * open_sky);
+  let stone = light_of_rocks();
 
   let up = field.sky_way.xyz;
   var light = vec3f(0.0);

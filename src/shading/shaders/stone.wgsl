@@ -10,7 +10,7 @@ var<private> stone_rough: f32;
 // Mean linear albedo.
 fn kind_albedo(kind: f32) -> vec3f {
   var c = vec3f(0.235, 0.228, 0.214);
-  c = select(c, vec3f(0.122, 0.122, 0.12), kind == 2.0);
+  c = select(c, vec3f(0.126, 0.12, 0.113), kind == 2.0);
   c = select(c, vec3f(0.27, 0.227, 0.174), kind == 3.0);
   c = select(c, vec3f(0.35, 0.335, 0.3), kind == 4.0);
   c = select(c, vec3f(0.152, 0.16, 0.158), kind == 5.0);
@@ -45,17 +45,22 @@ fn individual(albedo: vec3f, own: vec3f) -> vec3f {
   return albedo * value * vec3f(1.0 + warm, 1.0, 1.0 - warm);
 }
 
-// What the grain of stones that have one adds to the value and to the warmth; `cell` from `grains`. Of granite interlocking crystals:
-// dark mica, pale feldspar, grey quartz between them. Of basalt gas bubbles, cut open.
-fn speckled(kind: f32, cell: vec4f) -> vec2f {
-  if kind == 1.0 {
-    let mica = 1.0 - smoothstep(0.15, 0.19, cell.y);
-    let feldspar = smoothstep(0.52, 0.58, cell.y);
-    let value = 0.24 * feldspar - 0.55 * mica + 0.3 * (cell.z - 0.5) + 0.01;
-    return vec2f(value, (0.1 + 0.1 * (cell.w - 0.5)) * feldspar);
-  }
-  let pit = select(0.0, 1.0 - smoothstep(0.1, 0.16 + 0.28 * cell.z, cell.x), cell.y < 0.55);
-  return vec2f(-0.55 * pit, 0.0);
+// What the crystals of granite add to the value and to the warmth: dark mica, pale feldspar, grey quartz between them. `cell` from
+// `grains`.
+fn crystals(cell: vec4f) -> vec2f {
+  let mica = 1.0 - smoothstep(0.15, 0.19, cell.y);
+  let feldspar = smoothstep(0.52, 0.58, cell.y);
+  let value = 0.24 * feldspar - 0.55 * mica + 0.3 * (cell.z - 0.5) + 0.01;
+  return vec2f(value, (0.1 + 0.1 * (cell.w - 0.5)) * feldspar);
+}
+
+// A gas bubble of basalt, cut open, in its cell of a grid: x, y, z the slope of its wall, w what it is darker by.
+fn bubble(at: vec3f, share: f32) -> vec4f {
+  let cell = grains(at, 0.05);
+  let radius = select(0.001, 0.16 + 0.28 * cell.z, cell.y < share);
+  let out = cell.x / radius;
+  let wall = smoothstep(0.2, 0.8, out) * (1.0 - smoothstep(0.85, 1.05, out));
+  return vec4f(-1.5 * wall * grain_middle / max(cell.x, 0.01), 0.3 * (1.0 - smoothstep(0.75, 1.0, out)));
 }
 
 // Some stones are cut by a white line or two: 1 on it. `broad` and `mid` are noise that bends it.
@@ -102,17 +107,31 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
 
   var albedo = kind_albedo(kind);
   var rough = 0.82;
-  if kind == 1.0 || kind == 2.0 {
-    let size = select(2.4, 0.5, kind == 1.0) * coarse;
+  if kind == 1.0 {
+    let size = 0.34 * coarse;
     let seen = shown(size, footprint);
     if quality > 0.0 && seen > 0.0 {
-      let blur = select(0.05, max(1.5 * footprint / size, 0.08), kind == 1.0);
-      let found = seen * speckled(kind, grains((turned_at + select(0.0, 0.35, kind == 1.0) * mid.xyz) / size, blur));
+      // Crystals that grew into each other have no straight edges.
+      let grown = 0.35 * mid.xyz + 0.2 * noise3(turned_at / (0.7 * size)).xyz;
+      let found = seen * crystals(grains(turned_at / size + grown, max(1.5 * footprint / size, 0.08)));
       value += found.x;
       warm += found.y;
     }
     rough = 0.7;
-    slope *= select(1.2, 1.0, kind == 1.0);
+  } else if kind == 2.0 {
+    slope *= 1.2;
+    if quality > 0.0 {
+      for (var size = 2.4 * coarse; size > 0.3; size *= 0.37) {
+        let seen = shown(0.6 * size, footprint);
+        if seen <= 0.0 {
+          break;
+        }
+        let found = seen * bubble(turned_at / size, 0.5 + 0.3 * rugged * mid.w);
+        slope += found.xyz;
+        value -= found.w;
+      }
+    }
+    rough = 0.75;
   } else if kind == 3.0 || kind == 7.0 || kind == 5.0 {
     // The bed of layered stones, tilted differently in every rock: layers of sandstone, leaves of slate.
     let tilt = vec2f(own.x - 0.5, own.y - 0.5) * 1.4;
