@@ -1,16 +1,16 @@
 //! The shadow, height and sky maps that lighting reads: a few sets, which are lent to the fields that are drawn.
 //!
-//! A set takes 25 MB, and a page may show dozens of fields of which one is being moved. A canvas therefore keeps the
+//! A set takes 29 MB, and a page may show dozens of fields of which one is being moved. A canvas therefore keeps the
 //! set it drew last as long as there are enough sets, and otherwise draws its maps again.
 
-use super::pass::{HEIGHT_FORMAT, SHADOW_FORMAT};
+use super::pass::{HEIGHT_FORMAT, OPEN_FORMAT, SHADOW_FORMAT};
 use super::surface::texture;
 use crate::shading::{SKY_COLUMNS, SKY_ROWS, Sky, hills};
 
 /// Side of the shadow map and of the height map, texels. For the papers' fields of 1024 px, a texel is 0.7 px.
 const MAP_SIDE: u32 = 2048;
 
-/// Largest number of sets: 100 MB, for the few fields that move at the same time.
+/// Largest number of sets: 116 MB, for the few fields that move at the same time.
 const MAX_SETS: usize = 4;
 
 /// The textures that lighting reads. They are handles, so a clone refers to the same textures.
@@ -21,6 +21,8 @@ pub(crate) struct Maps {
     pub(crate) height: wgpu::TextureView,
     pub(crate) sky: wgpu::TextureView,
     pub(crate) hills: wgpu::TextureView,
+    /// What the ground sees of the sky; `open.wgsl` says what its side is.
+    pub(crate) open: wgpu::TextureView,
     /// Scratch texture, shared by all sets.
     pub(crate) height_depth: wgpu::TextureView,
 }
@@ -100,6 +102,7 @@ impl MapSets {
                 set.maps.shadow.texture().destroy();
                 set.maps.height.texture().destroy();
                 set.maps.sky.texture().destroy();
+                set.maps.open.texture().destroy();
             }
             set.view != view
         });
@@ -107,20 +110,22 @@ impl MapSets {
 
     fn make(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, layout: &wgpu::BindGroupLayout) -> Maps {
         let side = Self::side(device.limits().max_texture_dimension_2d);
-        let map = |label, format| {
+        let map_of = |side, label, format| {
             let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
             texture(device, label, (side, side), 1, format, usage)
         };
+        let map = |label, format| map_of(side, label, format);
         let shadow = map("rock-field/shadow/map", SHADOW_FORMAT);
         let height = map("rock-field/height/map", HEIGHT_FORMAT);
+        let open = map_of(side / 2, "rock-field/open/map", OPEN_FORMAT);
         let height_depth =
             self.height_depth.get_or_insert_with(|| map("rock-field/height/depth", SHADOW_FORMAT)).clone();
         let usage = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::TEXTURE_BINDING;
         let size = (SKY_COLUMNS as u32, SKY_ROWS as u32);
         let sky = texture(device, "rock-field/sky/map", size, 1, wgpu::TextureFormat::Rgba16Float, usage);
         let hills = self.hills.get_or_insert_with(|| hills(device, queue)).clone();
-        let group = group(device, layout, [&shadow; 3], [&height, &sky, &hills]);
-        Maps { group, shadow, height, sky, hills, height_depth }
+        let group = group(device, layout, [&shadow; 3], [&height, &sky, &hills, &open]);
+        Maps { group, shadow, height, sky, hills, open, height_depth }
     }
 }
 
@@ -143,7 +148,7 @@ pub(crate) fn group(
     device: &wgpu::Device,
     layout: &wgpu::BindGroupLayout,
     [shadow, high, below]: [&wgpu::TextureView; 3],
-    [height, sky, hills]: [&wgpu::TextureView; 3],
+    [height, sky, hills, open]: [&wgpu::TextureView; 4],
 ) -> wgpu::BindGroup {
     let sampler = |label, compare| {
         device.create_sampler(&wgpu::SamplerDescriptor {
@@ -175,6 +180,7 @@ pub(crate) fn group(
             entry(8, wgpu::BindingResource::TextureView(high)),
             entry(9, wgpu::BindingResource::TextureView(below)),
             entry(10, wgpu::BindingResource::TextureView(hills)),
+            entry(11, wgpu::BindingResource::TextureView(open)),
         ],
     })
 }

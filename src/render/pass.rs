@@ -15,6 +15,9 @@ pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth
 /// everywhere.
 pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
 
+/// Of the map of what the ground sees of the sky (`open.wgsl`).
+pub(crate) const OPEN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
+
 /// The eight bytes of a texel that `bake.wgsl` writes.
 pub(crate) const BAKE_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg32Uint;
 
@@ -64,6 +67,8 @@ pub(crate) enum Target {
     RoughDepth,
     Shadow,
     Height,
+    /// What the ground sees of the sky, without depth.
+    Open,
     /// A sample of a still.
     Sample,
     /// Only its depth.
@@ -140,6 +145,7 @@ fn pipeline(
         Target::RoughDepth => (Some(color(format, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), 1),
         Target::Shadow => (None, Some(SHADOW_FORMAT), 1),
         Target::Height => (Some(color(HEIGHT_FORMAT, None, all)), Some(SHADOW_FORMAT), 1),
+        Target::Open => (Some(color(OPEN_FORMAT, None, all)), None, 1),
         Target::Sample => (Some(color(SAMPLE_FORMAT, None, all)), Some(DEPTH_FORMAT), 1),
         Target::SampleDepth => (Some(color(SAMPLE_FORMAT, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), 1),
         Target::Mean => (Some(color(MEAN_FORMAT, None, all)), None, 1),

@@ -4,7 +4,7 @@
 //! |---|---|---|
 //! | 0 `frame` | frame and view | 0 `Globals` |
 //! | 1 `field` | field | 0 `FieldUniforms` |
-//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler, 8 and 9 more shadow maps of a still, 10 hills |
+//! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler, 8 and 9 more shadow maps of a still, 10 hills, 11 what the ground sees of the sky |
 //! | 3 `patterns` | device | 0 volume of noise, 1 plane of noise, 2 lattice of points, 3 the sampler of the first two |
 //! | 2 `still` | sample | 0 mean of the samples, 1 the newest one |
 
@@ -76,6 +76,7 @@ pub(crate) struct Pipelines {
     maker: Maker,
     pub(crate) shadow: wgpu::RenderPipeline,
     pub(crate) height: wgpu::RenderPipeline,
+    open: OnceCell<wgpu::RenderPipeline>,
     pub(crate) ground: wgpu::RenderPipeline,
     floor: OnceCell<wgpu::RenderPipeline>,
     /// For outsides, then for insides.
@@ -141,6 +142,7 @@ impl Pipelines {
             still_layout,
             shadow,
             height,
+            open: OnceCell::new(),
             ground,
             floor: OnceCell::new(),
             rock,
@@ -164,6 +166,12 @@ impl Pipelines {
     /// The textures that all passes in natural colours share. They are made when the first of these passes is drawn.
     pub(crate) fn patterns(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> &wgpu::BindGroup {
         self.patterns.get_or_init(|| patterns::group(device, queue, &self.patterns_layout))
+    }
+
+    /// Draws the map of what the ground sees of the sky, which natural colours read.
+    pub(crate) fn open(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
+        let pass = || Pass { buffers: &[], target: Target::Open, ..wood_pass(shaders::OPEN, Depth::Ignore) };
+        self.open.get_or_init(|| self.make(device, pass()))
     }
 
     /// Draws the ground's depth in the papers' style, for scenes that extend below it.
@@ -366,9 +374,11 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     use wgpu::TextureSampleType::{Depth, Float};
     let texture = |sample_type| texture(sample_type, wgpu::TextureViewDimension::D2);
     let sampler = wgpu::BindingType::Sampler;
-    fragment_layout(
+    // Rocks ask how much of the sky they see where their vertices are.
+    layout(
         device,
         "rock-field/layout/maps",
+        wgpu::ShaderStages::VERTEX_FRAGMENT,
         &[
             texture(Depth),
             sampler(wgpu::SamplerBindingType::Comparison),
@@ -380,6 +390,7 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             sampler(wgpu::SamplerBindingType::Filtering),
             texture(Depth),
             texture(Depth),
+            texture(Float { filterable: true }),
             texture(Float { filterable: true }),
         ],
     )
@@ -398,12 +409,16 @@ fn texture(sample_type: wgpu::TextureSampleType, view_dimension: wgpu::TextureVi
 
 /// A layout of what fragment shaders read, in the order of its bindings.
 fn fragment_layout(device: &wgpu::Device, label: &str, types: &[wgpu::BindingType]) -> wgpu::BindGroupLayout {
-    let entry = |(binding, &ty)| wgpu::BindGroupLayoutEntry {
-        binding,
-        visibility: wgpu::ShaderStages::FRAGMENT,
-        ty,
-        count: None,
-    };
+    layout(device, label, wgpu::ShaderStages::FRAGMENT, types)
+}
+
+fn layout(
+    device: &wgpu::Device,
+    label: &str,
+    visibility: wgpu::ShaderStages,
+    types: &[wgpu::BindingType],
+) -> wgpu::BindGroupLayout {
+    let entry = |(binding, &ty)| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
     let entries: Vec<_> = (0..).zip(types).map(entry).collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }

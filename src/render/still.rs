@@ -131,7 +131,7 @@ impl Still {
             scene.draw_shadows(gpu, &mut encoder, [&view.frame_group, &light.group], &light.map, texel, props);
         }
         let [sun, sky, below] = self.lights.each_ref().map(|light| &light.map);
-        let others = [&maps.height, &maps.sky, &maps.hills];
+        let others = [&maps.height, &maps.sky, &maps.hills, &maps.open];
         let maps_group = group(&gpu.device, &gpu.pipelines.maps_layout, [sun, sky, below], others);
 
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {

@@ -2,16 +2,20 @@
 
 use std::ops::Range;
 
-use super::super::maps::Maps;
+use super::super::maps::{Maps, group};
 use super::super::surface::depth_attachment;
 use super::super::{Gpu, Props};
 use super::Scene;
+use crate::shading::ColorMode;
 
 /// How large the triangles of the shadow and height maps may be on the mean, texels².
 const TEXELS: f32 = 12.0;
 
 /// How many indices of rocks a submission of maps draws.
 const PART: u32 = 300_000;
+
+/// Into how many strips the map of what the ground sees is cut.
+const OPEN_PARTS: u32 = 4;
 
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Map {
@@ -20,7 +24,7 @@ enum Map {
 }
 
 impl Scene {
-    /// Draws the shadow and height maps, and writes the sky's. They change only with the field, the sun and the props, so drawing them once
+    /// Draws the shadow and height maps and what the ground sees of the sky, and writes the sky's. They change only with the field, the sun and the props, so drawing them once
     /// is enough.
     pub(crate) fn draw_maps(
         &self,
@@ -35,6 +39,7 @@ impl Scene {
         for which in [Map::Shadow, Map::Height] {
             self.draw_map(gpu, encoder, frame_group, (which, maps), props, &rocks, true);
         }
+        self.draw_open(gpu, encoder, frame_group, maps, None);
     }
 
     /// The same in submissions of their own, each of a few of the rocks.
@@ -50,6 +55,48 @@ impl Scene {
                 gpu.queue.submit([encoder.finish()]);
             }
         }
+        for part in 0..OPEN_PARTS {
+            let mut encoder = gpu.device.create_command_encoder(&Default::default());
+            self.draw_open(gpu, &mut encoder, frame_group, maps, Some(part));
+            gpu.queue.submit([encoder.finish()]);
+        }
+    }
+
+    /// Finds what the ground sees of the sky, in one of [`OPEN_PARTS`] strips of the map or, without a number, in all of it. The other styles do
+    /// not ask for it.
+    fn draw_open(
+        &self,
+        gpu: &Gpu,
+        encoder: &mut wgpu::CommandEncoder,
+        frame_group: &wgpu::BindGroup,
+        maps: &Maps,
+        part: Option<u32>,
+    ) {
+        if self.painted != Some(ColorMode::Natural) {
+            return;
+        }
+        let side = maps.open.texture().width();
+        let (start, rows) = part.map_or((0, side), |part| (part * (side / OPEN_PARTS), side / OPEN_PARTS));
+        let load = if start == 0 { wgpu::LoadOp::Clear(wgpu::Color::BLACK) } else { wgpu::LoadOp::Load };
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("rock-field/open/pass"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment {
+                view: &maps.open,
+                depth_slice: None,
+                resolve_target: None,
+                ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+            })],
+            ..Default::default()
+        });
+        // Without the map itself, which cannot be read while it is drawn.
+        let views = [&maps.height, &maps.sky, &maps.hills, &maps.hills];
+        let maps = group(&gpu.device, &gpu.pipelines.maps_layout, [&maps.shadow; 3], views);
+        for (index, group) in (0..).zip([frame_group, &self.field_group, &maps]) {
+            pass.set_bind_group(index, group, &[]);
+        }
+        pass.set_scissor_rect(0, start, side, rows);
+        pass.set_pipeline(gpu.pipelines.open(&gpu.device));
+        pass.draw(0..3, 0..1);
     }
 
     /// Draws props and some rocks into a map, which is empty if these are the first.

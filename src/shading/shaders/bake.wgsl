@@ -57,7 +57,7 @@ fn fs_main(
   var seen = 0.0;
   for (var i = 0; i < 4; i++) {
     spiral_start = 0.3 * f32(i);
-    seen += 0.25 * sky_seen(world, base);
+    seen += 0.25 * sky_seen(world, base, 16);
   }
   rock_surface(world, own, base, worn(across, down, turn_x, turn_y) * agree, seen, footprint_of(across, down));
 

@@ -21,9 +21,16 @@ fn soil_albedo(ground: f32) -> vec3f {
   return mix(mixed, 0.8 * kind_albedo(debris), select(share, 0.0, debris < 0.5));
 }
 
+// Of the highest stone: three random numbers and its height as a share of the most it has, how far it covers the ground, slope along x and y,
+// and 1 if it is coloured as river stones, 0 as the ground.
+var<private> highest: vec4f;
+var<private> highest_covers: f32;
+var<private> highest_slope: vec2f;
+var<private> highest_own: f32;
+
 // Stones of about half a `period`, one per cell of a jittered grid, turned by `axis` so that no two sizes' grids agree: halves of
 // ellipsoids that rise out of the ground. `lean` how far a ray to the eye moves for each px that it rises, `here` the share of cells
-// that have a stone, `own` 1: coloured as river stones, 0: as the ground.
+// that have a stone, `own` 1: coloured as river stones, 0: as the ground. Which stone is the highest is kept, and `stones_laid` has it seen.
 fn scatter(at: vec2f, lean: vec2f, period: f32, axis: vec2f, here: f32, own: f32, footprint: f32) {
   let seen = shown(period * 0.75, footprint);
   if seen <= 0.0 {
@@ -34,68 +41,88 @@ fn scatter(at: vec2f, lean: vec2f, period: f32, axis: vec2f, here: f32, own: f32
   let ray = vec2f(dot(lean, axis), dot(lean, aside));
   let sun = field.sun.xy / max(field.sun.z, 0.6);
   let beam = vec2f(dot(sun, axis), dot(sun, aside));
+  // A large stone may reach into the next cells; a small one, or any at low quality, stays within its own and throws no shadow.
+  let is_large = quality > 0.0 && period > 2.5;
   // A stone hides what is behind it: those that are met stand nearer to the eye.
-  let base = vec2i(floor(q + 0.1 * ray - 0.5));
-  // Of the stone that the ray meets first: how high it meets it and how high the stone is, in periods.
+  let base = vec2i(floor(q + 0.1 * ray - select(0.0, 0.5, is_large)));
+  let least = select(3.2, 2.8, is_large);
+  let cells = select(1, 4, is_large);
+  // Of the stone that the ray meets first: how high it meets it, in periods, where from its middle, and what it is like.
   var met = 0.0;
-  var summit = 1.0;
   var found = vec4f(0.0);
-  var slope = vec2f(0.0);
+  var found_at = vec2f(0.0);
+  var found_form = vec4f(1.0);
   var rim = 0.0;
   var shade = 0.0;
-  for (var i = 0; i < 4; i++) {
+  for (var i = 0; i < cells; i++) {
     let cell = base + vec2i(i & 1, i >> 1u);
-    let s = numbers_of(cell.yx + 7, i32(period * 64.0) + 13);
-    if s.y >= here {
+    let r = numbers_of(cell, i32(period * 64.0));
+    if fract(13.0 * r.x + 7.0 * r.w) >= here {
       continue;
     }
-    let r = numbers_of(cell, i32(period * 64.0));
-    let turn = normalize(r.zw - 0.5013);
-    let across = vec2f(-turn.y, turn.x);
-    let away = q - (vec2f(cell) + 0.27 + 0.46 * r.xy);
-    // One over its half axes: 0.32…0.58, less across, and still less up.
-    let scale = (3.1 - 1.38 * s.w) * vec3f(1.0, 1.1 + 0.6 * s.x, 1.3 + 0.9 * s.z);
-    let local = vec2f(dot(away, turn), dot(away, across)) * scale.xy;
-    let rising = vec3f(vec2f(dot(ray, turn), dot(ray, across)) * scale.xy, scale.z);
+    let away = q - (vec2f(cell) + 0.31 + 0.38 * r.xy);
+    // What makes a ball of it: in the middle one over its half axis, less along one direction and more across it, and still more upwards.
+    let size = least - 1.2 * r.y;
+    let form = size * vec4f(0.5 * r.zw - 0.25, 1.12, 1.3 + 0.9 * r.x);
+    let local = formed(form, away);
+    let rising = vec3f(formed(form, ray), form.w);
     let a = dot(rising, rising);
-    let b = dot(local, rising.xy) / a;
+    let b = dot(local, rising.xy);
     // Where the ray comes nearest to its middle; there its outline is bent a little off an ellipse.
-    let nearest = local - b * rising.xy;
-    let bend = 0.36 * (s.x - 0.3) * nearest.x * (nearest.x * nearest.x - 3.0 * nearest.y * nearest.y);
-    let inside = select(0.0, b * b - (dot(local, local) - 1.0 + bend) / a, dot(nearest, nearest) < 2.0);
-    let high = sqrt(max(inside, 0.0)) - b;
-    if inside > 0.0 && high > met {
+    let nearest = local - (b / a) * rising.xy;
+    let bend = 0.3 * form.x * nearest.x * (nearest.x * nearest.x - 3.0 * nearest.y * nearest.y);
+    let outside = dot(local, local) - 1.0;
+    let inside = b * b - (outside + bend) * a;
+    let high = (sqrt(max(inside, 0.0)) - b) / a;
+    if inside > 0.0 && high > met && dot(nearest, nearest) < 2.0 {
       met = high;
-      summit = 1.0 / scale.z;
-      found = s;
-      rim = inside * a / scale.x;
-      let hit = local + high * rising.xy;
-      let steep = -1.0 / (max(high * scale.z, 0.4) * scale.z);
-      slope = steep * (hit.x * scale.x * turn + hit.y * scale.y * across);
+      found = r;
+      found_at = local + high * rising.xy;
+      found_form = form;
+      rim = inside / a;
     }
     // Where its shadow falls, in the same way.
-    if quality > 0.0 {
-      let falling = vec3f(vec2f(dot(beam, turn), dot(beam, across)) * scale.xy, scale.z);
+    if is_large {
+      let falling = vec3f(formed(form, beam), form.w);
       let c = dot(falling, falling);
-      let d = dot(local, falling.xy) / c;
-      let under = d * d - (dot(local, local) - 1.0) / c;
-      let umbra = clamp(1.6 * under * c, 0.0, 1.0) * clamp(-4.0 * d, 0.0, 1.0);
-      shade = max(shade, 0.5 * umbra / scale.z);
+      let d = dot(local, falling.xy);
+      let umbra = clamp(1.6 * (d * d / c - outside), 0.0, 1.0) * clamp(-4.0 * d / c, 0.0, 1.0);
+      shade = max(shade, umbra);
     }
   }
-  cover_shade = max(cover_shade, period * shade * seen);
-  let top = period * met;
+  // About half as high as stones are.
+  cover_shade = max(cover_shade, period * 0.13 * shade * seen);
+  // What is too small to be told apart goes into the ground.
+  let top = period * met * seen;
   if top <= cover_top {
     return;
   }
   cover_top = top;
-  let kind = debris_kind(fract(found.x * 3.7 + found.z));
-  let crumb = soil_albedo(globals.scene.x) * (0.75 + 0.6 * found.x);
+  let height = met * found_form.w;
+  let slope = formed(found_form, found_at) / -(max(height, 0.4) * found_form.w);
+  highest = vec4f(fract(found.zxy * 13.0 + found.wzx * 5.0), height);
+  highest_slope = slope.x * axis + slope.y * aside;
+  highest_own = own;
   // Half of what is left to its outline, in pixels.
-  let covered = seen * clamp(0.5 * rim * period / footprint, 0.0, 1.0);
-  cover_slope = mix(cover_slope, slope.x * axis + slope.y * aside, covered);
-  cover_albedo = mix(cover_albedo, mix(crumb, individual(kind_albedo(kind), found.xzw), own), covered);
-  cover_open = mix(cover_open, 0.45 + 0.55 * smoothstep(0.0, 0.6, met / summit), covered);
+  highest_covers = seen * clamp(0.5 * rim * period / (found_form.z * footprint), 0.0, 1.0);
+}
+
+// A vector on the ground as a stone of this form has it: drawn out along two directions that are square to each other.
+fn formed(form: vec4f, vector: vec2f) -> vec2f {
+  return form.z * vector + vec2f(form.x * vector.x + form.y * vector.y, form.y * vector.x - form.x * vector.y);
+}
+
+// Lays the highest of the stones that `scatter` found on the ground.
+fn stones_laid() {
+  if cover_top <= 0.0 {
+    return;
+  }
+  let own = highest.xyz;
+  let crumb = soil_albedo(globals.scene.x) * (0.75 + 0.6 * own.x);
+  let stone = individual(kind_albedo(debris_kind(fract(own.x * 3.7 + own.y))), own);
+  cover_slope = mix(cover_slope, highest_slope, highest_covers);
+  cover_albedo = mix(cover_albedo, mix(crumb, stone, highest_own), highest_covers);
+  cover_open = mix(cover_open, 0.45 + 0.55 * smoothstep(0.0, 0.6, highest.w), highest_covers);
 }
 
 // A point as the log has it: x along its axis from its middle, y across and z up from the axis, px.
@@ -174,22 +201,23 @@ fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
     cover_albedo *= mix(0.82, 0.85, shown(2.0, footprint));
     // The large ones at every level: they are what goes on beyond the field's border.
     if quality > 0.0 {
-      scatter(at, lean, 1.7, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
+      scatter(at, lean, 1.6, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
     }
-    scatter(at, lean, 3.1, vec2f(-0.5530, 0.8331), 0.8 + 0.2 * patches, 1.0, footprint);
-    scatter(at, lean, 5.2, vec2f(0.6109, 0.7917), 0.5 + 0.3 * patches, 1.0, footprint);
-    scatter(at, lean, 8.3, vec2f(-0.4791, 0.8778), 0.22 + 0.2 * patches, 1.0, footprint);
+    scatter(at, lean, 2.4, vec2f(-0.5530, 0.8331), 0.85 + 0.2 * patches, 1.0, footprint);
+    scatter(at, lean, 4.4, vec2f(0.6109, 0.7917), 0.75 + 0.3 * patches, 1.0, footprint);
+    scatter(at, lean, 8.0, vec2f(-0.4791, 0.8778), 0.32 + 0.25 * patches, 1.0, footprint);
   } else {
     cover_albedo *= mix(1.0, 0.8, shown(1.2, footprint));
     if quality > 0.0 {
       scatter(at, lean, 1.2, vec2f(-0.7395, -0.6731), 0.8, 0.0, footprint);
     }
-    scatter(at, lean, 2.3, vec2f(0.9721, 0.2346), 0.55 + 0.2 * patches, 0.06, footprint);
-    scatter(at, lean, 4.6, vec2f(0.8646, -0.5024), 0.2 + 0.15 * patches, 0.5, footprint);
+    scatter(at, lean, 2.2, vec2f(0.9721, 0.2346), 0.6 + 0.2 * patches, 0.06, footprint);
+    scatter(at, lean, 3.6, vec2f(0.8646, -0.5024), 0.25 + 0.15 * patches, 0.4, footprint);
     if quality > 0.0 {
-      scatter(at, lean, 7.7, vec2f(0.8078, 0.5895), 0.06, 1.0, footprint);
+      scatter(at, lean, 6.9, vec2f(0.8078, 0.5895), 0.08, 1.0, footprint);
     }
   }
+  stones_laid();
   if has_log {
     // What falls from a log, and what it stops, thickest along its foot.
     let from_log = about_log(vec3f(at, 0.0));

@@ -1,31 +1,24 @@
 // Prepended to the passes in natural colours: the light, and how a camera sees it.
 
+// Of the ground, what open.wgsl found: how much of the sky it sees, and towards where.
+@group(2) @binding(11) var open_map: texture_2d<f32>;
+
 @group(2) @binding(0) var shadow_map: texture_depth_2d;
 @group(2) @binding(1) var shadow_sampler: sampler_comparison;
-// Height / field.size.w, seen from above: R in steps of 1/255, G the rest of it
-@group(2) @binding(2) var height_map: texture_2d<f32>;
-@group(2) @binding(3) var height_sampler: sampler;
 // The shadow map again: its depths themselves
 @group(2) @binding(4) var shadow_depths: texture_2d<f32>;
 @group(2) @binding(5) var depth_sampler: sampler;
 
-// What `sky_seen` found: towards the open sky, not of length 1.
-var<private> open_towards: vec3f;
-
-// By the golden angle: the next step of a spiral.
-fn turned(way: vec2f) -> vec2f {
-  return vec2f(way.x * -0.7373688 - way.y * 0.6754902, way.x * 0.6754902 + way.y * -0.7373688);
-}
-
-fn height_at(at: vec2f) -> f32 {
+// As `sky_seen`, of a point of the ground where the maps have it.
+fn sky_seen_by_ground(at: vec2f) -> f32 {
   let uv = (at - field.map.xy) * field.map.zw;
-  let found = textureSampleLevel(height_map, height_sampler, vec2f(uv.x, 1.0 - uv.y), 0.0).rg;
-  return (found.r + (found.g - 0.5) / 255.0) * field.size.w;
+  let found = textureSampleLevel(open_map, height_sampler, vec2f(uv.x, 1.0 - uv.y), 0.0).xyz;
+  // Beyond the map it gets as open as anywhere.
+  let outside = max(abs(uv - 0.5) - 0.5, vec2f(0.0)) / field.map.zw;
+  let near = 1.0 - smoothstep(0.0, 15.0, outside.x + outside.y);
+  open_towards = vec3f((found.yz * 4.0 - 2.0) * near, 1.0);
+  return mix(1.0, found.x, near);
 }
-
-// Where the spiral of `sky_seen` begins: everywhere alike. A dither in its stead shows as a hatch, above all where something has a
-// threshold, as moss has.
-var<private> spiral_start: f32 = 0.6;
 
 // Where the maps have a point of a copy of the field. Beyond what they have it is open and sunny.
 fn at_home(world: vec3f, shift: vec3f) -> vec3f {
@@ -40,31 +33,9 @@ fn shift_at(at: vec2f) -> vec3f {
   return vec3f(round((from_middle.x - aside) / field.bricks.x) * field.bricks.x + aside, row * field.bricks.y, 0.0);
 }
 
-// How much of the sky `world` sees, 0…1: what stands higher on a spiral around it blocks. The inner turns find the
-// neighbour it touches, the outer ones the boulder beside it. `face` is the surface without its relief.
-fn sky_seen(world: vec3f, face: vec3f) -> f32 {
-  // What depends on it besides the light is a mean over all samples.
-  let taps = select(select(16, 10, quality < 1.5), 5, quality < 0.5 || is_sampled);
-  let texel = field.ground.y;
-  let reach = max(30.0, 3.0 * texel);
-  var blocked = 0.0;
-  var lost = vec2f(0.0);
-  var way = vec2f(cos(spiral_start), sin(spiral_start));
-  for (var i = 0; i < taps; i++) {
-    let share = (f32(i) + 0.5) / f32(taps);
-    let radius = max(reach * share * share, 1.2 * texel);
-    let away = way * radius;
-    way = turned(way);
-    let rise = height_at(world.xy + away) - world.z;
-    // What the face itself would hide; of a wall, all that stands behind it, or every boulder's foot would be black.
-    let own = clamp(-dot(face.xy, away) / max(face.z, 0.04), -radius, 25.0 * radius);
-    let above = max(rise - max(own, 0.0) - 0.25, 0.0);
-    let sine = above * inverseSqrt(above * above + radius * radius);
-    blocked += sine;
-    lost += away * (sine / radius);
-  }
-  open_towards = vec3f(-lost / f32(taps) * 2.0, 1.0);
-  return 1.0 - blocked / f32(taps);
+// In how many places a pixel looks for what hides the sky. What depends on it besides the light is a mean over all samples.
+fn sky_taps() -> i32 {
+  return select(select(16, 10, quality < 1.5), 5, quality < 0.5 || is_sampled);
 }
 
 // Share of the sun that reaches `world`, 0…1. High quality looks first for what casts the shadow: the farther off it
@@ -101,8 +72,8 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
     var found = 0.0;
     var sum = 0.0;
     var way = vec2f(1.0, 0.0);
-    for (var i = 0; i < 9; i++) {
-      let radius = (most + 2.0 * texel * side) * sqrt(f32(i) / 9.0);
+    for (var i = 0; i < 7; i++) {
+      let radius = (most + 2.0 * texel * side) * sqrt(f32(i) / 7.0);
       let away = way * radius * wide;
       way = turned(way);
       let there = textureSampleLevel(shadow_depths, depth_sampler, uv + away, 0.0).r;
@@ -115,7 +86,7 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
     }
     soft = clamp(SPREAD * deep * sum / found * 0.5, soft * 0.75, max(most, soft));
   }
-  let taps = select(8, 16, quality > 1.5);
+  let taps = select(6, 12, quality > 1.5);
   var lit = 0.0;
   var way = vec2f(1.0, 0.0);
   for (var i = 0; i < taps; i++) {
@@ -137,17 +108,21 @@ fn glint(n_h: f32, n_v: f32, n_l: f32, v_h: f32, rough: f32) -> f32 {
   return a * a / (3.14159 * d * d) * masking * fresnel * n_l;
 }
 
-// What comes from a rock that stands before the sky: a constant, fitted to what Blender's Cycles gives for a riverbed.
-fn light_of_rocks() -> vec3f {
-  let lit = 0.38 * sunshine() * (0.5 + field.sun.z) + 0.5 * sky_light(vec3f(0.0, 0.0, 1.0));
-  return 0.85 * kind_albedo(globals.scene.w) * lit;
+// The light that comes from nearby, the same everywhere: what the ground sends up, and what comes from a rock that stands before the sky, a
+// constant, fitted to what Blender's Cycles gives for a riverbed. `light_nearby` finds both.
+var<private> ground_light: vec3f;
+var<private> rock_light: vec3f;
+
+fn light_nearby() {
+  let open_sky = sky_light(vec3f(0.0, 0.0, 1.0));
+  ground_light = soil_albedo(globals.scene.x) * (sunshine() * field.sun.z * 0.8 + open_sky * 0.6);
+  rock_light = 0.85 * kind_albedo(globals.scene.w) * (0.38 * sunshine() * (0.5 + field.sun.z) + 0.5 * open_sky);
 }
 
 // Light from a surface to the eye. `face` without its relief, `normal` with it; `seen` from `sky_seen`.
 fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
   let sun = field.sun.xyz;
   let sun_color = sunshine();
-  let bounce_color = soil_albedo(globals.scene.x) * (sun_color * sun.z * 0.8 + sky_light(vec3f(0.0, 0.0, 1.0)) * 0.6);
 
   let n_l = dot(normal, sun);
   // At the terminator a shadow map is unsure; of many that are not the same, the mean is not.
@@ -158,7 +133,7 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   }
   // Towards where it is open; what is not sky is ground.
   let open = normalize(normal + vec3f(0.7 * open_towards.xy, 0.0));
-  var ambient = mix(light_of_rocks(), sky_light(open) + bounce_color * (0.5 - 0.5 * open.z), seen * seen);
+  var ambient = mix(rock_light, sky_light(open) + ground_light * (0.5 - 0.5 * open.z), seen * seen);
   if is_sampled {
     ambient = around(world, face, normal);
   }
@@ -174,7 +149,7 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   let mirrored = reflect(-to_eye, normal);
   // What is rough shows so much of the sky at once that it is as the light on a matte surface.
   let above = mix(sky_radiance(mirrored), sky_light(mirrored), smoothstep(0.15, 0.6, rough));
-  let sky = mix(bounce_color, above, smoothstep(-0.3, 0.3, mirrored.z));
+  let sky = mix(ground_light, above, smoothstep(-0.3, 0.3, mirrored.z));
   return light + sky * (0.04 * (-1.04 * a + r.z) + 1.04 * a + r.w) * seen * seen;
 }
 

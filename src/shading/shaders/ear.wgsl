@@ -114,7 +114,7 @@ fn fs_main(
   var albedo = flesh_albedo(own, wet, back, broad.w, fine, vein, down_hair);
   var rough = mix(mix(0.62, 0.19, wet), 0.85, back);
   let relief = bumped(base, slope);
-  let seen = mix(0.25, 1.0, sky_seen(world, base));
+  let seen = mix(0.25, 1.0, sky_seen(world, base, sky_taps()));
   let towards = normalize(relief + to_eye * max(0.0, 0.02 - dot(relief, to_eye)));
 
   // Velvet: hairs stand out against the light where they are seen from the side.
@@ -125,6 +125,7 @@ fn fs_main(
   // What turns faster than the pixels can show scatters, as in natural_rock.wgsl: a rim is as wide as a pixel.
   let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.3);
   rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
+  light_nearby();
   var light = daylight(albedo, rough, world, base, towards, to_eye, seen);
   let film = wet * (1.0 - back);
   if film > 0.0 {

@@ -160,7 +160,7 @@ fn fs_main(
     open = mix(open, wood_open, bare);
   }
   let relief = bumped(base, slope);
-  let seen = sky_seen(world, base);
+  let seen = sky_seen(world, base, sky_taps());
 
   // Soil clings to what lies in the ground; moss as on the rocks, first in the fissures.
   let loose = noise2(world.xy / 6.3) * 0.5;
@@ -182,6 +182,7 @@ fn fs_main(
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   rough = mix(rough, 0.45, wet);
   let towards = normalize(bent + to_eye * max(0.0, 0.02 - dot(bent, to_eye)));
+  light_nearby();
   let light = daylight(albedo, rough, world, base, towards, to_eye, seen * open);
   return developed(light, from_eye, pixel.xy);
 }

@@ -17,15 +17,16 @@ const NOISE: &str = wgsl!("noise");
 const STONE: &str = wgsl!("stone");
 const COVER: &str = wgsl!("cover");
 const SKY: &str = wgsl!("sky");
+const HEIGHTS: &str = wgsl!("heights");
 const DAYLIGHT: &str = wgsl!("daylight");
 const SAMPLED: &str = wgsl!("sampled");
 const FILM: &str = wgsl!("film");
 
 /// Prepended to the passes in natural colours.
-const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, DAYLIGHT, SAMPLED];
+const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, HEIGHTS, DAYLIGHT, SAMPLED];
 
 /// Prepended to the passes that draw rocks in natural colours.
-const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, DAYLIGHT, SAMPLED, wgsl!("surface")];
+const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, HEIGHTS, DAYLIGHT, SAMPLED, wgsl!("surface")];
 
 /// Prepended to the pass that makes a picture of a still.
 const DEVELOPING: &[&str] = &[RECIPE, FILM];
@@ -96,6 +97,7 @@ macro_rules! shaders {
 shaders! {
     SHADOW "shadow" after &[];
     HEIGHT "height" after &[];
+    OPEN "open" after &[HEIGHTS];
     GROUND "ground" after LIGHTING;
     FLOOR "floor" after &[];
     ROCK "rock" after LIGHTING;

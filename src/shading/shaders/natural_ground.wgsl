@@ -6,6 +6,8 @@ struct Varyings {
   @builtin(position) @invariant clip: vec4f,
   // 1 on the ground
   @location(0) is_ground: f32,
+  @location(1) from_ground: vec3f,
+  @location(2) from_rocks: vec3f,
 }
 
 @vertex
@@ -13,6 +15,9 @@ fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
   let i = index % 3u;
   let at = vec2f(f32((i << 1u) & 2u), f32(i & 2u)) * 2.0 - 1.0;
   var out: Varyings;
+  light_nearby();
+  out.from_ground = ground_light;
+  out.from_rocks = rock_light;
   out.is_ground = select(0.0, 1.0, index >= 3u);
   out.clip = select(vec4f(at, 1.0, 1.0), ground_clip(at), index >= 3u);
   return out;
@@ -52,7 +57,14 @@ fn rock_afar(home: vec3f, to_eye: vec3f, apart: f32, footprint: f32) {
 }
 
 @fragment
-fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @location(0) vec4f {
+fn fs_main(
+  @builtin(position) pixel: vec4f,
+  @location(0) is_ground: f32,
+  @location(1) from_ground: vec3f,
+  @location(2) from_rocks: vec3f,
+) -> @location(0) vec4f {
+  ground_light = from_ground;
+  rock_light = from_rocks;
   let at = place_of(pixel.xy);
   let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
   if is_ground < 0.5 || ray.z > -0.0001 {
@@ -74,15 +86,19 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   let shift = shift_at(world.xy);
   var home = at_home(world, shift);
   var up = vec3f(0.0, 0.0, 1.0);
+  var mean = vec3f(0.0);
   if field.bricks.w > 0.5 && (any(shift != vec3f(0.0)) || across > 1.2) {
     rock_afar(home, to_eye, max(0.7 * across, field.ground.y), footprint);
     home = afar_at;
     up = afar_normal;
+    mean = kind_albedo(globals.scene.w) * (0.85 + 0.3 * noise2(world.xy / 11.0));
   }
   let rock = afar_rock;
+  let one = afar_one * (1.0 - rock);
+  let seen = mix(0.85, sky_seen_by_ground(home.xy), one);
+  open_towards *= one;
   // In the shadow of so many rocks lies about a quarter of the ground, and none of it in a shadow of its own.
   home = select(home, vec3f(home.xy + 1e6, home.z), afar_one < 0.5);
-  let seen = mix(0.85, sky_seen(home, up), afar_one);
   if globals.soil.w > 0.5 {
     return backing(sun_seen(world, up), seen);
   }
@@ -107,13 +123,16 @@ fn fs_main(@builtin(position) pixel: vec4f, @location(0) is_ground: f32) -> @loc
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
   albedo *= 1.0 - 0.5 * shaded;
+  albedo = mix(albedo, mean, rock);
   // Beyond the field the ground rolls.
   let side = max(field.size.x, field.size.y);
   let outside = length(max(abs(world.xy - 0.5 * field.size.xy) - 0.5 * field.size.xy, vec2f(0.0))) / side;
-  let rolling = noise2(world.xy / (0.9 * side)) + 0.5 * noise2(world.xy / (0.31 * side) + 5.0);
-  let drift = noise2(world.xy / (4.1 * side) + 9.0) + 0.6 * noise2(world.xy / (1.7 * side));
-  let mean = kind_albedo(globals.scene.w) * (0.85 + 0.3 * noise2(world.xy / 11.0));
-  albedo = mix(albedo, mean, rock) * mix(0.8, 1.0, afar_one) * (1.0 + smoothstep(0.5, 3.0, outside) * (0.14 * drift + 0.1 * rolling));
+  albedo *= mix(0.8, 1.0, afar_one);
+  if outside > 0.5 {
+    let near = noises2(world.xy / (0.6 * side));
+    let far = noises2(world.xy / (3.1 * side) + 9.0);
+    albedo *= 1.0 + smoothstep(0.5, 3.0, outside) * (0.14 * far.x + 0.08 * far.y + 0.1 * near.x);
+  }
   let open = seen * mix(mix(0.6, 1.0, cover_open), 1.0, rock);
   let light = daylight(albedo, rough, home, up, bumped(up, slope * (1.0 - rock)), to_eye, open);
 

@@ -8,6 +8,12 @@ struct Varyings {
   @location(2) normal: vec3f,
   // As in rock.wgsl: the same point, but never outside the triangle
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
+  // Share of the sky that it sees, and towards where
+  @location(4) open: vec3f,
+  // Light of the air in front of it, and how much of its own comes through
+  @location(5) air: vec4f,
+  @location(6) from_ground: vec3f,
+  @location(7) from_rocks: vec3f,
 }
 
 @vertex
@@ -19,7 +25,25 @@ fn vs_main(@location(0) position: vec3f, @location(1) color: vec4f, @location(2)
   // The same rock of two copies has other colours.
   out.own = vec4f(fract(color.xyz + field.shift.w * vec3f(1.0, 1.7, 2.3)), kind_of(color) / 255.0);
   out.normal = unfolded(normal);
+  // What changes slowly is found here, since there are several pixels for each vertex. Below the ground it is as dark as just above it, or the
+  // rocks would be too dark all along their feet.
+  let far = length(out.from_eye);
+  var home = at_rest(out.from_eye, out.normal, 2.0 * far * length(globals.ray_up.xyz) / globals.ray_up.w);
+  home.z = max(home.z, 0.0);
+  let seen = sky_seen(home, out.normal, 16);
+  out.open = vec3f(seen, open_towards.xy);
+  out.air = air_before(out.from_eye / far, far);
+  light_nearby();
+  out.from_ground = ground_light;
+  out.from_rocks = rock_light;
   return out;
+}
+
+// Where the maps have a point. From afar, and copies always, rocks have fewer triangles than the maps, which would shade what lies lower for
+// it; `footprint` px of the world under a pixel.
+fn at_rest(from_eye: vec3f, normal: vec3f, footprint: f32) -> vec3f {
+  let coarse = max(footprint - select(0.7, 0.0, field.shift.w > 0.0), 0.0);
+  return at_home(from_eye + globals.eye.xyz, field.shift.xyz) + normal * (2.0 * coarse);
 }
 
 @fragment
@@ -29,6 +53,10 @@ fn fs_main(
   @location(1) own: vec4f,
   @location(2) normal: vec3f,
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
+  @location(4) open: vec3f,
+  @location(5) air: vec4f,
+  @location(6) from_ground: vec3f,
+  @location(7) from_rocks: vec3f,
 ) -> @location(0) vec4f {
   let across = dpdx(from_eye);
   let down = dpdy(from_eye);
@@ -44,10 +72,11 @@ fn fs_main(
   let far = length(from_eye);
   let to_eye = -from_eye / far;
   let footprint = footprint_of(across, down);
-  // From afar, and copies always, rocks have fewer triangles than the maps, which would shade what lies lower for it.
-  let coarse = max(footprint - select(0.7, 0.0, field.shift.w > 0.0), 0.0);
-  let home = at_home(world, field.shift.xyz) + base * (2.0 * coarse);
-  let seen = sky_seen(home, base);
+  let home = at_rest(inside, base, footprint);
+  let seen = clamp(open.x, 0.0, 1.0);
+  open_towards = vec3f(open.yz, 1.0);
+  ground_light = from_ground;
+  rock_light = from_rocks;
   let wear = worn(across, down, turn_x, turn_y) * agree;
   rock_surface(world, own, base, wear, seen, footprint);
 
@@ -58,5 +87,5 @@ fn fs_main(
   let square = surface_rough * surface_rough;
   let rough = sqrt(sqrt(min(square * square + spread, 1.0)));
   let light = daylight(surface_albedo, rough, home, base, towards, to_eye, seen);
-  return developed(light, from_eye, pixel.xy);
+  return taken(light * air.w + air.rgb, pixel.xy);
 }

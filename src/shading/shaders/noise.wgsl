@@ -40,7 +40,7 @@ fn point_of(cell: vec3i) -> vec4f {
 // lattice begins, so that nothing comes again for a thousand.
 fn numbers_of(cell: vec2i, which: i32) -> vec4f {
   let block = cell >> vec2u(5u);
-  return point_of(vec3i(cell, which + 5 * block.x + 11 * block.y));
+  return point_of(vec3i(cell, which + 5 * block.x + 9 * block.y));
 }
 
 // From a point that `grains` was asked for to the middle of its cell.

@@ -41,14 +41,13 @@ fn ground_drawn(world: vec3f, face: vec3f) -> f32 {
 fn around(world: vec3f, face: vec3f, normal: vec3f) -> vec3f {
   let sun_color = sunshine();
   let open_sky = sky_light(vec3f(0.0, 0.0, 1.0));
-  let stone = light_of_rocks();
 
   let up = field.sky_way.xyz;
   var light = vec3f(0.0);
   let rising = drawn(dot(normal, up), up.z);
   if rising > 0.0 {
     let open = select(0.0, sky_drawn(world, face), dot(face, up) > 0.0);
-    light += rising * mix(stone, sky_radiance(up), open);
+    light += rising * mix(rock_light, sky_radiance(up), open);
   }
   let down = field.below_way.xyz;
   let falling = drawn(dot(normal, down), -down.z);
@@ -56,7 +55,7 @@ fn around(world: vec3f, face: vec3f, normal: vec3f) -> vec3f {
     let open = select(0.0, ground_drawn(world, face), dot(face, down) > 0.0);
     let there = vec3f(world.xy + down.xy * (max(world.z, 0.0) / -down.z), 0.0);
     let lit = sun_color * field.sun.z * sun_drawn(there, vec3f(0.0, 0.0, 1.0)) + 0.6 * open_sky;
-    light += falling * mix(stone, soil_albedo(globals.scene.x) * lit, open);
+    light += falling * mix(rock_light, soil_albedo(globals.scene.x) * lit, open);
   }
   return light;
 }

@@ -1,7 +1,8 @@
 // Prepended to the passes in natural colours: the sky (sky.rs has the model), the air in between, and the camera's tone curve. All light is in the units of
 // sky.rs: multiplied by exposure and white balance.
 
-// Radiance of the sky without the sun. Columns from the sun's azimuth to the opposite one, rows from the horizon up.
+// Radiance of the sky without the sun. Columns from the sun's azimuth to the opposite one by the sine of half the angle, rows from the
+// horizon up by the root of the elevation's sine.
 @group(2) @binding(6) var sky_map: texture_2d<f32>;
 @group(2) @binding(7) var sky_sampler: sampler;
 
@@ -23,10 +24,9 @@ fn sunshine() -> vec3f {
 // From a direction of length 1; below the horizon, that of the horizon.
 fn sky_radiance(direction: vec3f) -> vec3f {
   let azimuth = vec2f(field.sky[0].w, field.sky[1].w);
-  let aside = azimuth.x * direction.y - azimuth.y * direction.x;
-  let from_sun = atan2(abs(aside), dot(azimuth, direction.xy)) / 3.1415927;
-  let height = sqrt(asin(clamp(direction.z, 0.0, 1.0)) / 1.5707964);
-  return textureSampleLevel(sky_map, sky_sampler, vec2f(from_sun, height), 0.0).rgb;
+  let from_sun = dot(azimuth, direction.xy) * inverseSqrt(max(dot(direction.xy, direction.xy), 1e-12));
+  let at = sqrt(max(vec2f(0.5 - 0.5 * from_sun, direction.z), vec2f(0.0)));
+  return textureSampleLevel(sky_map, sky_sampler, at, 0.0).rgb;
 }
 
 // The sky's irradiance of a surface with this normal, divided by π, as long as nothing hides any of it.
@@ -71,17 +71,17 @@ fn with_hills(sky: vec3f, direction: vec3f, pixel: f32) -> vec3f {
   return mix(sky, mix(air, light, exp(-distance / AIR)), covered);
 }
 
-// Light from `from_eye` as it arrives at the eye, through the air in between.
-fn through_air(light: vec3f, from_eye: vec3f) -> vec3f {
-  let far = length(from_eye);
+// The air between the eye and what is `far` in a direction: its light, and how much comes through.
+fn air_before(direction: vec3f, far: f32) -> vec4f {
   // The plain ends where the hills begin.
   let side = max(field.size.x, field.size.y);
   let left = exp(-min(far, 45.0 * side) / (500.0 * side));
-  let air = sky_radiance(vec3f(from_eye.xy / far, 0.02));
-  return mix(air, light, left);
+  return vec4f(sky_radiance(vec3f(direction.xy, 0.02)) * (1.0 - left), left);
 }
 
 // Of a surface: what the camera makes of its light.
 fn developed(light: vec3f, from_eye: vec3f, pixel: vec2f) -> vec4f {
-  return taken(through_air(light, from_eye), pixel);
+  let far = length(from_eye);
+  let air = air_before(from_eye / far, far);
+  return taken(light * air.w + air.rgb, pixel);
 }

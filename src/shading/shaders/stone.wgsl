@@ -6,6 +6,8 @@ var<private> stone_albedo: vec3f;
 // Slope of the relief, the same in all directions of space; px per px
 var<private> stone_slope: vec3f;
 var<private> stone_rough: f32;
+// Noise whose patches are some px wide
+var<private> stone_patch: f32;
 
 // Mean linear albedo.
 fn kind_albedo(kind: f32) -> vec3f {
@@ -81,6 +83,7 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let rugged = 0.3 + 0.9 * smoothstep(-0.3, 0.4, broad.w + 0.6 * (own.y - 0.5));
   let mid_seen = shown(5.0, footprint);
   let mid = noise3(turned_at / 5.0 + 17.0) * mid_seen;
+  stone_patch = mid.w;
   var value = 0.3 * broad.w + 0.26 * mid.w;
   var warm = 0.045 * broad.x + 0.03 * mid.x;
   var slope = 0.12 * broad.xyz + 0.15 * rugged * mid.xyz;

@@ -40,10 +40,9 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
 
   // Dust and splashed soil: near the ground, and where it can lie.
   let dust = globals.weather.w;
-  let loose = noise3(TURN * world / 5.3).w;
   let low = exp(-max(world.z, 0.0) / (2.0 + 0.1 * field.size.z)) * 1.1;
   let lies = smoothstep(0.45, 1.0, relief.z) * 0.55 + low;
-  let dusty = dust * smoothstep(0.25, 1.0, lies + 0.6 * loose + 0.4 * dust - 0.2 * wear);
+  let dusty = dust * smoothstep(0.25, 1.0, lies + 0.6 * stone_patch + 0.4 * dust - 0.2 * wear);
   albedo = mix(albedo, soil_albedo(globals.scene.x) * 1.15, 0.7 * dusty);
   rough = mix(rough, 0.95, dusty);
 

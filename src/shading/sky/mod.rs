@@ -11,7 +11,8 @@ use std::f32::consts::{FRAC_1_PI, FRAC_PI_2, PI};
 
 use glam::{Vec2, Vec3};
 
-/// Columns of the map, from the sun's azimuth to the opposite one: the other half of the sky is its mirror image.
+/// Columns of the map, from the sun's azimuth to the opposite one: the other half of the sky is its mirror image. A column is told by the sine
+/// of half the angle from the sun's azimuth and a row by the root of the elevation's sine, which a shader finds without inverse functions.
 pub(crate) const COLUMNS: usize = 96;
 /// Rows of the map, from the horizon to the zenith, and denser near the horizon.
 pub(crate) const ROWS: usize = 48;
@@ -125,19 +126,23 @@ fn luminance(color: Vec3) -> f32 {
 
 /// Towards the middle of a texel, where the sun's azimuth is that of x.
 fn direction(column: usize, row: usize) -> Vec3 {
-    let (sin_a, cos_a) = (PI * (column as f32 + 0.5) / COLUMNS as f32).sin_cos();
     let share = (row as f32 + 0.5) / ROWS as f32;
-    let (sin_e, cos_e) = (FRAC_PI_2 * share * share).sin_cos();
-    Vec3::new(cos_a * cos_e, sin_a * cos_e, sin_e)
+    let sine = share * share;
+    (azimuth(column as f32 + 0.5) * (1.0 - sine * sine).sqrt()).extend(sine)
+}
+
+/// Direction on the ground that a column of the map has, in its middle if half is added to its number.
+fn azimuth(column: f32) -> Vec2 {
+    let half = column / COLUMNS as f32;
+    Vec2::new(1.0 - 2.0 * half * half, 2.0 * half * (1.0 - half * half).max(0.0).sqrt())
 }
 
 /// Where a direction is in the map: column and row, where whole numbers are the middles of texels.
 #[allow(dead_code, reason = "as for `Sky::radiance`")]
 fn place(direction: Vec3, sun: Vec3) -> [f32; 2] {
-    let azimuth = sun.truncate().try_normalize().unwrap_or(Vec2::X);
-    let from_sun = azimuth.perp_dot(direction.truncate()).abs().atan2(azimuth.dot(direction.truncate()));
-    let share = (direction.z.clamp(0.0, 1.0).asin() / FRAC_PI_2).sqrt();
-    [from_sun * FRAC_1_PI * COLUMNS as f32 - 0.5, share * ROWS as f32 - 0.5]
+    let [sun, flat] = [sun, direction].map(|way| way.truncate().try_normalize().unwrap_or(Vec2::X));
+    let half = (0.5 - 0.5 * sun.dot(flat)).max(0.0).sqrt();
+    [half * COLUMNS as f32 - 0.5, direction.z.max(0.0).sqrt() * ROWS as f32 - 0.5]
 }
 
 /// The irradiance of all directions, in spherical harmonics up to the second order (R. Ramamoorthi and P. Hanrahan, *An efficient
@@ -146,9 +151,11 @@ fn diffuse(map: &[Vec3]) -> [Vec3; 6] {
     let mut sums = [Vec3::ZERO; 6];
     for (row, lights) in map.chunks_exact(COLUMNS).enumerate() {
         // The sine of the elevation at both edges of the row: a texel's solid angle is as large as their difference.
-        let sine = |row: usize| (FRAC_PI_2 * (row as f32 / ROWS as f32).powi(2)).sin();
-        let angle = (sine(row + 1) - sine(row)) * 2.0 * PI / COLUMNS as f32;
+        let sine = |row: usize| (row as f32 / ROWS as f32).powi(2);
         for (column, &light) in lights.iter().enumerate() {
+            // An arc by its chord, and again in the mirror image.
+            let chord = (azimuth(column as f32 + 1.0) - azimuth(column as f32)).length();
+            let angle = 2.0 * chord * (1.0 + chord * chord / 24.0) * (sine(row + 1) - sine(row));
             let Vec3 { x, y, z } = direction(column, row);
             let basis = [
                 0.282_095,
