@@ -1,5 +1,7 @@
-//! Takes the comments out of the shaders, which make a third of their text: what is built in is what is downloaded.
+//! Shortens the shaders, since what is built in is what is downloaded: everywhere by their comments, and in wasm by the names and spaces that only
+//! people read. Tests and what `npm run bench -- --shaders` writes keep the names.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::{env, fs, path::Path};
 
 const SHADERS: &str = "src/shading/shaders";
@@ -7,14 +9,24 @@ const SHADERS: &str = "src/shading/shaders";
 fn main() {
     println!("cargo:rerun-if-changed=build.rs");
     let out = env::var("OUT_DIR").expect("cargo sets it");
+    let mut shaders = BTreeMap::new();
     for entry in fs::read_dir(SHADERS).expect("the shaders") {
         let path = entry.expect("an entry").path();
         if path.extension().is_some_and(|extension| extension == "wgsl") {
             println!("cargo:rerun-if-changed={}", path.display());
             let source = fs::read_to_string(&path).expect("a shader");
-            let name = path.file_name().expect("a file");
-            fs::write(Path::new(&out).join(name), bare(&source)).expect("the folder for what is built");
+            shaders.insert(path.file_name().expect("a file").to_owned(), bare(&source));
         }
+    }
+    if env::var("CARGO_CFG_TARGET_ARCH").is_ok_and(|target| target == "wasm32") {
+        let all: String = shaders.values().map(String::as_str).collect();
+        let names = short_names(&tokens(&all));
+        for source in shaders.values_mut() {
+            *source = shortened(&tokens(source), &names);
+        }
+    }
+    for (name, source) in &shaders {
+        fs::write(Path::new(&out).join(name), source).expect("the folder for what is built");
     }
 }
 
@@ -22,4 +34,86 @@ fn main() {
 fn bare(source: &str) -> String {
     let code = |line: &'_ str| line.split("//").next().unwrap_or_default().trim().to_string();
     source.lines().map(code).filter(|line| !line.is_empty()).map(|line| line + "\n").collect()
+}
+
+fn is_wordy(c: char) -> bool {
+    c.is_ascii_alphanumeric() || c == '_'
+}
+
+/// Words, numbers, and single other characters; what is in the parentheses of an attribute is one token with it. Without spaces.
+pub(crate) fn tokens(source: &str) -> Vec<&str> {
+    let mut tokens = Vec::new();
+    let mut rest = source.trim_start();
+    while let Some(first) = rest.chars().next() {
+        let up_to = |is_part: &dyn Fn(char) -> bool| rest.find(|c| !is_part(c)).unwrap_or(rest.len());
+        let length = match first {
+            '@' => {
+                let name = 1 + rest[1..].find(|c| !is_wordy(c)).unwrap_or(rest.len() - 1);
+                if rest[name..].starts_with('(') { rest.find(')').map_or(name, |end| end + 1) } else { name }
+            }
+            '0'..='9' => up_to(&|c| is_wordy(c) || c == '.'),
+            c if is_wordy(c) => up_to(&is_wordy),
+            _ if rest.starts_with("--") => 2,
+            c => c.len_utf8(),
+        };
+        let (token, after) = rest.split_at(length);
+        tokens.push(token);
+        rest = after.trim_start();
+    }
+    tokens
+}
+
+/// Two letters for each name that the shaders give to a variable, a constant or a function. Members of structs and overrides, which are told by
+/// their names elsewhere, keep theirs, and so does what is also the name of something built in.
+pub(crate) fn short_names(tokens: &[&str]) -> BTreeMap<String, String> {
+    let mut given = BTreeSet::new();
+    let mut functions = BTreeSet::new();
+    let mut kept = BTreeSet::from(["vs_main", "fs_main"]);
+    let mut uses: BTreeMap<&str, usize> = BTreeMap::new();
+    let mut is_struct = false;
+    for (at, &token) in tokens.iter().enumerate() {
+        let before = at.checked_sub(1).and_then(|before| tokens.get(before)).copied().unwrap_or_default();
+        let after = tokens.get(at + 1).copied().unwrap_or_default();
+        is_struct = (is_struct || token == "struct") && token != "}";
+        if !token.starts_with(|c: char| c.is_ascii_alphabetic()) {
+            continue;
+        }
+        *uses.entry(token).or_default() += 1;
+        match before {
+            // After `var<private>` as well.
+            "let" | "var" | "const" | ">" if after == ":" || after == "=" => drop(given.insert(token)),
+            "fn" => drop((given.insert(token), functions.insert(token))),
+            "." | "override" | "struct" => drop(kept.insert(token)),
+            _ if after == ":" && is_struct => drop(kept.insert(token)),
+            _ if after == ":" => drop(given.insert(token)),
+            _ => {}
+        }
+    }
+    for pair in tokens.windows(2) {
+        if let &[name, "("] = pair
+            && !functions.contains(name)
+        {
+            kept.insert(name);
+        }
+    }
+    let mut names: Vec<&str> = given.difference(&kept).copied().filter(|name| name.len() > 2).collect();
+    names.sort_by_key(|name| std::cmp::Reverse(uses.get(name).copied().unwrap_or_default()));
+    let short = ('a'..='z').flat_map(|first| ('A'..='Z').map(move |second| [first, second].iter().collect::<String>()));
+    names.into_iter().map(str::to_string).zip(short).collect()
+}
+
+/// The tokens with short names, and spaces only where two words or two signs meet.
+pub(crate) fn shortened(tokens: &[&str], names: &BTreeMap<String, String>) -> String {
+    let mut out = String::new();
+    for (at, &token) in tokens.iter().enumerate() {
+        let is_member = at > 0 && tokens.get(at - 1) == Some(&".");
+        let short = names.get(token).filter(|_| !is_member).map_or(token, String::as_str);
+        let is_word = out.ends_with(is_wordy) && short.starts_with(is_wordy);
+        if is_word || out.ends_with('-') && short == "-" {
+            out.push(' ');
+        }
+        out.push_str(short);
+    }
+    out.push('\n');
+    out
 }

@@ -9,6 +9,10 @@ use naga::{AddressSpace, Binding, Expression, Module, ShaderStage, TypeInner};
 use super::super::uniforms;
 use super::{ALL, Shader};
 
+#[path = "../../../build.rs"]
+#[allow(dead_code, reason = "what only cargo runs")]
+mod build;
+
 fn module(shader: Shader) -> Module {
     parsed(shader.name, &shader.code())
 }
@@ -63,6 +67,29 @@ fn every_pass_parses_and_validates() {
     // It stands alone.
     let present = naga::front::wgsl::parse_str(super::PRESENT).expect("present.wgsl");
     validate("present", &present);
+}
+
+/// What is built into wasm.
+#[test]
+fn shaders_with_short_names_are_the_same_to_who_uses_them() {
+    let all: String = ALL.iter().map(|shader| shader.code()).collect();
+    let names = build::short_names(&build::tokens(&all));
+    assert!(names.len() > 300, "{}", names.len());
+    each(|name, module| {
+        let shader = ALL.iter().find(|shader| shader.name == name).expect("itself");
+        let short = parsed(name, &build::shortened(&build::tokens(&shader.code()), &names));
+        validate(name, &short);
+        let used = |module: &Module| {
+            let overrides = module.overrides.iter().map(|(_, constant)| constant.name.clone());
+            let bindings = module.global_variables.iter().map(|(_, global)| format!("{:?}", global.binding));
+            let entries = module.entry_points.iter().map(|entry| Some(entry.name.clone()));
+            (overrides.chain(entries).collect::<Vec<_>>(), bindings.collect::<Vec<_>>(), functions(module).count())
+        };
+        assert_eq!(used(&short), used(module), "{name}");
+        assert_eq!(layout(&short, "FieldUniforms"), layout(module, "FieldUniforms"), "{name}");
+    });
+    let minus = build::tokens("a - -b; i--;");
+    assert_eq!(build::shortened(&minus, &names), "a- -b;i--;\n");
 }
 
 #[test]
