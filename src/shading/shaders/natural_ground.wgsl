@@ -56,6 +56,18 @@ fn rock_afar(home: vec3f, to_eye: vec3f, apart: f32, footprint: f32) {
   afar_normal = normalize(vec3f((lean - slope * afar_one / apart) * afar_rock, 1.0));
 }
 
+// Beyond the field the ground rolls: how light it is.
+fn rolling(at: vec2f) -> f32 {
+  let side = max(field.size.x, field.size.y);
+  let outside = length(max(abs(at - 0.5 * field.size.xy) - 0.5 * field.size.xy, vec2f(0.0))) / side;
+  if outside < 0.5 {
+    return 1.0;
+  }
+  let near = noises2(at / (0.6 * side));
+  let far = noises2(at / (3.1 * side) + 9.0);
+  return 1.0 + smoothstep(0.5, 3.0, outside) * (0.14 * far.x + 0.08 * far.y + 0.1 * near.x);
+}
+
 @fragment
 fn fs_main(
   @builtin(position) pixel: vec4f,
@@ -124,15 +136,7 @@ fn fs_main(
   let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
   albedo *= 1.0 - 0.5 * shaded;
   albedo = mix(albedo, mean, rock);
-  // Beyond the field the ground rolls.
-  let side = max(field.size.x, field.size.y);
-  let outside = length(max(abs(world.xy - 0.5 * field.size.xy) - 0.5 * field.size.xy, vec2f(0.0))) / side;
-  albedo *= mix(0.8, 1.0, afar_one);
-  if outside > 0.5 {
-    let near = noises2(world.xy / (0.6 * side));
-    let far = noises2(world.xy / (3.1 * side) + 9.0);
-    albedo *= 1.0 + smoothstep(0.5, 3.0, outside) * (0.14 * far.x + 0.08 * far.y + 0.1 * near.x);
-  }
+  albedo *= mix(0.8, 1.0, afar_one) * rolling(world.xy);
   let open = seen * mix(mix(0.6, 1.0, cover_open), 1.0, rock);
   let light = daylight(albedo, rough, home, up, bumped(up, slope * (1.0 - rock)), to_eye, open);
 
