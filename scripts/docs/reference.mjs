@@ -17,7 +17,7 @@ const GROUPS = [
   { name: 'The look', has: ({ spec }) => spec?.stage === 'look' },
   {
     name: 'View and camera',
-    has: ({ name }) => ['view', 'color', 'camera-orbit', 'fov', 'auto-rotate', 'metres-per-pixel'].includes(name),
+    has: ({ name }) => ['view', 'color', 'camera-orbit', 'fov', 'navigation', 'auto-rotate', 'metres-per-pixel'].includes(name),
   },
   { name: 'Manners', has: () => true },
 ];

@@ -128,7 +128,7 @@ function spelledOut(member, aliases, ofKind) {
 
 async function knowledge({ written, kind, table, paramDocs, hasItemAttributes }) {
   const known = await tables();
-  const { FOV, INTERACTIONS, LOADINGS, METRES_PER_PIXEL, QUALITY_CHOICES } = known;
+  const { FOV, INTERACTIONS, LOADINGS, METRES_PER_PIXEL, NAVIGATIONS, QUALITY_CHOICES } = known;
   for (const name of [table, paramDocs]) if (!known[name]) throw new Failure(`no module of scripts/lib/tables.mjs exports ${name}`);
   const { colors, itemRows, presets, rows, views } = known[table];
   const oneOf = (words) => ({ type: { text: union(words) }, default: words[0] });
@@ -144,6 +144,7 @@ async function knowledge({ written, kind, table, paramDocs, hasItemAttributes })
       color: { type: { text: union(colors) } },
       quality: oneOf(QUALITY_CHOICES),
       interaction: oneOf(INTERACTIONS),
+      navigation: oneOf(NAVIGATIONS),
       loading: oneOf(LOADINGS),
       backend: { type: { text: `'auto' | ${backends}` }, default: 'auto' },
       'metres-per-pixel': { type: { text: 'number' }, default: String(METRES_PER_PIXEL) },
@@ -161,6 +162,7 @@ async function knowledge({ written, kind, table, paramDocs, hasItemAttributes })
       ['ColorMode', union(colors)],
       ['WantedQuality', union(QUALITY_CHOICES)],
       ['Interaction', union(INTERACTIONS)],
+      ['Navigation', union(NAVIGATIONS)],
     ]),
     events: eventTypes([parse(written), ...SHARED.map(parse)]),
     parameters: own.map((row) => parameter(row, known, known[paramDocs][row.url].en)),

@@ -19,6 +19,7 @@ const COMMON = {
   'camera-orbit': ['45deg 55deg 120%', '45 55'],
   fov: ['60', '1e3', '120'],
   interaction: ['always', 'sometimes'],
+  navigation: ['walk', 'fly'],
   loading: ['lazy', 'late'],
   'metres-per-pixel': ['0.05', '-1'],
   poster: ['data:,', null],
@@ -134,6 +135,7 @@ async function changes({ tag, name, valid, malformed, takenFor, attributes }) {
       element.cameraOrbit === valid,
       element.fov,
       element.interaction,
+      element.navigation,
       element.metresPerPixel,
     ]);
   const during = async (change) => {

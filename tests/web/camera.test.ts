@@ -5,7 +5,7 @@ import { cameraAxes, defaultCamera, groundPoint } from '../../www/scene/camera/c
 import { orbit } from '../../www/scene/camera/moves.ts';
 import { project, rayThrough } from '../../www/scene/camera/pick.ts';
 import { SceneCamera } from '../../www/scene/camera/scene-camera.ts';
-import type { Subject } from '../../www/scene/camera/camera.ts';
+import { subjectOf } from '../../www/scene/camera/subject.ts';
 import { FOV, FOV_BOUNDS, tangentOf } from '../../www/base/fov.ts';
 import { checkCamera } from '../../www/table/camera-bounds.ts';
 import type { CameraState } from '../../www/base/view.ts';
@@ -86,7 +86,7 @@ test('all of the field is framed with a margin in every window, from every side,
 test('a plan shows all of a field, and of what stands on it, with a margin in every window', () => {
   for (const size of SIZES) {
     for (const aspect of [...ASPECTS, 0.1, 8]) {
-      const subject = { low: [0.2 * size[0], 0.4 * size[1], 0], high: [0.7 * size[0], 0.6 * size[1], 60] } as Subject;
+      const subject = subjectOf({ low: [0.2 * size[0], 0.4 * size[1], 0], high: [0.7 * size[0], 0.6 * size[1], 60] });
       for (const what of [null, subject]) {
         const scene = new SceneCamera(() => ({ extent: [...size], aspect, plan: true, closeUp: true, subject: what, height: () => 40 }));
         const { low, high } = what ?? { low: [0, 0], high: size };

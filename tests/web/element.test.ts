@@ -30,6 +30,7 @@ const DEFAULTS = {
   quality: 'auto',
   theme: 'auto',
   interaction: 'cooperative',
+  navigation: 'orbit',
   loading: 'eager',
   metresPerPixel: 0.01,
   notices: [],

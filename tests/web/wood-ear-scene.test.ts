@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { Document, WebIO } from '@gltf-transform/core';
 import { propertyOf } from '../../www/element/attribute-reader.ts';
-import { subjectCamera } from '../../www/scene/camera/camera.ts';
+import { subjectCamera } from '../../www/scene/camera/subject.ts';
 import type { WoodEarColony, WoodEarLog } from '../../www/data/colony.ts';
 import { randomWoodEars } from '../../www/wood-ear/controls/randomise.ts';
 import { RockFieldError } from '../../www/base/errors.ts';

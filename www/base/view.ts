@@ -22,6 +22,10 @@ export type GpuBackend = 'webgpu' | 'webgl';
 export const INTERACTIONS = ['cooperative', 'always', 'none'] as const;
 export type Interaction = (typeof INTERACTIONS)[number];
 
+/** How hands move the camera: round what it looks at, or as somebody who walks on the ground. */
+export const NAVIGATIONS = ['orbit', 'walk'] as const;
+export type Navigation = (typeof NAVIGATIONS)[number];
+
 export const THEMES = ['auto', 'light', 'dark'] as const;
 export type Theme = (typeof THEMES)[number];
 

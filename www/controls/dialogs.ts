@@ -19,6 +19,7 @@ const PICTURE_KEYS: readonly [LaterKey, LaterKey][] = [
   ['orbit', 'orbitBy'],
   ['pan', 'panBy'],
   ['zoom', 'zoomBy'],
+  ['walk', 'walkBy'],
 ];
 
 const PAGE_KEYS: readonly [StringKey | LaterKey, LaterKey][] = [

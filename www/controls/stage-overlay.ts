@@ -15,10 +15,12 @@ export interface StageActions {
 }
 
 export class StageOverlay extends LitElement {
-  static override properties = { store: { attribute: false }, actions: { attribute: false } };
+  static override properties = { store: { attribute: false }, actions: { attribute: false }, more: { attribute: false } };
 
   declare store: Store<Kind>;
   declare actions: StageActions;
+  /** Buttons that come after the first picture. */
+  declare more: (() => unknown) | undefined;
 
   #stopListening: (() => void) | undefined;
 
@@ -51,6 +53,7 @@ export class StageOverlay extends LitElement {
         ${viewChoice(store, true)} ${colorChoice(store, true)}
       </div>
       <div class="overlay-end">
+        ${this.more?.()}
         ${iconButton({ icon: 'frame', label: `${store.text('frameAll')} (F)`, action: actions.frameAll, kind: 'on-picture' })}
         ${
           document.fullscreenEnabled

@@ -238,6 +238,11 @@ export const LATER = {
   cached: { en: 'A dash: taken from the cache.', ja: '「–」はキャッシュから再利用。' },
   backend: { en: 'Drawn with', ja: '描画' },
   keysPicture: { en: 'In the picture', ja: '画像の操作' },
+  walk: { en: 'Walk at eye height', ja: '目の高さで歩く' },
+  walkBy: {
+    en: 'W A S D or arrows, Shift to run, drag to look, double-click to go there, two fingers; Esc to leave',
+    ja: 'W A S D か矢印キー、Shift で走る、ドラッグで見回す、ダブルクリックでその場所へ、2本指で歩く、Esc で終了',
+  },
   keysPage: { en: 'Anywhere on the page', ja: 'ページ全体' },
   orbit: { en: 'Orbit', ja: '回転' },
   orbitBy: { en: 'drag, one finger, or arrow keys', ja: 'ドラッグ、1本指、矢印キー' },

@@ -11,8 +11,8 @@ import type { AttributeNoticeCode } from './attribute-notices.ts';
 import { METRES_PER_PIXEL, parseOrbit } from '../scene/camera/orbit.ts';
 import type { Orbit } from '../scene/camera/orbit.ts';
 import { FOV, FOV_BOUNDS } from '../base/fov.ts';
-import { INTERACTIONS, LOADINGS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
-import type { ColorMode, Interaction, Loading, Theme, WantedQuality } from '../base/view.ts';
+import { INTERACTIONS, LOADINGS, NAVIGATIONS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
+import type { ColorMode, Interaction, Loading, Navigation, Theme, WantedQuality } from '../base/view.ts';
 import { errorInfo, RockFieldError } from '../base/errors.ts';
 import type { Slots } from '../base/filled.ts';
 import type { Link } from '../table/link.ts';
@@ -44,6 +44,7 @@ export const COMMON_ATTRIBUTES = [
   'camera-orbit',
   'fov',
   'interaction',
+  'navigation',
   'theme',
   'loading',
   'metres-per-pixel',
@@ -57,6 +58,7 @@ export interface ElementAttributes<K extends Kind> extends Link<K> {
   quality: WantedQuality;
   theme: Theme;
   interaction: Interaction;
+  navigation: Navigation;
   loading: Loading;
   metresPerPixel: number;
   /** One sentence for each attribute, or part of a link, that could not be taken as it stood. */
@@ -183,6 +185,7 @@ export class AttributeReader<K extends Kind> {
       quality: this.choice('quality', QUALITY_CHOICES, QUALITY_CHOICES[0]),
       theme: this.choice('theme', THEMES, THEMES[0]),
       interaction: this.choice('interaction', INTERACTIONS, INTERACTIONS[0]),
+      navigation: this.choice('navigation', NAVIGATIONS, NAVIGATIONS[0]),
       loading: this.choice('loading', LOADINGS, LOADINGS[0]),
       metresPerPixel: this.#scale(),
       notices: this.notices,

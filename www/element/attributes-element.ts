@@ -2,8 +2,8 @@
 
 import { errorInfo } from '../base/errors.ts';
 import { FOV, FOV_BOUNDS } from '../base/fov.ts';
-import { INTERACTIONS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
-import type { Backend, CameraState, ColorMode, Interaction, Theme, View, WantedQuality } from '../base/view.ts';
+import { INTERACTIONS, NAVIGATIONS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
+import type { Backend, CameraState, ColorMode, Interaction, Navigation, Theme, View, WantedQuality } from '../base/view.ts';
 import { METRES_PER_PIXEL } from '../scene/camera/orbit.ts';
 import { checkCamera } from '../table/camera-bounds.ts';
 import { checkNumber } from '../table/param-checks.ts';
@@ -45,6 +45,7 @@ const PROPERTIES = [
   'theme',
   'cameraOrbit',
   'interaction',
+  'navigation',
   'metresPerPixel',
   'backend',
   'controls',
@@ -62,6 +63,7 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
   /** How things were seen before a link was opened whose run is still to come. */
   #beforeLink: Seen<K> | null = null;
   #interaction: Interaction = INTERACTIONS[0];
+  #navigation: Navigation = NAVIGATIONS[0];
   #metresPerPixel = METRES_PER_PIXEL;
 
   constructor(definition: AttributesDefinition<K>) {
@@ -99,8 +101,9 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
     this.sceneQuality = read.quality;
     this.sceneTheme = read.theme;
     this.#interaction = read.interaction;
+    this.#navigation = read.navigation;
     this.#metresPerPixel = read.metresPerPixel;
-    if (has('interaction')) this.readManners();
+    if (has('interaction', 'navigation')) this.readManners();
     this.changed();
     for (const { attribute, message } of read.notices) if (unread.has(attribute)) this.notify(message);
   }
@@ -241,7 +244,7 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
   /** @throws {RockFieldError} naming key, value and bounds; nothing has changed. */
   set fov(degrees: number | `${number}` | null) {
     // Frameworks assign what is written as text, and nothing to take it away.
-    const checked = checkNumber('fov', typeof degrees === 'string' ? Number(degrees) : (degrees ?? FOV), FOV_BOUNDS, false);
+    const checked = checkNumber('fov', Number(degrees ?? FOV), FOV_BOUNDS, false);
     writeAttribute(this, 'fov', degrees);
     this.readAttributes();
     // The camera may have had another, of its own.
@@ -301,6 +304,16 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
 
   set interaction(interaction: Interaction) {
     this.setAttribute('interaction', checkChoice('interaction', interaction ?? INTERACTIONS[0], INTERACTIONS));
+  }
+
+  /** How hands move the camera: see the attribute. */
+  override get navigation(): Navigation {
+    this.readAttributes();
+    return this.#navigation;
+  }
+
+  override set navigation(navigation: Navigation) {
+    this.setAttribute('navigation', checkChoice('navigation', navigation ?? NAVIGATIONS[0], NAVIGATIONS));
   }
 
   protected override get interactionMode(): Interaction {

@@ -37,6 +37,7 @@ export interface ElementEventMap<Stage extends string> {
  * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
  * @attribute fov - Vertical field of view in degrees, 5 … 120; default 36.
  * @attribute interaction - `cooperative` (the page scrolls through it), `always` or `none`.
+ * @attribute navigation - `orbit`, or `walk`: at eye height on the ground, with W A S D, the arrow keys, drags and two fingers, until Escape.
  * @attribute loading - `eager`, or `lazy`: nothing is loaded before the element comes near the screen.
  * @attribute metres-per-pixel - Size of a pixel of the image; default 0.01.
  * @attribute controls - A button in the picture's corner opens a panel with everything that can be set; `open`: it begins open.

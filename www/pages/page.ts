@@ -156,7 +156,7 @@ function show<K extends Kind>({ element, panel, random, actions }: Page<K>, stor
   stage.append(element, overlay);
   stage.after(panel);
   // No key is pressed before there is something to see.
-  void lazily(() => import('../controls/keys.ts')).then(({ listenToKeys }) => listenToKeys(store, { frameAll, help }));
+  void lazily(() => import('../controls/hands.ts')).then(({ takeInHand }) => takeInHand(store, element, overlay, { frameAll, help }));
 
   found('.skip-link').addEventListener('click', (event) => {
     // Not by the address: that is the link's.

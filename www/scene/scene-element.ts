@@ -1,6 +1,6 @@
 /** What every scene on a page shares beside its picture: the camera, and the hands that move it. */
 
-import type { Interaction, CameraState } from '../base/view.ts';
+import type { Interaction, CameraState, Navigation } from '../base/view.ts';
 import { lazily } from '../base/lazy.ts';
 import type { Field } from '../data/field.ts';
 import { prefersStillness } from './camera/auto-rotation.ts';
@@ -31,6 +31,8 @@ export abstract class SceneElement extends DrawnElement {
   protected abstract groundSize(): [number, number];
   /** What moves the camera, as the attributes say. */
   protected abstract get interactionMode(): Interaction;
+  /** How hands move the camera: see the attribute. */
+  abstract get navigation(): Navigation;
 
   /** What is framed instead of all of the ground. */
   protected get subject(): Subject | null {
@@ -131,7 +133,8 @@ export abstract class SceneElement extends DrawnElement {
   }
 
   protected override advance(now: number): boolean {
-    return this.#camera.advance(now, this.rotates);
+    // Who walks is not turned.
+    return this.#controls?.advance(now) ?? this.#camera.advance(now, this.rotates);
   }
 
   protected override entered(signal: AbortSignal): void {
@@ -142,11 +145,12 @@ export abstract class SceneElement extends DrawnElement {
 
   /** The first picture needs no hands: they come after it. */
   async #steer(signal: AbortSignal): Promise<void> {
-    const { steer } = await lazily(() => import('./camera/steering.ts'));
+    const { Steering } = await lazily(() => import('./camera/steering.ts'));
     if (signal.aborted) return;
-    this.#controls = steer({
+    this.#controls = new Steering({
       tree: this.tree,
       language: () => this.language,
+      view: () => this.ownWindow,
       camera: () => this.camera,
       move: (camera) => {
         this.#camera.current = camera;
@@ -154,10 +158,16 @@ export abstract class SceneElement extends DrawnElement {
       },
       moved: () => {
         this.#camera.pauseRotation(performance.now());
-        this.emit('camera-change', { camera: this.camera, framed: false });
+        this.emit('camera-change', { camera: this.camera, framed: this.framed });
       },
       frameAll: () => this.frameAll(),
+      invalidate: () => this.invalidate(),
       isPlan: () => this.isPlan,
+      isFramed: () => this.framed,
+      navigation: () => this.navigation,
+      leave: () => this.removeAttribute('navigation'),
+      field: () => this.field,
+      metresPerPixel: () => this.#camera.metresPerPixel,
       interaction: () => (this.hasAttribute('disabled') ? 'none' : this.interactionMode),
     });
   }

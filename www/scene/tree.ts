@@ -41,6 +41,7 @@ export class SceneTree {
     this.#progress.append(slot('progress', part('div', 'bar')));
     this.#hint.setAttribute('part', 'hint');
     this.#hint.hidden = true;
+    this.#hint.setAttribute('role', 'status');
     this.#description.id = 'description';
     this.#description.setAttribute('role', 'status');
     root.append(this.stage, this.#poster, this.#progress, this.#hint, this.messages.element, this.#description);
@@ -121,11 +122,11 @@ export class SceneTree {
   }
 
   /** Shown for a moment. */
-  hint(text: string): void {
+  hint(text: string, ms = HINT_MS): void {
     clearTimeout(this.#hinting);
     this.#hint.textContent = text;
     this.#hint.hidden = false;
-    this.#hinting = setTimeout(() => (this.#hint.hidden = true), HINT_MS);
+    this.#hinting = setTimeout(() => (this.#hint.hidden = true), ms);
   }
 }
 

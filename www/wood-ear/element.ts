@@ -2,7 +2,8 @@
 
 import { BaseHandles } from './base-handles.ts';
 import type { HandlesOwner } from './base-handles.ts';
-import type { Subject } from '../scene/camera/camera.ts';
+import type { Box, Subject } from '../scene/camera/camera.ts';
+import { subjectOf } from '../scene/camera/subject.ts';
 import type { WoodEarColony, WoodEarLog, WoodEarStats } from '../data/colony.ts';
 import { abortError, errorInfo, isAbort, RockFieldError } from '../base/errors.ts';
 import type { Field } from '../data/field.ts';
@@ -277,7 +278,7 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
   protected override get subject(): Subject {
     const { params, preset } = this.onScreen;
     const framed = [preset, params.log.length, params.mesh];
-    if (!this.#subject || framed.some((value, k) => value !== this.#framed[k])) this.#subject = subjectOf(params);
+    if (!this.#subject || framed.some((value, k) => value !== this.#framed[k])) this.#subject = subjectOf(shownOf(params));
     this.#framed = framed;
     return this.#subject;
   }
@@ -382,7 +383,7 @@ export class WoodEarLogElement extends GeneratorElement<WoodEars> {
 }
 
 /** The colonies with what of the log lies between them, px. */
-function subjectOf(params: WoodEarSceneParams): Subject {
+function shownOf(params: WoodEarSceneParams): Box {
   const middle = groundSide(params) / 2;
   const half = params.log.length / 2;
   const { radius } = params.log;

@@ -121,30 +121,20 @@ function fillingCamera(from: CameraState, width: number, height: number, aspect:
 /** Which way a camera looks, and how much of it. */
 export type Angles = Pick<CameraState, 'azimuth' | 'elevation' | 'fov'>;
 
-/** What a picture is about, where it is not the whole field: a box, px. */
-export interface Subject {
+/** px */
+export interface Box {
   low: Vector;
   high: Vector;
 }
 
-/** Seen from the side, and in tall pictures more along it, so low that it stands before what lies behind it. */
-const SUBJECT = {
-  elevation: [(34 * Math.PI) / 180, (25 * Math.PI) / 180],
-  azimuth: [(64 * Math.PI) / 180, (22 * Math.PI) / 180],
-  room: 0.86,
-} as const;
-
-/** The nearest camera that shows all of a subject. */
-export function subjectCamera({ low, high }: Subject, aspect: number, plan = false, fov?: number): CameraState {
-  if (plan) return boxCamera({ low, high }, aspect, { azimuth: 0, elevation: Math.PI / 2, fov }, SUBJECT.room);
-  const ratio = Number.isFinite(aspect) && aspect > 0 ? aspect : 1;
-  const wide = Math.min(1, Math.max(0, (ratio - 0.6) / 0.9));
-  const between = ([tall, flat]: readonly [number, number]): number => tall + (flat - tall) * wide;
-  return boxCamera({ low, high }, ratio, { azimuth: between(SUBJECT.azimuth), elevation: between(SUBJECT.elevation), fov }, SUBJECT.room);
+/** What a picture is about, where it is not the whole field. */
+export interface Subject extends Box {
+  /** The camera that frames it. */
+  camera(aspect: number, plan: boolean, fov: number): CameraState;
 }
 
 /** The nearest camera with the angles of `seen` whose picture shows all of a box in its inner part, `room` of 1, with the box's middle in its own. */
-export function boxCamera({ low, high }: Subject, aspect: number, seen: Angles, room: number): CameraState {
+export function boxCamera({ low, high }: Box, aspect: number, seen: Angles, room: number): CameraState {
   const target = low.map((value, k) => (value + high[k]!) / 2) as Vector;
   const camera: CameraState = { ...seen, distance: MIN_DISTANCE_PX, target };
   const tan = tangentOf(camera);

@@ -4,7 +4,7 @@ import { AutoRotation } from './auto-rotation.ts';
 import type { CameraFlight } from './flight.ts';
 import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './orbit.ts';
 import type { Orbit } from './orbit.ts';
-import { boxCamera, defaultCamera, subjectCamera } from './camera.ts';
+import { boxCamera, defaultCamera } from './camera.ts';
 import type { Subject } from './camera.ts';
 import { FOV } from '../../base/fov.ts';
 import type { CameraState } from '../../base/view.ts';
@@ -37,7 +37,7 @@ export class SceneCamera {
   #flight: CameraFlight | undefined;
   /** What the framing is when the page asks for another than ours. */
   #orbit: Orbit | null = null;
-  #metresPerPixel = METRES_PER_PIXEL;
+  metresPerPixel = METRES_PER_PIXEL;
   /** Of cameras that have none of their own, degrees. */
   #fov = FOV;
   #rotation = new AutoRotation();
@@ -62,9 +62,9 @@ export class SceneCamera {
   /** The default camera, for the present aspect or another. */
   framing(aspect = this.#frame().aspect, closeUp = this.#frame().closeUp, plan = this.#frame().plan): CameraState {
     const { extent, subject } = this.#frame();
-    const camera = subject ? subjectCamera(subject, aspect, plan, this.#fov) : defaultCamera(...extent, aspect, plan, closeUp, this.#fov);
+    const camera = subject ? subject.camera(aspect, plan, this.#fov) : defaultCamera(...extent, aspect, plan, closeUp, this.#fov);
     if (!this.#orbit) return camera;
-    const orbited = orbitCamera(camera, this.#orbit, this.#centre(), this.#metresPerPixel);
+    const orbited = orbitCamera(camera, this.#orbit, this.#centre(), this.metresPerPixel);
     return subject ? { ...orbited, target: camera.target } : orbited;
   }
 
@@ -119,7 +119,7 @@ export class SceneCamera {
 
   setFraming(orbit: Orbit | null, metresPerPixel: number): void {
     this.#orbit = orbit;
-    this.#metresPerPixel = metresPerPixel;
+    this.metresPerPixel = metresPerPixel;
   }
 
   /**

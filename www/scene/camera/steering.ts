@@ -1,57 +1,88 @@
 /** A scene's camera in the user's hands: what their gestures do, and a word on those that did nothing. Fetched after the first picture. */
 
-import type { Language } from '../../base/language.ts';
 import { lazily } from '../../base/lazy.ts';
-import type { CameraState, Interaction } from '../../base/view.ts';
+import type { CameraState } from '../../base/view.ts';
 import type { SceneTree } from '../tree.ts';
 import { CameraFlight } from './flight.ts';
 import { OrbitControls } from './orbit-controls.ts';
-
-/** The scene that is steered. */
-export interface Steered {
-  tree: SceneTree;
-  language(): Language;
-  camera(): CameraState;
-  /** Moves the camera. */
-  move(camera: CameraState): void;
-  /** The user has moved it. */
-  moved(): void;
-  frameAll(): void;
-  /** Whether it is seen from straight above. */
-  isPlan(): boolean;
-  interaction(): Interaction;
-}
+import type { Steered } from './steered.ts';
+import type { Walk } from './walk.ts';
 
 /** Scenes that have explained once what fingers do: these meet the picture whenever they scroll. */
 const explained = new WeakSet<SceneTree>();
 
-export interface Steering {
-  /** A flight that begins now. */
-  fly(from: CameraState, to: CameraState): CameraFlight;
-  /** To be called after a change of `interaction`. */
-  refresh(): void;
-  dispose(): void;
-}
+/** A flight that begins now. */
+const fly = (from: CameraState, to: CameraState): CameraFlight => new CameraFlight(from, to, performance.now());
 
 /** Gestures move the camera until `dispose` is called. */
-export function steer(scene: Steered): Steering {
-  const controls = new OrbitControls(
-    scene.tree.stage,
-    () => scene.camera(),
-    (camera) => scene.move(camera),
-    {
-      onInteract: () => scene.moved(),
-      onFrameAll: () => scene.frameAll(),
-      onRefused: (gesture) => void explain(gesture, scene),
-      isPlan: () => scene.isPlan(),
-      interaction: () => scene.interaction(),
-    },
-  );
-  return {
-    fly: (from, to) => new CameraFlight(from, to, performance.now()),
-    refresh: () => controls.refresh(),
-    dispose: () => controls.dispose(),
-  };
+export class Steering {
+  readonly fly = fly;
+  readonly #scene: Steered;
+  readonly #orbit: OrbitControls;
+  #walk: Walk | undefined;
+  #isComing = false;
+  #isDisposed = false;
+
+  constructor(scene: Steered) {
+    this.#scene = scene;
+    this.#orbit = new OrbitControls(
+      scene.tree.stage,
+      () => scene.camera(),
+      (camera) => scene.move(camera),
+      {
+        onInteract: () => scene.moved(),
+        onFrameAll: () => scene.frameAll(),
+        onRefused: (gesture) => void explain(gesture, scene),
+        isPlan: () => scene.isPlan(),
+        interaction: () => (this.#walk ? 'none' : scene.interaction()),
+      },
+    );
+    this.#choose();
+  }
+
+  /** To be called after a change of `interaction` or `navigation`. */
+  refresh(): void {
+    this.#orbit.refresh();
+    this.#choose();
+  }
+
+  dispose(): void {
+    this.#isDisposed = true;
+    this.#walk?.dispose();
+    this.#orbit.dispose();
+  }
+
+  /** On to the frame at `now`. True while a walk has more to come; undefined while nobody walks. */
+  advance(now: number): boolean | undefined {
+    this.#choose();
+    const moves = this.#walk?.advance(now);
+    if (!this.#walk?.isOver) return moves;
+    this.#walk = undefined;
+    this.refresh();
+    return undefined;
+  }
+
+  /** Begins a walk, or ends it, as the scene has it. There is nowhere to walk in a plan. */
+  #choose(): void {
+    const scene = this.#scene;
+    const field = scene.field();
+    const walks = scene.navigation() === 'walk' && scene.interaction() !== 'none' && !scene.isPlan();
+    if (!walks) this.#walk?.end();
+    else if (field && !this.#walk && !this.#isComing) this.#begin().catch((thrown: unknown) => console.warn(thrown));
+  }
+
+  async #begin(): Promise<void> {
+    this.#isComing = true;
+    try {
+      const { Walk } = await lazily(() => import('./walk.ts'));
+      const field = this.#scene.field();
+      if (this.#isDisposed || !field || this.#scene.navigation() !== 'walk') return;
+      this.#walk = new Walk(this.#scene, field, fly);
+      this.#orbit.refresh();
+    } finally {
+      this.#isComing = false;
+    }
+  }
 }
 
 /** Says why a gesture did nothing. */
