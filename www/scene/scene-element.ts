@@ -3,9 +3,10 @@
 import type { Interaction, CameraState, Navigation } from '../base/view.ts';
 import { lazily } from '../base/lazy.ts';
 import type { Field } from '../data/field.ts';
-import { prefersStillness } from './camera/auto-rotation.ts';
+import { prefersStillness } from './camera/stillness.ts';
 import type { Subject } from './camera/camera.ts';
 import type { Orbit } from './camera/orbit.ts';
+import type { Steered } from './camera/steered.ts';
 import type { Steering } from './camera/steering.ts';
 import { SceneCamera } from './camera/scene-camera.ts';
 import { DrawnElement } from './drawn-element.ts';
@@ -147,19 +148,16 @@ export abstract class SceneElement extends DrawnElement {
   async #steer(signal: AbortSignal): Promise<void> {
     const { Steering } = await lazily(() => import('./camera/steering.ts'));
     if (signal.aborted) return;
-    this.#controls = new Steering({
+    const scene = {
       tree: this.tree,
       language: () => this.language,
       view: () => this.ownWindow,
       camera: () => this.camera,
-      move: (camera) => {
+      move: (camera: CameraState | null) => {
         this.#camera.current = camera;
         this.invalidate();
       },
-      moved: () => {
-        this.#camera.pauseRotation(performance.now());
-        this.emit('camera-change', { camera: this.camera, framed: this.framed });
-      },
+      moved: () => this.emit('camera-change', { camera: this.camera, framed: this.framed }),
       frameAll: () => this.frameAll(),
       invalidate: () => this.invalidate(),
       isPlan: () => this.isPlan,
@@ -169,7 +167,10 @@ export abstract class SceneElement extends DrawnElement {
       field: () => this.field,
       metresPerPixel: () => this.#camera.metresPerPixel,
       interaction: () => (this.hasAttribute('disabled') ? 'none' : this.interactionMode),
-    });
+    } satisfies Steered;
+    this.#controls = new Steering(scene, this.#camera.rotation);
+    this.#camera.rotation = this.#controls.rotation;
+    if (this.rotates) this.invalidate();
   }
 
   protected override left(): void {

@@ -29,8 +29,3 @@ export class AutoRotation {
     if (now >= this.#from) this.angle += step * RADIANS_PER_MS;
   }
 }
-
-/** What the system is set to. */
-export function prefersStillness(view: Window): boolean {
-  return view.matchMedia('(prefers-reduced-motion: reduce)').matches;
-}

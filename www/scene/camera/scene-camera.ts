@@ -1,6 +1,6 @@
 /** Where the eye is: moved by the user, flying, turning by itself, or framing the whole field, whatever its size. */
 
-import { AutoRotation } from './auto-rotation.ts';
+import type { AutoRotation } from './auto-rotation.ts';
 import type { CameraFlight } from './flight.ts';
 import { METRES_PER_PIXEL, orbitCamera, turnCamera } from './orbit.ts';
 import type { Orbit } from './orbit.ts';
@@ -40,7 +40,8 @@ export class SceneCamera {
   metresPerPixel = METRES_PER_PIXEL;
   /** Of cameras that have none of their own, degrees. */
   #fov = FOV;
-  #rotation = new AutoRotation();
+  /** What turns it by itself, once there are hands that could stop it. */
+  rotation: AutoRotation | undefined;
   #frame: () => Frame;
 
   constructor(frame: () => Frame) {
@@ -53,7 +54,7 @@ export class SceneCamera {
 
   set current(camera: CameraState | null) {
     this.#flight = undefined;
-    this.#rotation.angle = 0;
+    if (this.rotation) this.rotation.angle = 0;
     this.#whole = null;
     this.#heldCloseUp = undefined;
     this.#camera = camera && structuredClone(camera);
@@ -140,25 +141,20 @@ export class SceneCamera {
     this.#flight = undefined;
   }
 
-  /** The user has moved: what turns by itself waits. */
-  pauseRotation(now: number): void {
-    this.#rotation.pause(now);
-  }
-
   /** On to the frame at `now`. True while there is more to come. */
   advance(now: number, rotates: boolean): boolean {
     if (this.#flight) {
       this.#camera = this.#flight.at(now);
       if (!this.#camera) this.#flight = undefined;
     }
-    const turns = rotates && !this.#flight && !this.#frame().plan;
-    if (turns) this.#rotation.advance(now);
-    else this.#rotation.rest();
+    const turns = rotates && !this.#flight && !this.#frame().plan && this.rotation !== undefined;
+    if (turns) this.rotation?.advance(now);
+    else this.rotation?.rest();
     return this.#flight !== undefined || turns;
   }
 
   #at(camera: CameraState): CameraState {
-    const { angle } = this.#rotation;
+    const { angle = 0 } = this.rotation ?? {};
     const seen = { ...structuredClone(camera), fov: camera.fov ?? this.#fov };
     return angle === 0 ? seen : turnCamera(seen, this.#centre(), angle);
   }

@@ -3,6 +3,7 @@
 import { lazily } from '../../base/lazy.ts';
 import type { CameraState } from '../../base/view.ts';
 import type { SceneTree } from '../tree.ts';
+import { AutoRotation } from './auto-rotation.ts';
 import { CameraFlight } from './flight.ts';
 import { OrbitControls } from './orbit-controls.ts';
 import type { Steered } from './steered.ts';
@@ -17,20 +18,26 @@ const fly = (from: CameraState, to: CameraState): CameraFlight => new CameraFlig
 /** Gestures move the camera until `dispose` is called. */
 export class Steering {
   readonly fly = fly;
+  /** What turns the camera by itself, from before or new: the hands stop it for a while. */
+  readonly rotation: AutoRotation;
   readonly #scene: Steered;
   readonly #orbit: OrbitControls;
   #walk: Walk | undefined;
   #isComing = false;
   #isDisposed = false;
 
-  constructor(scene: Steered) {
+  constructor(scene: Steered, rotation = new AutoRotation()) {
+    this.rotation = rotation;
     this.#scene = scene;
     this.#orbit = new OrbitControls(
       scene.tree.stage,
       () => scene.camera(),
       (camera) => scene.move(camera),
       {
-        onInteract: () => scene.moved(),
+        onInteract: () => {
+          this.rotation.pause(performance.now());
+          scene.moved();
+        },
         onFrameAll: () => scene.frameAll(),
         onRefused: (gesture) => void explain(gesture, scene),
         isPlan: () => scene.isPlan(),
@@ -58,6 +65,7 @@ export class Steering {
     const moves = this.#walk?.advance(now);
     if (!this.#walk?.isOver) return moves;
     this.#walk = undefined;
+    this.rotation.pause(now);
     this.refresh();
     return undefined;
   }

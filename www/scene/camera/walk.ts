@@ -3,7 +3,7 @@
 import type { CameraState } from '../../base/view.ts';
 import type { Field } from '../../data/field.ts';
 import { HINTS } from '../hints.ts';
-import { prefersStillness } from './auto-rotation.ts';
+import { prefersStillness } from './stillness.ts';
 import { Footing } from './footing.ts';
 import type { CameraFlight } from './flight.ts';
 import type { Steered } from './steered.ts';
