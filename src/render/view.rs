@@ -427,7 +427,7 @@ impl View {
             backdrop_low: palette::linear(theme.backdrop_low),
             backdrop_high: palette::linear(theme.backdrop_high),
             soil: Vec4::from(palette::linear(theme.soil)).truncate().extend(f32::from(self.backing)).to_array(),
-            dust: palette::linear(theme.dust),
+            dust: Vec4::from(palette::linear(theme.dust)).truncate().extend(self.look.snow).to_array(),
             weather: self.look.weather,
             scene: [self.look.ground, 0.0, if natural { 1.0 } else { 0.0 }, f32::from(self.look.debris)],
             flesh: self.look.flesh,

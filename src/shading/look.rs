@@ -11,6 +11,8 @@ use super::order::{FleshValues, LookValues};
 pub(crate) struct Look {
     /// Variation, wetness, moss and dust, 0…1.
     pub(crate) weather: [f32; 4],
+    /// How much snow has fallen, 0…1.
+    pub(crate) snow: f32,
     /// 0 soil, 1 sand, 2 gravel.
     pub(crate) ground: f32,
     /// Unit vector towards the sun. Its light is used in all colour modes.
@@ -25,7 +27,7 @@ pub(crate) struct Look {
 
 impl Default for Look {
     fn default() -> Self {
-        Self::new(&[0.5, 0.0, 0.0, 0.2, 0.0, 259.0, 35.0], &[], &[])
+        Self::new(&[0.5, 0.0, 0.0, 0.2, 0.0, 0.0, 259.0, 35.0], &[], &[])
     }
 }
 
@@ -38,6 +40,7 @@ impl Look {
         let share = |value: f32| value.clamp(0.0, 1.0);
         Self {
             weather: [look.variation, look.wetness, look.moss, look.dust].map(share),
+            snow: share(look.snow),
             ground: look.ground.clamp(0.0, 2.0).round(),
             sun: sun(look.sun_azimuth, look.sun_elevation),
             debris: materials.last().copied().unwrap_or(0),

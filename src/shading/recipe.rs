@@ -21,6 +21,7 @@ pub(crate) struct Recipe {
     ground: u8,
     has_moss: bool,
     is_wet: bool,
+    has_snow: bool,
     has_log: bool,
     sort: Sort,
 }
@@ -29,7 +30,8 @@ impl Recipe {
     /// For what stands on the ground: it takes the ground's kind from the uniforms.
     pub(crate) fn of_bodies(quality: Quality, look: &Look) -> Self {
         let [_, wetness, moss, _] = look.weather;
-        Self { quality, ground: 0, has_moss: moss > 0.0, is_wet: wetness > 0.0, has_log: false, sort: Sort::Frame }
+        let (has_moss, is_wet, has_snow) = (moss > 0.0, wetness > 0.0, look.snow > 0.0);
+        Self { quality, ground: 0, has_moss, is_wet, has_snow, has_log: false, sort: Sort::Frame }
     }
 
     pub(crate) fn of_ground(quality: Quality, look: &Look, has_log: bool) -> Self {
@@ -46,14 +48,15 @@ impl Recipe {
     }
 
     /// By the names that the shaders give them.
-    pub(crate) fn constants(self) -> [(&'static str, f64); 6] {
-        let Self { quality, ground, has_moss, is_wet, has_log, sort } = self;
+    pub(crate) fn constants(self) -> [(&'static str, f64); 7] {
+        let Self { quality, ground, has_moss, is_wet, has_snow, has_log, sort } = self;
         let is_sampled = sort == Sort::Sample;
         [
             ("quality", f64::from(quality as u8)),
             ("ground_kind", f64::from(ground)),
             ("has_moss", f64::from(u8::from(has_moss))),
             ("is_wet", f64::from(u8::from(is_wet))),
+            ("has_snow", f64::from(u8::from(has_snow))),
             ("has_log", f64::from(u8::from(has_log))),
             ("is_sampled", f64::from(u8::from(is_sampled))),
         ]

@@ -23,11 +23,12 @@ pub(crate) struct Globals {
     pub(crate) plan: [f32; 4],
     /// The part of the picture that is drawn, device pixels: xy its upper left corner, zw its size.
     pub(crate) tile: [f32; 4],
-    /// Linear colour; w is not used. The same holds for the next two and for `dust`.
+    /// Linear colour; w is not used. The same holds for the next one.
     pub(crate) backdrop_low: [f32; 4],
     pub(crate) backdrop_high: [f32; 4],
     /// w: 1 or 2 where black or white stands in for ground and backdrop, else 0.
     pub(crate) soil: [f32; 4],
+    /// w: how much snow has fallen, 0…1.
     pub(crate) dust: [f32; 4],
     /// Variation, wetness, moss, dust.
     pub(crate) weather: [f32; 4],

@@ -58,6 +58,7 @@ export const LABELS_JA: Readonly<Record<string, string>> = {
   "Size": "サイズ",
   "Size spread": "サイズのばらつき幅",
   "Slate": "粘板岩",
+  "Snow": "雪",
   "Soil": "土",
   "Sun azimuth": "太陽の方位",
   "Sun elevation": "太陽の高さ",

@@ -15,6 +15,7 @@ export const LABELS_JA: Readonly<Record<string, string>> = {
   'Dry garden': '枯山水',
   'Forest floor': '林床',
   'Quarry rubble': '採石場の砕石',
+  'First snow': '初雪',
   Shingle: '砂利浜',
 };
 

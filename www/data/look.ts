@@ -4,6 +4,7 @@ export interface Look {
   wetness: number;
   moss: number;
   dust: number;
+  snow: number;
   /** The place of the word among the choices of the parameter. */
   ground: number;
   /** Degrees. */

@@ -90,6 +90,8 @@ pub struct Look {
     pub moss: f64,
     /// Amount of dust on surfaces that face up, 0 … 1.
     pub dust: f64,
+    /// How much snow has fallen, 0 … 1: at 1 it lies about 6 px deep.
+    pub snow: f64,
     /// The ground between and around the rocks.
     pub ground: Ground,
     /// Degrees, counted like the camera's azimuth: at 0 the sun stands towards −y, at 90 towards +x.

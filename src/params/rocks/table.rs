@@ -121,6 +121,13 @@ table! {
         ja "岩の低い所と上を向いた面に、地面の砂ぼこりが積もります。"
     }
     {
+        "snow", url "snow", Scope::Field(|p| p.look.snow, |p, v| p.look.snow = v), Kind::Real, Look,
+        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Snow", "雪"],
+        en "Snow covers the ground, and what faces up.",
+        ja "雪は地面と、上を向いた面に積もります。"
+    }
+    {
         "ground", url "soil", Scope::Field(|p| p.look.ground as u8 as f64, |p, v| p.look.ground = Ground::ALL.get(v as usize).copied().unwrap_or_default()),
         Kind::Choice(&["soil", "sand", "gravel"]), Look,
         range [0.0, 2.0] step 1.0 default 0.0, slider [0.0, 2.0] linear,
@@ -320,6 +327,7 @@ impl Params {
             wetness: 0.0,
             moss: 0.0,
             dust: 0.0,
+            snow: 0.0,
             ground: Ground::Soil,
             sun_azimuth: 0.0,
             sun_elevation: 0.0,

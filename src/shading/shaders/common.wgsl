@@ -21,7 +21,7 @@ struct Globals {
   backdrop_high: vec4f,
   // Linear albedo of the ground under and round the rocks; w: 1 or 2 where black or white stands in for ground and backdrop
   soil: vec4f,
-  // w unused
+  // w: how much snow has fallen, 0…1
   dust: vec4f,
   // Natural colours: variation, wetness, moss, dust, 0…1
   weather: vec4f,

@@ -32,21 +32,23 @@ fn files() -> BTreeMap<String, String> {
     files
 }
 
-/// The recipes that a pass is written for, with what is added to its name: with moss and water, with neither, and for the
+/// The recipes that a pass is written for, with what is added to its name: with moss and water, with neither, with snow, and for the
 /// samples of a still.
 fn recipes(shader: Shader, quality: Quality) -> Vec<(String, Recipe)> {
     let dry = Look { weather: [0.5, 0.0, 0.0, 0.2], ..Look::default() };
     let mossy = Look { weather: [0.5, 0.4, 0.4, 0.2], ..Look::default() };
+    let snowy = Look { snow: 0.5, ..dry.clone() };
     if shader.name != NATURAL_GROUND.name {
         return vec![
             (String::new(), Recipe::of_bodies(quality, &mossy)),
             ("-dry".into(), Recipe::of_bodies(quality, &dry)),
+            ("-snow".into(), Recipe::of_bodies(quality, &snowy)),
             ("-sampled".into(), Recipe::of_bodies(quality, &mossy).of(Sort::Sample)),
         ];
     }
     let mut recipes = Vec::new();
     for (ground, name) in (0_u8..).zip(GROUNDS) {
-        for (look, weather) in [(&mossy, ""), (&dry, "-dry")] {
+        for (look, weather) in [(&mossy, ""), (&dry, "-dry"), (&snowy, "-snow")] {
             let look = Look { ground: f32::from(ground), ..look.clone() };
             recipes.push((format!("-{name}{weather}"), Recipe::of_ground(quality, &look, false)));
             recipes.push((format!("-{name}{weather}-log"), Recipe::of_ground(quality, &look, true)));

@@ -125,6 +125,12 @@ fn stones_laid() {
   cover_open = mix(cover_open, 0.45 + 0.55 * smoothstep(0.0, 0.6, highest.w), highest_covers);
 }
 
+// What light finds on the ground, between stones and under snow.
+fn ground_albedo() -> vec3f {
+  let bare = soil_albedo(globals.scene.x);
+  return select(bare, mix(bare, SNOW, min(2.0 * globals.dust.w, 0.9)), has_snow);
+}
+
 // A point as the log has it: x along its axis from its middle, y across and z up from the axis, px.
 fn about_log(at: vec3f) -> vec3f {
   let from_middle = at.x - field.log.x;
@@ -283,6 +289,40 @@ fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f3
   let want = patches + 0.4 * (upward - 0.7) + 0.6 * sheltered - 0.012 * height - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
   // Half the moss covers about a third.
   return smoothstep(0.0, 0.36, want - mix(1.2, -0.8, moss)) * smoothstep(0.1, 0.5, upward);
+}
+
+const SNOW = vec3f(0.75, 0.77, 0.79);
+
+// What `snow_cover` found: the slope of the drifts, and how far snow is heaped against a surface rather than held by it, 0…1.
+var<private> snow_slope: vec3f;
+var<private> snow_heap: f32;
+
+// How much of a surface is under snow, 0…1: what has fallen on it, unless it is so steep that snow slides off, and what it stands in.
+fn snow_cover(at: vec3f, upward: f32, footprint: f32) -> f32 {
+  if !has_snow {
+    return 0.0;
+  }
+  let snow = globals.dust.w;
+  let q = TURN * at;
+  let drift = noise3(q / 47.0);
+  let lump = noise3(q / 9.0 + 3.0);
+  var loose = 0.6 * lump.w + 0.4 * drift.w;
+  snow_slope = (0.16 * drift.xyz + 0.1 * lump.xyz) * TURN;
+  var period = 2.9;
+  for (var i = 0; i < 3; i++) {
+    let seen = shown(period, footprint);
+    if seen <= 0.0 || quality < 0.5 {
+      break;
+    }
+    let fine = noise3(q / period) * seen;
+    loose += 0.3 * fine.w;
+    snow_slope += (0.05 * fine.xyz) * TURN;
+    period /= 3.7;
+  }
+  let held = smoothstep(-0.03, 0.05, upward + 0.22 * loose - mix(1.05, 0.5, sqrt(snow)));
+  let deep = 6.0 * snow * (1.0 + 0.9 * drift.w + 0.4 * lump.w);
+  snow_heap = smoothstep(-0.1, 0.25, deep + 0.5 * loose - at.z);
+  return max(held, snow_heap);
 }
 
 // What `moss_coat` found.

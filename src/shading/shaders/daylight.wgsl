@@ -115,7 +115,7 @@ var<private> rock_light: vec3f;
 
 fn light_nearby() {
   let open_sky = sky_light(vec3f(0.0, 0.0, 1.0));
-  ground_light = soil_albedo(globals.scene.x) * (sunshine() * field.sun.z * 0.8 + open_sky * 0.6);
+  ground_light = ground_albedo() * (sunshine() * field.sun.z * 0.8 + open_sky * 0.6);
   rock_light = 0.85 * kind_albedo(globals.scene.w) * (0.38 * sunshine() * (0.5 + field.sun.z) + 0.5 * open_sky);
 }
 

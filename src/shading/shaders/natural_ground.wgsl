@@ -133,9 +133,15 @@ fn fs_main(
     rough = mix(rough, 0.95, moss);
   }
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
+  // Stones that rise higher than it is deep look out.
+  let snow = snow_cover(vec3f(world.xy, cover_top), 0.4, footprint);
+  cover_open = mix(cover_open, 1.0, snow);
   let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
   albedo *= 1.0 - 0.5 * shaded;
-  albedo = mix(albedo, mean, rock);
+  albedo = mix(albedo, SNOW, snow);
+  slope = mix(slope, vec3f(snow_slope.xy, 0.0), snow);
+  rough = mix(rough, 0.9, snow);
+  albedo = mix(albedo, mix(mean, SNOW, 0.85 * snow), rock);
   albedo *= mix(0.8, 1.0, afar_one) * rolling(world.xy);
   let open = seen * mix(mix(0.6, 1.0, cover_open), 1.0, rock);
   let light = daylight(albedo, rough, home, up, bumped(up, slope * (1.0 - rock)), to_eye, open);

@@ -55,7 +55,7 @@ fn around(world: vec3f, face: vec3f, normal: vec3f) -> vec3f {
     let open = select(0.0, ground_drawn(world, face), dot(face, down) > 0.0);
     let there = vec3f(world.xy + down.xy * (max(world.z, 0.0) / -down.z), 0.0);
     let lit = sun_color * field.sun.z * sun_drawn(there, vec3f(0.0, 0.0, 1.0)) + 0.6 * open_sky;
-    light += falling * mix(rock_light, soil_albedo(globals.scene.x) * lit, open);
+    light += falling * mix(rock_light, ground_albedo() * lit, open);
   }
   return light;
 }

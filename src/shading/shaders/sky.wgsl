@@ -65,7 +65,9 @@ fn with_hills(sky: vec3f, direction: vec3f, pixel: f32) -> vec3f {
   let patches = noise2(at / vec2f(9.0, 5.0)) + 0.5 * noise2(at / vec2f(2.3, 1.7));
   let bare = smoothstep(0.15, 0.5, 1.0 - normal.z + 0.12 * patches);
   let grown = mix(vec3f(0.13, 0.12, 0.085), vec3f(0.07, 0.075, 0.04), clamp(0.5 + 0.5 * patches + globals.weather.z, 0.0, 1.0));
-  let albedo = mix(mix(grown, 0.8 * soil_albedo(globals.scene.x), 0.35), vec3f(0.17, 0.16, 0.145), bare) * (1.0 + 0.2 * patches);
+  let dry = mix(mix(grown, 0.8 * soil_albedo(globals.scene.x), 0.35), vec3f(0.17, 0.16, 0.145), bare) * (1.0 + 0.2 * patches);
+  let white = select(0.0, smoothstep(0.1, 0.4, 1.0 - bare + 2.0 * globals.dust.w + 0.4 * patches - 0.5), has_snow);
+  let albedo = mix(dry, 0.8 * SNOW, white);
   let light = albedo * (sunshine() * max(dot(normal, field.sun.xyz), 0.0) + 0.85 * sky_light(normal));
   let air = sky_radiance(vec3f(direction.xy, 0.03));
   return mix(sky, mix(air, light, exp(-distance / AIR)), covered);

@@ -56,8 +56,15 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
     bent = normalize(mix(relief, bumped(base, moss_slope), moss));
   }
 
+  let snow = snow_cover(world, base.z, footprint);
+  if snow > 0.0 {
+    albedo = mix(albedo, SNOW, snow);
+    rough = mix(rough, 0.9, snow);
+    bent = normalize(mix(bent, bumped(normalize(base + vec3f(0.0, 0.0, 1.5 * snow_heap)), snow_slope), snow));
+  }
+
   // Water fills the pores: darker, more saturated, and it shines.
-  let wet = wet_cover(world.xy) * (1.0 - 0.5 * moss);
+  let wet = wet_cover(world.xy) * (1.0 - 0.5 * moss) * (1.0 - snow);
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   rough = mix(rough, 0.22, wet);
   surface_albedo = albedo;
