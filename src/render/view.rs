@@ -425,7 +425,10 @@ impl View {
             ],
             tile: [x, y, own[0], own[1]],
             backdrop_low: palette::linear(theme.backdrop_low),
-            backdrop_high: palette::linear(theme.backdrop_high),
+            backdrop_high: Vec4::from(palette::linear(theme.backdrop_high))
+                .truncate()
+                .extend(self.look.water)
+                .to_array(),
             soil: Vec4::from(palette::linear(theme.soil)).truncate().extend(f32::from(self.backing)).to_array(),
             dust: Vec4::from(palette::linear(theme.dust)).truncate().extend(self.look.snow).to_array(),
             weather: self.look.weather,

@@ -13,6 +13,8 @@ pub(crate) struct Look {
     pub(crate) weather: [f32; 4],
     /// How much snow has fallen, 0…1.
     pub(crate) snow: f32,
+    /// How high water stands, as a share of the height of the highest rock.
+    pub(crate) water: f32,
     /// 0 soil, 1 sand, 2 gravel.
     pub(crate) ground: f32,
     /// Unit vector towards the sun. Its light is used in all colour modes.
@@ -27,7 +29,7 @@ pub(crate) struct Look {
 
 impl Default for Look {
     fn default() -> Self {
-        Self::new(&[0.5, 0.0, 0.0, 0.2, 0.0, 0.0, 259.0, 35.0], &[], &[])
+        Self::new(&[0.5, 0.0, 0.0, 0.2, 0.0, 0.0, 0.0, 259.0, 35.0], &[], &[])
     }
 }
 
@@ -41,6 +43,7 @@ impl Look {
         Self {
             weather: [look.variation, look.wetness, look.moss, look.dust].map(share),
             snow: share(look.snow),
+            water: share(look.water),
             ground: look.ground.clamp(0.0, 2.0).round(),
             sun: sun(look.sun_azimuth, look.sun_elevation),
             debris: materials.last().copied().unwrap_or(0),

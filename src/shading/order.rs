@@ -91,13 +91,14 @@ impl Quality {
 }
 
 values! {
-    /// The weather 0 … 1, up to the snow; the ground, 0 soil, 1 sand, 2 gravel; and the sun's place in degrees.
+    /// The weather 0 … 1, up to the water; the ground, 0 soil, 1 sand, 2 gravel; and the sun's place in degrees.
     LookValues {
         variation "variation",
         wetness "wetness",
         moss "moss",
         dust "dust",
         snow "snow",
+        water "water",
         ground "ground",
         sun_azimuth "sunAzimuth",
         sun_elevation "sunElevation",

@@ -22,6 +22,7 @@ pub(crate) struct Recipe {
     has_moss: bool,
     is_wet: bool,
     has_snow: bool,
+    has_water: bool,
     has_log: bool,
     sort: Sort,
 }
@@ -30,8 +31,8 @@ impl Recipe {
     /// For what stands on the ground: it takes the ground's kind from the uniforms.
     pub(crate) fn of_bodies(quality: Quality, look: &Look) -> Self {
         let [_, wetness, moss, _] = look.weather;
-        let (has_moss, is_wet, has_snow) = (moss > 0.0, wetness > 0.0, look.snow > 0.0);
-        Self { quality, ground: 0, has_moss, is_wet, has_snow, has_log: false, sort: Sort::Frame }
+        let (has_moss, is_wet, has_snow, has_water) = (moss > 0.0, wetness > 0.0, look.snow > 0.0, look.water > 0.0);
+        Self { quality, ground: 0, has_moss, is_wet, has_snow, has_water, has_log: false, sort: Sort::Frame }
     }
 
     pub(crate) fn of_ground(quality: Quality, look: &Look, has_log: bool) -> Self {
@@ -48,8 +49,8 @@ impl Recipe {
     }
 
     /// By the names that the shaders give them.
-    pub(crate) fn constants(self) -> [(&'static str, f64); 7] {
-        let Self { quality, ground, has_moss, is_wet, has_snow, has_log, sort } = self;
+    pub(crate) fn constants(self) -> [(&'static str, f64); 8] {
+        let Self { quality, ground, has_moss, is_wet, has_snow, has_water, has_log, sort } = self;
         let is_sampled = sort == Sort::Sample;
         [
             ("quality", f64::from(quality as u8)),
@@ -57,6 +58,7 @@ impl Recipe {
             ("has_moss", f64::from(u8::from(has_moss))),
             ("is_wet", f64::from(u8::from(is_wet))),
             ("has_snow", f64::from(u8::from(has_snow))),
+            ("has_water", f64::from(u8::from(has_water))),
             ("has_log", f64::from(u8::from(has_log))),
             ("is_sampled", f64::from(u8::from(is_sampled))),
         ]

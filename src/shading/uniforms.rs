@@ -23,8 +23,9 @@ pub(crate) struct Globals {
     pub(crate) plan: [f32; 4],
     /// The part of the picture that is drawn, device pixels: xy its upper left corner, zw its size.
     pub(crate) tile: [f32; 4],
-    /// Linear colour; w is not used. The same holds for the next one.
+    /// Linear colour; w is not used.
     pub(crate) backdrop_low: [f32; 4],
+    /// w: how high water stands, as a share of the height of the highest rock.
     pub(crate) backdrop_high: [f32; 4],
     /// w: 1 or 2 where black or white stands in for ground and backdrop, else 0.
     pub(crate) soil: [f32; 4],

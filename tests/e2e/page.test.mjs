@@ -74,7 +74,7 @@ test('what is only seen is drawn without a run, undone and shared like the rest;
     document.querySelector('rock-field').addEventListener('generate', () => (globalThis.runs += 1));
   });
   const looks = await page.locator('.section:has([id="sa"]) .slider').evaluateAll((found) => found.map(({ id }) => id));
-  assert.deepEqual(looks, ['var', 'wet', 'moss', 'dust', 'snow', 'sa', 'se']);
+  assert.deepEqual(looks, ['var', 'wet', 'moss', 'dust', 'snow', 'water', 'sa', 'se']);
   await page.locator('[id="sa"]').press('End');
   await page.getByRole('button', { name: 'Layer 1' }).first().click();
   await page.locator('[id="mat-0"]').selectOption('slate');

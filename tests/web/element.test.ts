@@ -215,7 +215,7 @@ test('layers of other ids, or another number, are other rocks', () => {
 
 test('the look is every row of it, with the material of each layer by id', () => {
   const params = presetParams('lava-field');
-  const { variation, wetness, moss, dust, snow, ground, sunAzimuth, sunElevation } = params;
+  const { variation, wetness, moss, dust, snow, water, ground, sunAzimuth, sunElevation } = params;
   const place = (key: string, word: string) =>
     (PARAMS as readonly ParamSpec[]).find((row) => row.key === key)!.choices.findIndex(({ value }) => value === word);
   assert.deepEqual(lookOf(params), {
@@ -224,6 +224,7 @@ test('the look is every row of it, with the material of each layer by id', () =>
     moss,
     dust,
     snow,
+    water,
     ground: place('ground', ground),
     sunAzimuth,
     sunElevation,

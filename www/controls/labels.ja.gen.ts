@@ -74,6 +74,7 @@ export const LABELS_JA: Readonly<Record<string, string>> = {
   "Velvet": "産毛",
   "Vertex spacing": "頂点の間隔",
   "Vertices per ring c": "輪の頂点数 c",
+  "Water": "水",
   "Weathering": "風化",
   "Wetness": "濡れ",
   "Width": "幅",

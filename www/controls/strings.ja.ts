@@ -16,6 +16,7 @@ export const LABELS_JA: Readonly<Record<string, string>> = {
   'Forest floor': '林床',
   'Quarry rubble': '採石場の砕石',
   'First snow': '初雪',
+  'Mountain stream': '渓流',
   Shingle: '砂利浜',
 };
 

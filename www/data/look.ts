@@ -5,6 +5,7 @@ export interface Look {
   moss: number;
   dust: number;
   snow: number;
+  water: number;
   /** The place of the word among the choices of the parameter. */
   ground: number;
   /** Degrees. */

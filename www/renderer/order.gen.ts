@@ -10,7 +10,7 @@ export const COLORS = ['layer', 'rock', 'plain', 'natural'] as const;
 export const QUALITIES = ['low', 'medium', 'high'] as const;
 
 /** The values that `RawRenderer.setLook` takes, in this order. */
-export const LOOK = ['variation', 'wetness', 'moss', 'dust', 'snow', 'ground', 'sunAzimuth', 'sunElevation'] as const;
+export const LOOK = ['variation', 'wetness', 'moss', 'dust', 'snow', 'water', 'ground', 'sunAzimuth', 'sunElevation'] as const;
 
 /** The values of wood ears, which follow those of `LOOK`. */
 export const FLESH = ['moisture', 'variation', 'translucency', 'velvet'] as const;

@@ -17,6 +17,7 @@ export const PARAM_DOCS: Readonly<Record<string, Words>> = {
   moss: { en: "Moss grows in patches, where the rocks are low and face up.", ja: "低い所や上を向いた面に、まだらに苔が生えます。" },
   dust: { en: "Dust of the ground lies low on the rocks and on what faces up.", ja: "岩の低い所と上を向いた面に、地面の砂ぼこりが積もります。" },
   snow: { en: "Snow covers the ground, and what faces up.", ja: "雪は地面と、上を向いた面に積もります。" },
+  water: { en: "Clear water stands over the ground; at 1, over the highest rock.", ja: "澄んだ水が地面を覆います。1で一番高い岩まで届きます。" },
   soil: { en: "What lies between and around the rocks, in natural colours.", ja: "自然な配色での、岩の間とまわりの地面。" },
   sa: { en: "Where the sun stands, counted like the camera's azimuth: at the same angle it is behind the viewer.", ja: "太陽の方位。カメラの方位角と同じ向きに数え、同じ角度なら見る人の背後にあります。" },
   se: { en: "How high the sun stands; a low sun throws long shadows.", ja: "太陽の高さ。低いほど影が長くなります。" },

@@ -111,6 +111,14 @@ export const PARAMS = [
     choices: [],
   },
   {
+    key: "water", component: null, url: "water", scope: 'field', kind: 'real', stage: 'look',
+    min: 0, max: 1, step: 0.01, default: 0, slider: { min: 0, max: 1, logarithmic: false },
+    relative: null,
+    unit: { px: "", relative: "" },
+    label: "Water",
+    choices: [],
+  },
+  {
     key: "ground", component: null, url: "soil", scope: 'field', kind: 'choice', stage: 'look',
     min: 0, max: 2, step: 1, default: 0, slider: { min: 0, max: 2, logarithmic: false },
     relative: null,
@@ -287,6 +295,7 @@ export const PRESETS = [
   { name: 'forest-floor', natural: true, notation: 'px', fields: { imageWidth: 640, imageHeight: 640, border: "drop", swing: "separate", ground: "soil", variation: 0.4, wetness: 0.25, moss: 0.62, dust: 0.3, sunAzimuth: 250, sunElevation: 40 }, layers: [[110, 0.1, 0, 5.5, 4.4, 30.8, 35.2, 13.2, 0.6, 0.5, 34, 0.3, 1], [60, 0.1, 0, 3, 2.4, 16.8, 19.2, 7.2, 0.65, 0.5, 38, 0.35, 1], [34, 0.12, 0, 1.7, 1.36, 9.52, 10.88, 4.08, 0.7, 0.45, 36, 0.35, 1], [18, 0.12, 0, 0.9, 0.72, 5.04, 5.76, 2.16, 0.7, 0.4, 30, 0.35, 1], [9, 0.15, 0, 0.45, 0.36, 2.52, 2.88, 1.08, 0.75, 0.2, 27, 0.3, 1], [5, 0.15, 0, 0.25, 0.2, 1.4, 1.6, 0.6, 0.75, 0.2, 35, 0.3, 1]] },
   { name: 'quarry-rubble', natural: true, notation: 'px', fields: { imageWidth: 480, imageHeight: 480, border: "drop", swing: "separate", ground: "gravel", variation: 0.35, dust: 0.1, sunAzimuth: 240, sunElevation: 56 }, layers: [[14, 0.3, 2.24, 2.8, 1.12, 4.9, 8.4, 4.2, 0.22, 0.25, 78, 0.05, 1], [11.5, 0.7, 1.84, 2.3, 0.92, 4.02, 6.9, 3.45, 0.22, 0.25, 72, 0.05, 1], [8.5, 0.5, 1.36, 1.7, 0.68, 2.97, 5.1, 2.55, 0.22, 0.25, 59, 0.05, 1], [6, 0.4, 0.96, 1.2, 0.48, 2.1, 3.6, 1.8, 0.22, 0.2, 55, 0.05, 1], [4.4, 0.4, 0.7, 0.88, 0.35, 1.54, 2.64, 1.32, 0.22, 0.15, 44, 0.05, 1], [3, 0.4, 0.48, 0.6, 0.24, 1.05, 1.8, 0.9, 0.22, 0, 53, 0.05, 1]] },
   { name: 'first-snow', natural: true, notation: 'px', fields: { imageWidth: 720, imageHeight: 720, border: "drop", swing: "separate", ground: "soil", variation: 0.4, moss: 0.2, dust: 0.05, snow: 0.45, sunAzimuth: 285, sunElevation: 16 }, layers: [[110, 0.07, 0, 5.5, 4.4, 30.8, 35.2, 13.2, 0.5, 0.5, 36, 0.3, 1], [64, 0.1, 0, 3.2, 2.56, 17.9, 20.5, 7.7, 0.55, 0.5, 40, 0.3, 1], [36, 0.14, 0, 1.8, 1.44, 10.1, 11.5, 4.3, 0.6, 0.45, 38, 0.3, 1], [20, 0.16, 0, 1, 0.8, 5.6, 6.4, 2.4, 0.65, 0.4, 34, 0.3, 1], [11, 0.2, 0, 0.55, 0.44, 3.08, 3.52, 1.32, 0.7, 0.3, 38, 0.3, 1], [6, 0.2, 0, 0.3, 0.24, 1.68, 1.92, 0.72, 0.7, 0.2, 40, 0.25, 1]] },
+  { name: 'mountain-stream', natural: true, notation: 'px', fields: { imageWidth: 640, imageHeight: 640, border: "drop", swing: "separate", ground: "gravel", variation: 0.5, wetness: 0.2, moss: 0.25, dust: 0.05, water: 0.42, sunAzimuth: 300, sunElevation: 44 }, layers: [[84, 0.07, 0.84, 4.2, 3.4, 23.5, 21.8, 8.4, 0.75, 0.4, 44, 0.25, 0], [50, 0.1, 0.5, 2.5, 2, 14, 13, 5, 0.8, 0.4, 44, 0.25, 0], [30, 0.16, 0.3, 1.5, 1.2, 8.4, 7.8, 3, 0.85, 0.35, 44, 0.25, 0], [18, 0.25, 0.18, 0.9, 0.72, 5.4, 4.3, 1.8, 0.85, 0.35, 46, 0.25, 0], [11, 0.32, 0.11, 0.55, 0.44, 3.3, 2.6, 1.1, 0.85, 0.35, 55, 0.25, 0], [7, 0.38, 0.07, 0.35, 0.28, 2.1, 1.6, 0.7, 0.85, 0.3, 48, 0.2, 0], [4.4, 0.4, 0.04, 0.22, 0.18, 1.3, 1, 0.44, 0.8, 0.2, 50, 0.2, 0]] },
   { name: 'shingle', natural: true, notation: 'px', fields: { imageWidth: 480, imageHeight: 480, border: "drop", swing: "separate", ground: "gravel", variation: 0.6, wetness: 0.15, dust: 0.05, sunAzimuth: 235, sunElevation: 36 }, layers: [[20, 0.08, 1, 2, 0.8, 6.4, 4.8, 1.6, 1, 0.1, 67, 0.15, 0], [14, 0.3, 0.7, 1.4, 0.56, 4.48, 3.36, 1.12, 1, 0.1, 46, 0.15, 0], [10, 0.45, 0.5, 1, 0.4, 3.2, 2.4, 0.8, 1, 0.1, 45, 0.15, 0], [7, 0.45, 0.35, 0.7, 0.28, 2.24, 1.68, 0.56, 0.95, 0.1, 39, 0.15, 0], [5, 0.4, 0.25, 0.5, 0.2, 1.6, 1.2, 0.4, 0.95, 0.05, 49, 0.15, 0], [3.4, 0.4, 0.17, 0.34, 0.14, 1.09, 0.82, 0.27, 0.9, 0, 56, 0.15, 0], [2.4, 0.4, 0.12, 0.24, 0.1, 0.77, 0.58, 0.19, 0.8, 0, 0, 0.15, 0]] },
 ] as const satisfies readonly Preset[];
 
@@ -321,6 +330,7 @@ export interface Params {
   moss: number;
   dust: number;
   snow: number;
+  water: number;
   ground: 'soil' | 'sand' | 'gravel';
   sunAzimuth: number;
   sunElevation: number;

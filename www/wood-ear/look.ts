@@ -8,5 +8,6 @@ import type { WoodEarSceneParams } from './table.ts';
 /** The sun is the scene's, not the ground's own. */
 export function woodEarLook({ ground, moisture, variation, translucency, velvet, sunAzimuth, sunElevation }: WoodEarSceneParams): Look {
   const look = lookOf(decodeLink(ground).params);
-  return { ...look, sunAzimuth, sunElevation, flesh: { moisture: moisture / 100, variation, translucency, velvet } };
+  // Neither snow nor water would lie on the log.
+  return { ...look, snow: 0, water: 0, sunAzimuth, sunElevation, flesh: { moisture: moisture / 100, variation, translucency, velvet } };
 }

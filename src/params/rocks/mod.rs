@@ -92,6 +92,8 @@ pub struct Look {
     pub dust: f64,
     /// How much snow has fallen, 0 … 1: at 1 it lies about 6 px deep.
     pub snow: f64,
+    /// How high water stands above the ground, as a share of the height of the highest rock, 0 … 1; 0 is dry.
+    pub water: f64,
     /// The ground between and around the rocks.
     pub ground: Ground,
     /// Degrees, counted like the camera's azimuth: at 0 the sun stands towards −y, at 90 towards +x.

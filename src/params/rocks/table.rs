@@ -128,6 +128,13 @@ table! {
         ja "雪は地面と、上を向いた面に積もります。"
     }
     {
+        "water", url "water", Scope::Field(|p| p.look.water, |p, v| p.look.water = v), Kind::Real, Look,
+        range [0.0, 1.0] step 0.01 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Water", "水"],
+        en "Clear water stands over the ground; at 1, over the highest rock.",
+        ja "澄んだ水が地面を覆います。1で一番高い岩まで届きます。"
+    }
+    {
         "ground", url "soil", Scope::Field(|p| p.look.ground as u8 as f64, |p, v| p.look.ground = Ground::ALL.get(v as usize).copied().unwrap_or_default()),
         Kind::Choice(&["soil", "sand", "gravel"]), Look,
         range [0.0, 2.0] step 1.0 default 0.0, slider [0.0, 2.0] linear,
@@ -328,6 +335,7 @@ impl Params {
             moss: 0.0,
             dust: 0.0,
             snow: 0.0,
+            water: 0.0,
             ground: Ground::Soil,
             sun_azimuth: 0.0,
             sun_elevation: 0.0,

@@ -16,7 +16,7 @@ struct Globals {
   plan: vec4f,
   // The part of the picture that is drawn, px: xy its upper left corner, zw its size
   tile: vec4f,
-  // Linear; w unused
+  // Linear; w unused, then how high water stands, as a share of the height of the highest rock
   backdrop_low: vec4f,
   backdrop_high: vec4f,
   // Linear albedo of the ground under and round the rocks; w: 1 or 2 where black or white stands in for ground and backdrop

@@ -32,12 +32,12 @@ fn files() -> BTreeMap<String, String> {
     files
 }
 
-/// The recipes that a pass is written for, with what is added to its name: with moss and water, with neither, with snow, and for the
+/// The recipes that a pass is written for, with what is added to its name: with moss and water, with neither, with snow and a lake, and for the
 /// samples of a still.
 fn recipes(shader: Shader, quality: Quality) -> Vec<(String, Recipe)> {
     let dry = Look { weather: [0.5, 0.0, 0.0, 0.2], ..Look::default() };
     let mossy = Look { weather: [0.5, 0.4, 0.4, 0.2], ..Look::default() };
-    let snowy = Look { snow: 0.5, ..dry.clone() };
+    let snowy = Look { snow: 0.5, water: 0.3, ..dry.clone() };
     if shader.name != NATURAL_GROUND.name {
         return vec![
             (String::new(), Recipe::of_bodies(quality, &mossy)),

@@ -266,13 +266,18 @@ fn grain_ground(at: vec3f, footprint: f32) {
   cover_slope += strength.y * (slope * TURN).xy;
 }
 
-// How wet it is, 0…1: in patches that grow together.
-fn wet_cover(at: vec2f) -> f32 {
-  if !is_wet {
-    return 0.0;
+// How wet it is, 0…1: in patches that grow together, and what water reaches.
+fn wet_cover(at: vec3f) -> f32 {
+  var wet = 0.0;
+  if is_wet {
+    let wetness = globals.weather.y;
+    wet = wetness * smoothstep(-0.5, 0.4, noise2(at.xy / 37.0) + wetness);
   }
-  let wetness = globals.weather.y;
-  return wetness * smoothstep(-0.5, 0.4, noise2(at / 37.0) + wetness);
+  if has_water {
+    let above = at.z - globals.backdrop_high.w * field.size.z;
+    wet = max(wet, 0.8 * (1.0 - smoothstep(0.6, 2.2, above + 0.8 * noise2(at.xy / 9.0))));
+  }
+  return wet;
 }
 
 // How thick moss lies, 0…1: in patches of the world, more where it is low and faces up. `upward` 0…1, `height` px.

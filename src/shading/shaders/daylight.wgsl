@@ -20,6 +20,9 @@ fn sky_seen_by_ground(at: vec2f) -> f32 {
   return mix(1.0, found.x, near);
 }
 
+// How much more of the sun's light than on the mean falls on what is shaded (water.wgsl).
+var<private> gathered: f32 = 1.0;
+
 // Where the maps have a point of a copy of the field. Beyond what they have it is open and sunny.
 fn at_home(world: vec3f, shift: vec3f) -> vec3f {
   return world - shift * field.bricks.w;
@@ -129,7 +132,7 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   let facing = select(smoothstep(-0.05, 0.2, dot(face, sun)), step(0.0, dot(face, sun)), is_sampled);
   var direct = 0.0;
   if n_l > 0.0 && facing > 0.0 {
-    direct = sun_seen(world, face) * facing * select(mix(0.8, 1.0, seen), 1.0, is_sampled);
+    direct = gathered * sun_seen(world, face) * facing * select(mix(0.8, 1.0, seen), 1.0, is_sampled);
   }
   // Towards where it is open; what is not sky is ground.
   let open = normalize(normal + vec3f(0.7 * open_towards.xy, 0.0));

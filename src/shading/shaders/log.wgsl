@@ -178,7 +178,7 @@ fn fs_main(
     bent = normalize(mix(relief, bumped(base, moss_slope), moss));
     open = mix(open, 1.0 + 0.5 * min(moss_high, 0.0), moss);
   }
-  let wet = wet_cover(world.xy) * (1.0 - 0.5 * moss);
+  let wet = wet_cover(world) * (1.0 - 0.5 * moss);
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   rough = mix(rough, 0.45, wet);
   let towards = normalize(bent + to_eye * max(0.0, 0.02 - dot(bent, to_eye)));

@@ -21,12 +21,13 @@ const HEIGHTS: &str = wgsl!("heights");
 const DAYLIGHT: &str = wgsl!("daylight");
 const SAMPLED: &str = wgsl!("sampled");
 const FILM: &str = wgsl!("film");
+const WATER: &str = wgsl!("water");
 
 /// Prepended to the passes in natural colours.
-const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, HEIGHTS, DAYLIGHT, SAMPLED];
+const NATURAL: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, HEIGHTS, DAYLIGHT, SAMPLED, WATER];
 
 /// Prepended to the passes that draw rocks in natural colours.
-const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, HEIGHTS, DAYLIGHT, SAMPLED, wgsl!("surface")];
+const STONY: &[&str] = &[RECIPE, NOISE, STONE, COVER, SKY, FILM, HEIGHTS, DAYLIGHT, SAMPLED, WATER, wgsl!("surface")];
 
 /// Prepended to the pass that makes a picture of a still.
 const DEVELOPING: &[&str] = &[RECIPE, FILM];

@@ -88,13 +88,20 @@ fn fs_main(
     return taken(with_hills(sky_seen_by_eye(direction), direction, pixel_angle), pixel.xy);
   }
   let steps = globals.eye.z / -ray.z;
-  let world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);
+  var world = vec3f(globals.eye.xy + steps * ray.xy, 0.0);
   let to_eye = -ray / length(ray);
   // px of the world under a pixel, nearer to the longer side of what it covers than to the shorter: flat pebbles would break
   // into dashes towards the horizon.
   let across = 2.0 * steps * length(globals.ray_up.xyz) / globals.ray_up.w;
   let footprint = across * pow(max(to_eye.z, 0.02), -0.75);
 
+  // Under water another place of the ground is seen.
+  let on_level = world;
+  dive(world, to_eye, footprint);
+  if water_deep > 0.0 {
+    let bent = refract(-to_eye, water_normal, 0.75);
+    world = vec3f(water_at.xy - bent.xy * (water_deep / min(bent.z, -0.1)), 0.0);
+  }
   let shift = shift_at(world.xy);
   var home = at_home(world, shift);
   var up = vec3f(0.0, 0.0, 1.0);
@@ -104,6 +111,7 @@ fn fs_main(
     home = afar_at;
     up = afar_normal;
     mean = kind_albedo(globals.scene.w) * (0.85 + 0.3 * noise2(world.xy / 11.0));
+    water_deep = select(water_deep, 0.0, afar_one > 0.5 && home.z > water_level());
   }
   let rock = afar_rock;
   let one = afar_one * (1.0 - rock);
@@ -121,7 +129,7 @@ fn fs_main(
   var slope = vec3f(cover_slope, 0.0);
   // Between and under the rocks it stays damp and collects what is fine.
   let damp = 1.0 - smoothstep(0.35, 0.95, seen);
-  let wet = max(0.35 * damp, wet_cover(world.xy));
+  let wet = max(0.35 * damp, wet_cover(world));
   var rough = mix(0.92, 0.4, globals.weather.y * wet);
   var moss = moss_cover(world, 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3)
     * (1.0 - cover_leaf);
@@ -143,8 +151,10 @@ fn fs_main(
   rough = mix(rough, 0.9, snow);
   albedo = mix(albedo, mix(mean, SNOW, 0.85 * snow), rock);
   albedo *= mix(0.8, 1.0, afar_one) * rolling(world.xy);
+  rough = select(rough, 0.95, water_deep > 0.0);
   let open = seen * mix(mix(0.6, 1.0, cover_open), 1.0, rock);
+  gathered = caustics(world, footprint);
   let light = daylight(albedo, rough, home, up, bumped(up, slope * (1.0 - rock)), to_eye, open);
 
-  return developed(light, world - globals.eye.xyz, pixel.xy);
+  return developed(through_water(light, to_eye), on_level - globals.eye.xyz, pixel.xy);
 }

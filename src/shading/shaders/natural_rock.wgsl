@@ -79,6 +79,9 @@ fn fs_main(
   rock_light = from_rocks;
   let wear = worn(across, down, turn_x, turn_y) * agree;
   rock_surface(world, own, base, wear, seen, footprint);
+  dive(world, to_eye, footprint);
+  gathered = caustics(world, footprint);
+  surface_rough = select(surface_rough, 0.95, water_deep > 0.0);
 
   // A rim turned away by less than its relief would be lit from behind.
   let towards = normalize(surface_normal + to_eye * max(0.0, 0.02 - dot(surface_normal, to_eye)));
@@ -87,5 +90,5 @@ fn fs_main(
   let square = surface_rough * surface_rough;
   let rough = sqrt(sqrt(min(square * square + spread, 1.0)));
   let light = daylight(surface_albedo, rough, home, base, towards, to_eye, seen);
-  return taken(light * air.w + air.rgb, pixel.xy);
+  return taken(through_water(light, to_eye) * air.w + air.rgb, pixel.xy);
 }

@@ -8,6 +8,7 @@ override ground_kind: f32 = 0.0;
 override has_moss: bool = true;
 override is_wet: bool = true;
 override has_snow: bool = true;
+override has_water: bool = true;
 // Whether a log lies on the ground that is drawn.
 override has_log: bool = true;
 // Whether the light is that of one sample of a still.

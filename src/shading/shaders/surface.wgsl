@@ -64,7 +64,7 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
   }
 
   // Water fills the pores: darker, more saturated, and it shines.
-  let wet = wet_cover(world.xy) * (1.0 - 0.5 * moss) * (1.0 - snow);
+  let wet = wet_cover(world) * (1.0 - 0.5 * moss) * (1.0 - snow);
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   rough = mix(rough, 0.22, wet);
   surface_albedo = albedo;
