@@ -17,12 +17,23 @@ import { readLogFile } from '../../www/wood-ear/log-file/read.ts';
 import { firstHit, project, rayThrough } from '../../www/scene/camera/pick.ts';
 import { same } from '../../www/table/table.ts';
 import { readWoodEarAttributes } from '../../www/wood-ear/attributes.ts';
+import { woodEarLook } from '../../www/wood-ear/look.ts';
 import { encodeColony, flatColony } from '../../www/wood-ear/request.ts';
 import { decodeWoodEarLink, encodeWoodEarLink } from '../../www/wood-ear/link.ts';
 import { colonyRequest, groundOf, WOOD_EARS } from '../../www/wood-ear/table.ts';
 import type { WoodEarSceneParams } from '../../www/wood-ear/table.ts';
 
 const PRESETS = WOOD_EARS.presets.map(({ name }) => name);
+
+// The ground.
+
+test('no snow and no water of the ground is drawn round a log', () => {
+  for (const preset of ['first-snow', 'mountain-stream']) {
+    const params = { ...WOOD_EARS.presetParams(PRESETS[0]!), ground: groundOf(preset, 3) };
+    const { snow, water } = woodEarLook(params);
+    assert.deepEqual({ snow, water }, { snow: 0, water: 0 });
+  }
+});
 
 // Links.
 

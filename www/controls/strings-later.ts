@@ -146,8 +146,8 @@ export const LATER = {
   },
   save: { en: 'Save', ja: '保存' },
   'note-plain-colours': {
-    en: 'Each material has one colour. The patterns of stone, wood and flesh, moss and dust are drawn here alone.',
-    ja: '材質ごとに単色になります。石や木、キクラゲの模様、苔、砂埃はここだけで描画されます。',
+    en: 'Each material has one colour. The patterns of stone, wood and flesh, moss, snow and dust are drawn here alone.',
+    ja: '材質ごとに単色になります。石や木、キクラゲの模様、苔、雪、砂埃はここだけで描画されます。',
   },
   'note-no-colours': { en: 'This kind of file has no colours.', ja: 'この形式には色がありません。' },
   'note-no-objects': {

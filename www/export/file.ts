@@ -83,7 +83,8 @@ export interface Source {
 }
 
 const NOTES = {
-  'plain-colours': 'Each material has one colour: the patterns of stone, wood and flesh, moss and dust are drawn by rock-field alone.',
+  'plain-colours':
+    'Each material has one colour: the patterns of stone, wood and flesh, moss, snow and dust are drawn by rock-field alone.',
   'no-colours': 'This format has no colours.',
   'no-objects': 'This format has no objects: everything is one mesh.',
   'no-units': 'This format has no units: tell the program that opens it what a unit is.',

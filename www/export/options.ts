@@ -83,7 +83,7 @@ export const OPTIONS = /* @__PURE__ */ rows({
     kind: 'choice',
     choices: ['none', '1k', '2k', '4k', '8k'],
     default: 'none',
-    doc: 'Side of the textures of a GLB: albedo, normals, and occlusion, roughness and metalness of the stone as it is drawn, with moss and dust. A graphics device draws them, so they need an element; where there is none the file has plain colours.',
+    doc: 'Side of the textures of a GLB: albedo, normals, and occlusion, roughness and metalness of the stone as it is drawn, with moss, snow and dust. A graphics device draws them, so they need an element; where there is none the file has plain colours.',
   },
   vertexColors: {
     kind: 'switch',
