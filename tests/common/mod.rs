@@ -223,7 +223,7 @@ pub fn random_layer(random: &mut Random, params: &Params, id: u32) -> Layer {
     let [weathering, roughness, embedding] = [worn(&[0.05, 0.2, 0.5, 1.0]), worn(&[0.1, 1.0]), worn(&[0.2, 0.6, 1.0])];
     // Of any size of rock some are cut once, some twice or more often; in another layer, too, not so often that there are millions of triangles.
     let fine = |segments: f64| (100.0 * segments / (0.7 * radius)).min(30.0 * unit);
-    let detail = if small { fine(worn(&[0.0, 1.0, 2.0, 4.0, 6.0])) } else { 0.0 };
+    let detail = if small { fine(worn(&[0.0, 1.0, 2.0, 4.0])) } else { 0.0 };
     let mut layer = Layer {
         id,
         radius: radius.clamp(if params.notation == Notation::Px { 1.0 } else { 0.01 }, 8192.0),
