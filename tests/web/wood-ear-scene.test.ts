@@ -28,7 +28,7 @@ const PRESETS = WOOD_EARS.presets.map(({ name }) => name);
 // The ground.
 
 test('no snow and no water of the ground is drawn round a log', () => {
-  for (const preset of ['first-snow', 'mountain-stream']) {
+  for (const preset of ['first-snow', 'mountain-stream'] as const) {
     const params = { ...WOOD_EARS.presetParams(PRESETS[0]!), ground: groundOf(preset, 3) };
     const { snow, water } = woodEarLook(params);
     assert.deepEqual({ snow, water }, { snow: 0, water: 0 });
