@@ -39,9 +39,12 @@ async function open(attributes, options = {}) {
 }
 
 /** In the page: the pixels of a picture as a PNG file, or the words in which it is refused. `loses`: the device goes after the first sample. */
-async function taken({ camera = null, loses = false, ...options }) {
+async function taken(
+  /** @type {{ camera?: object | null, loses?: boolean } & Parameters<HTMLElementTagNameMap['rock-field']['toBlob']>[0]} */ picture,
+) {
+  const { camera = null, loses = false, ...options } = picture;
   const element = document.querySelector('rock-field');
-  element.camera = camera;
+  element.camera = /** @type {typeof element.camera | null} */ (camera);
   let isLost = !loses;
   const onProgress = () => {
     if (isLost) return;
@@ -50,9 +53,10 @@ async function taken({ camera = null, loses = false, ...options }) {
   };
   try {
     const bytes = new Uint8Array(await (await element.toBlob({ ...options, onProgress })).arrayBuffer());
-    return { png: btoa(String.fromCharCode(...bytes)), isLost };
-  } catch (error) {
-    return { refused: `${error.name}: ${error.message}` };
+    return { png: btoa(String.fromCharCode(...bytes)), isLost, refused: '' };
+  } catch (thrown) {
+    const { name, message } = /** @type {Error} */ (thrown);
+    return { png: '', isLost, refused: `${name}: ${message}` };
   }
 }
 
@@ -110,7 +114,7 @@ test('without a GPU a still is the plan, and a picture without the ground is ref
   const plan = await page.evaluate(taken, { width: 48, height: 30, samples: 4, aperture: 2.8 });
   assert.ok(colours(plan) > 3, plan.refused);
   const { refused } = await page.evaluate(taken, { width: 48, height: 30, ground: false });
-  assert.match(refused ?? '', /^NoPicture: without a GPU/);
+  assert.match(refused, /^NoPicture: without a GPU/);
   assert.deepEqual(errors, []);
 });
 
