@@ -15,7 +15,9 @@ const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>qualit
 <script type="module" src="/rock-field.js"></script><rock-field preset="riverbed" image-width="200" image-height="200" color="natural"></rock-field>`;
 
 test('a still of auto is one of high, also after a motion, and nothing is drawn after it', async () => {
-  const session = await launch({ intercept: pageOf('quality.html', () => html) });
+  // From afar, levels look alike.
+  const near = html.replace('<rock-field ', '<rock-field camera-orbit="20deg 50deg 20%" ');
+  const session = await launch({ intercept: pageOf('quality.html', () => near) });
   try {
     const { page, errors } = await session.open('quality.html', { colorScheme: 'light' });
     const shoot = async (quality) => {

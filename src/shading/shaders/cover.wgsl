@@ -38,11 +38,14 @@ fn scatter(at: vec2f, lean: vec2f, period: f32, axis: vec2f, here: f32, own: f32
   }
   let aside = vec2f(-axis.y, axis.x);
   let q = vec2f(dot(at, axis), dot(at, aside)) / period;
-  let ray = vec2f(dot(lean, axis), dot(lean, aside));
+  var ray = vec2f(0.0);
+  if quality > 0.0 {
+    ray = vec2f(dot(lean, axis), dot(lean, aside));
+  }
   let sun = field.sun.xy / max(field.sun.z, 0.6);
   let beam = vec2f(dot(sun, axis), dot(sun, aside));
-  // A large stone may reach into the next cells; a small one, or any at low quality, stays within its own and throws no shadow.
-  let is_large = quality > 0.0 && period > 2.5;
+  // A large stone may reach into the next cells; a small one, or any at less than high quality, stays within its own and throws no shadow.
+  let is_large = quality > 1.5 && period > 2.5;
   // A stone hides what is behind it: those that are met stand nearer to the eye.
   let base = vec2i(floor(q + 0.1 * ray - select(0.0, 0.5, is_large)));
   let least = select(3.2, 2.8, is_large);
@@ -184,7 +187,10 @@ fn litter(at: vec2f, period: f32, axis: vec2f, here: f32, footprint: f32) {
 // The ground where a ray meets z = 0, and what lies there. `lean` as in `scatter`.
 fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
   let widest = noises2(at / 71.0);
-  let patches = widest.x + 0.5 * noise2(at / 23.0);
+  var patches = widest.x;
+  if quality > 0.0 {
+    patches += 0.5 * noise2(at / 23.0);
+  }
   cover_top = 0.0;
   cover_shade = 0.0;
   cover_leaf = 0.0;
@@ -208,8 +214,8 @@ fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
     // The large ones at every level: they are what goes on beyond the field's border.
     if quality > 0.0 {
       scatter(at, lean, 1.6, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
+      scatter(at, lean, 2.4, vec2f(-0.5530, 0.8331), 0.85 + 0.2 * patches, 1.0, footprint);
     }
-    scatter(at, lean, 2.4, vec2f(-0.5530, 0.8331), 0.85 + 0.2 * patches, 1.0, footprint);
     scatter(at, lean, 4.4, vec2f(0.6109, 0.7917), 0.75 + 0.3 * patches, 1.0, footprint);
     scatter(at, lean, 8.0, vec2f(-0.4791, 0.8778), 0.32 + 0.25 * patches, 1.0, footprint);
   } else {
@@ -247,7 +253,7 @@ fn grain_ground(at: vec3f, footprint: f32) {
   var q = TURN * at / period;
   var value = 0.0;
   var slope = vec3f(0.0);
-  let octaves = select(4, 1, quality < 0.5);
+  let octaves = select(select(4, 2, quality < 1.5), 1, quality < 0.5);
   for (var i = 0; i < octaves; i++) {
     let seen = shown(period, footprint);
     if seen <= 0.0 {
@@ -293,7 +299,8 @@ fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f3
   }
   let want = patches + 0.4 * (upward - 0.7) + 0.6 * sheltered - 0.012 * height - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
   // Half the moss covers about a third.
-  return smoothstep(0.0, 0.36, want - mix(1.2, -0.8, moss)) * smoothstep(0.1, 0.5, upward);
+  let soft = select(0.36, 0.16, quality < 0.5);
+  return smoothstep(0.0, soft, want - mix(1.2, -0.8, moss)) * smoothstep(0.1, 0.5, upward);
 }
 
 const SNOW = vec3f(0.75, 0.77, 0.79);
@@ -340,26 +347,31 @@ var<private> moss_high: f32;
 // Olive to yellow-green; cushions of stems, dark between their tips.
 fn moss_coat(at: vec3f, footprint: f32) {
   let q = TURN * at;
-  let broad = noise3(q / 13.0 + 3.3);
   let lump = noise3(q / 4.7 + 9.2);
+  if quality < 0.5 {
+    moss_albedo = vec3f(0.084, 0.083, 0.028) * (1.0 + 1.1 * lump.w);
+    moss_slope = vec3f(0.0);
+    moss_high = 0.0;
+    return;
+  }
+  let broad = noise3(q / 13.0 + 3.3);
   var high = 0.5 * lump.w;
   var slope = 0.3 * lump.xyz;
-  if quality > 0.0 {
-    // Stems are drawn out upwards.
-    const STEMS = vec3f(1.0, 1.0, 0.7);
-    var period = 1.9;
-    var p = TURN * (at * STEMS) / period;
-    for (var i = 0; i < 4; i++) {
-      let seen = shown(period, footprint);
-      if seen <= 0.0 {
-        break;
-      }
-      let tips = noise3(p) * seen;
-      high += 0.5 * tips.w;
-      slope += 0.4 * tips.xyz;
-      period /= 2.7;
-      p = p * 2.7 + 4.3;
+  // Stems are drawn out upwards.
+  const STEMS = vec3f(1.0, 1.0, 0.7);
+  var period = 1.9;
+  var p = TURN * (at * STEMS) / period;
+  let octaves = select(2, 4, quality > 1.5);
+  for (var i = 0; i < octaves; i++) {
+    let seen = shown(period, footprint);
+    if seen <= 0.0 {
+      break;
     }
+    let tips = noise3(p) * seen;
+    high += 0.5 * tips.w;
+    slope += 0.4 * tips.xyz;
+    period /= 2.7;
+    p = p * 2.7 + 4.3;
   }
   let hue = 0.5 + 0.8 * broad.w + 0.15 * broad.x;
   moss_albedo = mix(vec3f(0.05, 0.058, 0.019), vec3f(0.135, 0.126, 0.042), clamp(hue, 0.0, 1.0)) * max(1.0 + 1.1 * high + 0.5 * broad.w, 0.25);

@@ -50,7 +50,9 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
   let side = field.sun.w;
   let texel = 1.0 / f32(textureDimensions(shadow_map).x);
   let facing = max(dot(face, field.sun.xyz), 0.0);
-  let lifted = world + face * side * texel * (0.5 + 1.5 * (1.0 - facing));
+  // At low quality rocks lie lower than the map has them.
+  let least = select(0.5, 1.5, quality < 0.5);
+  let lifted = world + face * side * texel * (least + 1.5 * (1.0 - facing));
   let clip = (field.sun_from_world * vec4f(lifted, 1.0)).xyz;
   let uv = clip.xy * vec2f(0.5, -0.5) + 0.5;
   if any(abs(vec3f(clip.xy, 2.0 * clip.z - 1.0)) > vec3f(0.999)) {
@@ -122,6 +124,9 @@ fn light_nearby() {
   rock_light = 0.85 * kind_albedo(globals.scene.w) * (0.38 * sunshine() * (0.5 + field.sun.z) + 0.5 * open_sky);
 }
 
+// Share of the sun that reached the surface that `daylight` was asked for.
+var<private> direct: f32;
+
 // Light from a surface to the eye. `face` without its relief, `normal` with it; `seen` from `sky_seen`.
 fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
   let sun = field.sun.xyz;
@@ -130,30 +135,46 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   let n_l = dot(normal, sun);
   // At the terminator a shadow map is unsure; of many that are not the same, the mean is not.
   let facing = select(smoothstep(-0.05, 0.2, dot(face, sun)), step(0.0, dot(face, sun)), is_sampled);
-  var direct = 0.0;
+  direct = 0.0;
   if n_l > 0.0 && facing > 0.0 {
     direct = gathered * sun_seen(world, face) * facing * select(mix(0.8, 1.0, seen), 1.0, is_sampled);
   }
   // Towards where it is open; what is not sky is ground.
-  let open = normalize(normal + vec3f(0.7 * open_towards.xy, 0.0));
+  var open = normal;
+  if quality > 0.0 {
+    open = normalize(normal + vec3f(0.7 * open_towards.xy, 0.0));
+  }
   var ambient = mix(rock_light, sky_light(open) + ground_light * (0.5 - 0.5 * open.z), seen * seen);
   if is_sampled {
     ambient = around(world, face, normal);
   }
-  var light = albedo * (sun_color * max(n_l, 0.0) * direct + ambient);
+  let light = albedo * (sun_color * max(n_l, 0.0) * direct + ambient);
+  // What is matte mirrors little, and of everything around.
+  if quality < 0.5 {
+    return light + 0.04 * ambient;
+  }
+  return light + mirrored_light(rough, normal, to_eye, seen);
+}
 
+// What a surface mirrors of the sun, after `daylight`, and of the sky.
+fn mirrored_light(rough: f32, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
+  let sun = field.sun.xyz;
+  let n_l = dot(normal, sun);
   let n_v = max(dot(normal, to_eye), 0.05);
   let half_way = normalize(sun + to_eye);
   let n_h = clamp(dot(normal, half_way), 0.0, 1.0);
-  light += sun_color * direct * glint(n_h, n_v, max(n_l, 0.001), max(dot(to_eye, half_way), 0.0), rough);
+  let shine = sunshine() * direct * glint(n_h, n_v, max(n_l, 0.001), max(dot(to_eye, half_way), 0.0), rough);
   // The sky in the surface (Karis, Physically based shading on mobile, 2014).
   let r = vec4f(-1.0, -0.0275, -0.572, 0.022) * rough + vec4f(1.0, 0.0425, 1.04, -0.04);
   let a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
   let mirrored = reflect(-to_eye, normal);
   // What is rough shows so much of the sky at once that it is as the light on a matte surface.
-  let above = mix(sky_radiance(mirrored), sky_light(mirrored), smoothstep(0.15, 0.6, rough));
+  var above = sky_light(mirrored);
+  if quality > 1.5 {
+    above = mix(sky_radiance(mirrored), above, smoothstep(0.15, 0.6, rough));
+  }
   let sky = mix(ground_light, above, smoothstep(-0.3, 0.3, mirrored.z));
-  return light + sky * (0.04 * (-1.04 * a + r.z) + 1.04 * a + r.w) * seen * seen;
+  return shine + sky * (0.04 * (-1.04 * a + r.z) + 1.04 * a + r.w) * seen * seen;
 }
 
 // Relief and roughness: facets of the relief that are too small to be seen scatter the light.

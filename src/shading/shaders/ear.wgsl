@@ -127,6 +127,9 @@ fn fs_main(
   rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
   light_nearby();
   var light = daylight(albedo, rough, world, base, towards, to_eye, seen);
+  if quality < 0.5 {
+    light += mirrored_light(rough, towards, to_eye, seen);
+  }
   let film = wet * (1.0 - back);
   if film > 0.0 {
     light += mirrored_sky(film, base, slope, to_eye, seen);

@@ -77,7 +77,10 @@ fn fs_main(
   open_towards = vec3f(open.yz, 1.0);
   ground_light = from_ground;
   rock_light = from_rocks;
-  let wear = worn(across, down, turn_x, turn_y) * agree;
+  var wear = 0.0;
+  if quality > 0.0 {
+    wear = worn(across, down, turn_x, turn_y) * agree;
+  }
   rock_surface(world, own, base, wear, seen, footprint);
   dive(world, to_eye, footprint);
   gathered = caustics(world, footprint);
@@ -85,10 +88,12 @@ fn fs_main(
 
   // A rim turned away by less than its relief would be lit from behind.
   let towards = normalize(surface_normal + to_eye * max(0.0, 0.02 - dot(surface_normal, to_eye)));
+  var rough = surface_rough;
   // What turns faster than the pixels can show scatters (Kaplanyan et al., Filtering distributions of normals, 2016).
-  let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)) * agree, 0.18);
-  let square = surface_rough * surface_rough;
-  let rough = sqrt(sqrt(min(square * square + spread, 1.0)));
+  if quality > 0.0 {
+    let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)) * agree, 0.18);
+    rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
+  }
   let light = daylight(surface_albedo, rough, home, base, towards, to_eye, seen);
   return taken(through_water(light, to_eye) * air.w + air.rgb, pixel.xy);
 }

@@ -73,6 +73,54 @@ fn veins(kind: f32, own: vec3f, at: vec3f, broad: f32, mid: f32) -> f32 {
   return vein * veined;
 }
 
+// Grain upon grain, down to the pixel: x, y, z the slope, w the value.
+fn grained(at: vec3f, footprint: f32) -> vec4f {
+  let least = select(1.5, 1.0, quality > 1.0) * footprint;
+  var period = 1.7;
+  var q = at / period + 5.0;
+  var strength = 1.0;
+  var all = vec4f(0.0);
+  for (var i = 0; i < 6; i++) {
+    let seen = shown(period, least) * strength;
+    if seen <= 0.0 {
+      break;
+    }
+    all += noise3(q) * seen;
+    period /= 3.1;
+    q = q * 3.1 + 3.7;
+    strength *= 0.92;
+  }
+  return all;
+}
+
+// What the crystals of granite add to the value and to the warmth, as large as `size`; they grew into each other, and have no straight edges.
+// Medium quality makes do with specks.
+fn granite(at: vec3f, size: f32, mid: vec4f, footprint: f32) -> vec2f {
+  let seen = shown(size, footprint);
+  if quality < 1.5 {
+    let speck = noise3(at / (0.8 * size) + 9.0);
+    return seen * vec2f(0.8 * (speck.w - max(-0.3 - speck.w, 0.0)), 0.05 * speck.x);
+  }
+  if seen <= 0.0 {
+    return vec2f(0.0);
+  }
+  let grown = 0.35 * mid.xyz + 0.2 * noise3(at / (0.7 * size)).xyz;
+  return seen * crystals(grains(at / size + grown, max(1.5 * footprint / size, 0.08)));
+}
+
+// All sizes of the gas bubbles of basalt, as `bubble` has one.
+fn bubbles(at: vec3f, coarse: f32, share: f32, footprint: f32) -> vec4f {
+  var all = vec4f(0.0);
+  for (var size = 2.4 * coarse; size > 0.3; size *= 0.37) {
+    let seen = shown(0.6 * size, footprint);
+    if seen <= 0.0 {
+      break;
+    }
+    all += seen * bubble(at / size, share);
+  }
+  return all;
+}
+
 // `own` three random numbers of the rock, `at` in its own space, footprint px of the world under a pixel.
 fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   let coarse = 0.75 + 0.6 * own.z;
@@ -88,51 +136,27 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
   var warm = 0.045 * broad.x + 0.03 * mid.x;
   var slope = 0.12 * broad.xyz + 0.15 * rugged * mid.xyz;
   var pale = 0.0;
-  // And grain upon grain, down to the pixel.
   if quality > 0.0 {
-    let least = select(1.5, 1.0, quality > 1.0) * footprint;
-    var period = 1.7;
-    var q = turned_at / period + 5.0;
-    var strength = 1.0;
-    for (var i = 0; i < 6; i++) {
-      let seen = shown(period, least) * strength;
-      if seen <= 0.0 {
-        break;
-      }
-      let fine = noise3(q) * seen;
-      value += 0.34 * fine.w;
-      slope += 0.25 * rugged * fine.xyz;
-      period /= 3.1;
-      q = q * 3.1 + 3.7;
-      strength *= 0.92;
-    }
+    let fine = grained(turned_at, footprint);
+    value += 0.34 * fine.w;
+    slope += 0.25 * rugged * fine.xyz;
   }
 
   var albedo = kind_albedo(kind);
   var rough = 0.82;
   if kind == 1.0 {
-    let size = 0.34 * coarse;
-    let seen = shown(size, footprint);
-    if quality > 0.0 && seen > 0.0 {
-      // Crystals that grew into each other have no straight edges.
-      let grown = 0.35 * mid.xyz + 0.2 * noise3(turned_at / (0.7 * size)).xyz;
-      let found = seen * crystals(grains(turned_at / size + grown, max(1.5 * footprint / size, 0.08)));
+    if quality > 0.0 {
+      let found = granite(turned_at, 0.34 * coarse, mid, footprint);
       value += found.x;
       warm += found.y;
     }
     rough = 0.7;
   } else if kind == 2.0 {
     slope *= 1.2;
-    if quality > 0.0 {
-      for (var size = 2.4 * coarse; size > 0.3; size *= 0.37) {
-        let seen = shown(0.6 * size, footprint);
-        if seen <= 0.0 {
-          break;
-        }
-        let found = seen * bubble(turned_at / size, 0.5 + 0.3 * rugged * mid.w);
-        slope += found.xyz;
-        value -= found.w;
-      }
+    if quality > 1.5 {
+      let found = bubbles(turned_at, coarse, 0.5 + 0.3 * rugged * mid.w, footprint);
+      slope += found.xyz;
+      value -= found.w;
     }
     rough = 0.75;
   } else if kind == 3.0 || kind == 7.0 || kind == 5.0 {

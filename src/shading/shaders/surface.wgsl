@@ -53,7 +53,9 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
     moss = smoothstep(0.15, 0.5, moss + 0.3 * moss_high);
     albedo = mix(albedo, moss_albedo, moss);
     rough = mix(rough, 0.95, moss);
-    bent = normalize(mix(relief, bumped(base, moss_slope), moss));
+    if quality > 0.0 {
+      bent = normalize(mix(relief, bumped(base, moss_slope), moss));
+    }
   }
 
   let snow = snow_cover(world, base.z, footprint);
@@ -69,5 +71,8 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
   rough = mix(rough, 0.22, wet);
   surface_albedo = albedo;
   surface_rough = rough;
-  surface_normal = normalize(mix(bent, base, 0.6 * wet));
+  surface_normal = bent;
+  if quality > 0.0 {
+    surface_normal = normalize(mix(bent, base, 0.6 * wet));
+  }
 }
