@@ -63,18 +63,16 @@ pub(crate) fn tokens(source: &str) -> Vec<&str> {
     tokens
 }
 
-/// Two letters for each name that the shaders give to a variable, a constant or a function. Members of structs and overrides, which are told by
-/// their names elsewhere, keep theirs, and so does what is also the name of something built in.
+/// Two letters for each name that the shaders give to a variable, a constant, a function or a member of a struct. Overrides, which are told by
+/// their names elsewhere, keep theirs, and so does what is also the name of something built in, as every choice of a vector's parts is.
 pub(crate) fn short_names(tokens: &[&str]) -> BTreeMap<String, String> {
     let mut given = BTreeSet::new();
     let mut functions = BTreeSet::new();
     let mut kept = BTreeSet::from(["vs_main", "fs_main"]);
     let mut uses: BTreeMap<&str, usize> = BTreeMap::new();
-    let mut is_struct = false;
     for (at, &token) in tokens.iter().enumerate() {
         let before = at.checked_sub(1).and_then(|before| tokens.get(before)).copied().unwrap_or_default();
         let after = tokens.get(at + 1).copied().unwrap_or_default();
-        is_struct = (is_struct || token == "struct") && token != "}";
         if !token.starts_with(|c: char| c.is_ascii_alphabetic()) {
             continue;
         }
@@ -83,8 +81,7 @@ pub(crate) fn short_names(tokens: &[&str]) -> BTreeMap<String, String> {
             // After `var<private>` as well.
             "let" | "var" | "const" | ">" if after == ":" || after == "=" => drop(given.insert(token)),
             "fn" => drop((given.insert(token), functions.insert(token))),
-            "." | "override" | "struct" => drop(kept.insert(token)),
-            _ if after == ":" && is_struct => drop(kept.insert(token)),
+            "override" | "struct" => drop(kept.insert(token)),
             _ if after == ":" => drop(given.insert(token)),
             _ => {}
         }
@@ -96,7 +93,9 @@ pub(crate) fn short_names(tokens: &[&str]) -> BTreeMap<String, String> {
             kept.insert(name);
         }
     }
-    let mut names: Vec<&str> = given.difference(&kept).copied().filter(|name| name.len() > 2).collect();
+    let is_choice = |name: &str| name.chars().all(|part| "xyzwrgba".contains(part));
+    let mut names: Vec<&str> =
+        given.difference(&kept).copied().filter(|name| name.len() > 2 && !is_choice(name)).collect();
     names.sort_by_key(|name| std::cmp::Reverse(uses.get(name).copied().unwrap_or_default()));
     let short = ('a'..='z').flat_map(|first| ('A'..='Z').map(move |second| [first, second].iter().collect::<String>()));
     names.into_iter().map(str::to_string).zip(short).collect()
@@ -105,10 +104,11 @@ pub(crate) fn short_names(tokens: &[&str]) -> BTreeMap<String, String> {
 /// The tokens with short names, and spaces only where two words or two signs meet.
 pub(crate) fn shortened(tokens: &[&str], names: &BTreeMap<String, String>) -> String {
     let mut out = String::new();
-    for (at, &token) in tokens.iter().enumerate() {
-        let is_member = at > 0 && tokens.get(at - 1) == Some(&".");
-        let short = names.get(token).filter(|_| !is_member).map_or(token, String::as_str);
-        let is_word = out.ends_with(is_wordy) && short.starts_with(is_wordy);
+    for &token in tokens {
+        let short = names.get(token).map_or_else(|| short_number(token), String::as_str);
+        // A number may begin with its point.
+        let is_word =
+            out.ends_with(is_wordy) && (short.starts_with(is_wordy) || short.len() > 1 && short.starts_with('.'));
         if is_word || out.ends_with('-') && short == "-" {
             out.push(' ');
         }
@@ -116,4 +116,12 @@ pub(crate) fn shortened(tokens: &[&str], names: &BTreeMap<String, String>) -> St
     }
     out.push('\n');
     out
+}
+
+/// The same number without a zero that says nothing.
+fn short_number(token: &str) -> &str {
+    match token.strip_suffix('0') {
+        Some(whole) if whole.ends_with('.') => whole,
+        _ => token.strip_prefix('0').filter(|rest| rest.starts_with('.')).unwrap_or(token),
+    }
 }

@@ -26,6 +26,8 @@ fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
 // What `rock_afar` found: 1 on a rock, where, its normal there, and 0 where a pixel reaches over so many rocks that only their mean is shown.
 var<private> afar_one: f32 = 1.0;
 var<private> afar_rock: f32;
+// Its colour
+var<private> afar_albedo: vec3f;
 var<private> afar_at: vec3f;
 var<private> afar_normal: vec3f;
 
@@ -68,6 +70,48 @@ fn rolling(at: vec2f) -> f32 {
   return 1.0 + smoothstep(0.5, 3.0, outside) * (0.14 * far.x + 0.08 * far.y + 0.1 * near.x);
 }
 
+// What `ground_surface` found.
+var<private> found_albedo: vec3f;
+var<private> found_rough: f32;
+// Of the relief; px per px
+var<private> found_slope: vec3f;
+
+// What the ground is like, whatever light falls on it; `seen` of the sky.
+fn ground_surface(world: vec3f, to_eye: vec3f, seen: f32, footprint: f32) {
+  // Seen flatter than this, stones are drawn as from there: no ray passes more than the next ones.
+  let lean = to_eye.xy / max(to_eye.z, 0.38);
+  ground_cover(world.xy, lean, footprint);
+  var albedo = cover_albedo * mix(0.45, 1.0, cover_open);
+  var slope = vec3f(cover_slope, 0.0);
+  // Between and under the rocks it stays damp and collects what is fine.
+  let damp = 1.0 - smoothstep(0.35, 0.95, seen);
+  let wet = max(0.35 * damp, wet_cover(world));
+  var rough = mix(0.92, 0.4, globals.weather.y * wet);
+  var moss = moss_cover(world, 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3)
+    * (1.0 - cover_leaf);
+  if moss > 0.0 {
+    moss_coat(world, footprint);
+    moss = smoothstep(0.15, 0.5, moss + 0.3 * moss_high);
+    albedo = mix(albedo, moss_albedo, moss);
+    slope = mix(slope, vec3f(moss_slope.xy, 0.0), moss);
+    rough = mix(rough, 0.95, moss);
+  }
+  albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
+  // Stones that rise higher than it is deep look out.
+  let snow = snow_cover(vec3f(world.xy, cover_top), 0.4, footprint);
+  cover_open = mix(cover_open, 1.0, snow);
+  let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
+  albedo *= 1.0 - 0.5 * shaded;
+  albedo = mix(albedo, SNOW, snow);
+  slope = mix(slope, vec3f(snow_slope.xy, 0.0), snow);
+  rough = mix(rough, 0.9, snow);
+  albedo = mix(albedo, mix(afar_albedo, SNOW, 0.85 * snow), afar_rock);
+  albedo *= mix(0.8, 1.0, afar_one) * rolling(world.xy);
+  found_albedo = albedo;
+  found_rough = select(rough, 0.95, water_deep > 0.0);
+  found_slope = slope;
+}
+
 @fragment
 fn fs_main(
   @builtin(position) pixel: vec4f,
@@ -105,12 +149,11 @@ fn fs_main(
   let shift = shift_at(world.xy);
   var home = at_home(world, shift);
   var up = vec3f(0.0, 0.0, 1.0);
-  var mean = vec3f(0.0);
   if field.bricks.w > 0.5 && (any(shift != vec3f(0.0)) || across > 1.2) {
     rock_afar(home, to_eye, max(0.7 * across, field.ground.y), footprint);
     home = afar_at;
     up = afar_normal;
-    mean = kind_albedo(globals.scene.w) * (0.85 + 0.3 * noise2(world.xy / 11.0));
+    afar_albedo = kind_albedo(globals.scene.w) * (0.85 + 0.3 * noise2(world.xy / 11.0));
     water_deep = select(water_deep, 0.0, afar_one > 0.5 && home.z > water_level());
   }
   let rock = afar_rock;
@@ -122,39 +165,11 @@ fn fs_main(
   if globals.soil.w > 0.5 {
     return backing(sun_seen(world, up), seen);
   }
-  // Seen flatter than this, stones are drawn as from there: no ray passes more than the next ones.
-  let lean = to_eye.xy / max(to_eye.z, 0.38);
-  ground_cover(world.xy, lean, footprint);
-  var albedo = cover_albedo * mix(0.45, 1.0, cover_open);
-  var slope = vec3f(cover_slope, 0.0);
-  // Between and under the rocks it stays damp and collects what is fine.
-  let damp = 1.0 - smoothstep(0.35, 0.95, seen);
-  let wet = max(0.35 * damp, wet_cover(world));
-  var rough = mix(0.92, 0.4, globals.weather.y * wet);
-  var moss = moss_cover(world, 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3)
-    * (1.0 - cover_leaf);
-  if moss > 0.0 {
-    moss_coat(world, footprint);
-    moss = smoothstep(0.15, 0.5, moss + 0.3 * moss_high);
-    albedo = mix(albedo, moss_albedo, moss);
-    slope = mix(slope, vec3f(moss_slope.xy, 0.0), moss);
-    rough = mix(rough, 0.95, moss);
-  }
-  albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
-  // Stones that rise higher than it is deep look out.
-  let snow = snow_cover(vec3f(world.xy, cover_top), 0.4, footprint);
-  cover_open = mix(cover_open, 1.0, snow);
-  let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
-  albedo *= 1.0 - 0.5 * shaded;
-  albedo = mix(albedo, SNOW, snow);
-  slope = mix(slope, vec3f(snow_slope.xy, 0.0), snow);
-  rough = mix(rough, 0.9, snow);
-  albedo = mix(albedo, mix(mean, SNOW, 0.85 * snow), rock);
-  albedo *= mix(0.8, 1.0, afar_one) * rolling(world.xy);
-  rough = select(rough, 0.95, water_deep > 0.0);
+  ground_surface(world, to_eye, seen, footprint);
   let open = seen * mix(mix(0.6, 1.0, cover_open), 1.0, rock);
   gathered = caustics(world, footprint);
-  let light = daylight(albedo, rough, home, up, bumped(up, slope * (1.0 - rock)), to_eye, open);
+  let normal = bumped(up, found_slope * (1.0 - rock));
+  let light = daylight(found_albedo, found_rough, home, up, normal, to_eye, open);
 
   return developed(through_water(light, to_eye), on_level - globals.eye.xyz, pixel.xy);
 }
