@@ -1,10 +1,11 @@
-// The wasm artefacts: cargo → wasm-bindgen → wasm-opt, into pkg/. An artefact whose sources have not changed is kept.
+// The wasm artefacts: cargo → wasm-bindgen → wasm-opt → short names of imports, into pkg/. An artefact whose sources have not changed is kept.
 import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from '../lib/env.mjs';
 import { GENERATORS, TOOLS } from '../lib/generators.mjs';
 import { Failure, capture, inLanes, needed, run, say, step } from '../lib/run.mjs';
 import { bindgen, bindgenProgram } from '../setup.mjs';
+import { shortenImports } from './short-imports.mjs';
 import { silencePanics } from './silent-panics.mjs';
 
 const WASM = 'wasm32-unknown-unknown';
@@ -78,6 +79,7 @@ async function build(artefact, tools, bindgenIsReady) {
   if (silent) await silencePanics(wasm);
   const enable = WASM_FEATURES.map((name) => `--enable-${name}`);
   await run(process.execPath, [wasmOpt(), wasm, '-o', wasm, ...optimise, ...enable]);
+  shortenImports(wasm, path.join(staging, `${feature}.js`));
   for (const name of readdirSync(staging)) {
     rmSync(path.join(pkg, name), { recursive: true, force: true });
     renameSync(path.join(staging, name), path.join(pkg, name));
@@ -115,6 +117,7 @@ function toolVersions() {
     'Cargo.lock',
     'scripts/build/wasm.mjs',
     'scripts/build/silent-panics.mjs',
+    'scripts/build/short-imports.mjs',
     'rust-toolchain.toml',
     '.cargo/config.toml',
   ];
