@@ -11,6 +11,7 @@ const SOURCES = [
     'base/view',
     'table/notices',
     'table/table',
+    'renderer/limits',
     'scene/camera/orbit',
     'element/attribute-notices',
     'element/attribute-reader',

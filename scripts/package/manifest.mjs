@@ -128,7 +128,7 @@ function spelledOut(member, aliases, ofKind) {
 
 async function knowledge({ written, kind, table, paramDocs, hasItemAttributes }) {
   const known = await tables();
-  const { FOV, INTERACTIONS, LOADINGS, METRES_PER_PIXEL, NAVIGATIONS, QUALITY_CHOICES } = known;
+  const { FOV, INTERACTIONS, LOADINGS, METRES_PER_PIXEL, NAVIGATIONS, QUALITY_CHOICES, REST_SAMPLES } = known;
   for (const name of [table, paramDocs]) if (!known[name]) throw new Failure(`no module of scripts/lib/tables.mjs exports ${name}`);
   const { colors, itemRows, presets, rows, views } = known[table];
   const oneOf = (words) => ({ type: { text: union(words) }, default: words[0] });
@@ -143,6 +143,7 @@ async function knowledge({ written, kind, table, paramDocs, hasItemAttributes })
       view: oneOf(views),
       color: { type: { text: union(colors) } },
       quality: oneOf(QUALITY_CHOICES),
+      samples: { type: { text: 'number' }, default: String(REST_SAMPLES) },
       interaction: oneOf(INTERACTIONS),
       navigation: oneOf(NAVIGATIONS),
       loading: oneOf(LOADINGS),

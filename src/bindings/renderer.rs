@@ -8,7 +8,7 @@ use wasm_bindgen::prelude::*;
 use crate::render::{
     Bake, Camera, Gpu, Layer, Lens, Mesh, Picture, Plan, Prop, Props, RenderError, Rocks, Scene, Still, Tile, View,
 };
-use crate::shading::{ColorMode, Look, Mode, Quality};
+use crate::shading::{ColorMode, Look, Mode, Quality, Sort};
 
 thread_local! {
     // wgpu requires callbacks to be `Send`, which a JavaScript function is not, so they carry an index into this list.
@@ -256,11 +256,25 @@ impl Renderer {
         Ok(())
     }
 
-    /// Draws one more sample of the still, out of sight.
-    #[wasm_bindgen(js_name = addSample)]
-    pub fn add_sample(&mut self) {
-        if let (Some(still), Some(scene)) = (&mut self.still, &mut self.scene) {
-            still.add(&self.gpu, &self.view, scene, &self.props);
+    /// Makes one of the things that the next picture lacks, each of which takes tens of milliseconds. `sort`: 0 for a picture, 1 for a rough one, 2
+    /// for the samples of a still. False where nothing was lacking.
+    #[wasm_bindgen(js_name = makeNext)]
+    pub fn make_next(&self, sort: u8) -> bool {
+        let sort = match sort {
+            0 => Sort::Frame,
+            1 => Sort::Rough,
+            _ => Sort::Sample,
+        };
+        self.view.make_next(&self.gpu, self.scene.as_ref(), &self.props, sort)
+    }
+
+    /// Draws the next part of a sample of the still, out of sight: a part of a shadow map, or a piece of about `pixels`. False when the sample is whole.
+    #[wasm_bindgen(js_name = drawSample)]
+    pub fn draw_sample(&mut self, pixels: u32) -> bool {
+        let Self { gpu, view, scene, props, still, .. } = self;
+        match (still, scene) {
+            (Some(still), Some(scene)) => still.draw(gpu, view, scene, props, pixels),
+            _ => false,
         }
     }
 
@@ -268,8 +282,26 @@ impl Renderer {
     #[wasm_bindgen(js_name = showStill)]
     pub fn show_still(&self) {
         if let (Some(still), Some(scene)) = (&self.still, &self.scene) {
-            still.show(&self.gpu, &self.view, scene);
+            let [width, height] = still.size();
+            let picture = Picture::new(&self.gpu, &self.view, width, height, false);
+            still.develop(&self.gpu, &self.view, scene, &picture, 1.0);
+            picture.show(&self.gpu, &self.view);
         }
+    }
+
+    /// Draws the mean of the still's samples over the picture that is shown, with this opacity, and shows it. False, and nothing changes, where no
+    /// picture of the same size is shown.
+    #[wasm_bindgen(js_name = refinePicture)]
+    pub fn refine_picture(&self, opacity: f32) -> bool {
+        let (Some(still), Some(scene), Some(picture)) = (&self.still, &self.scene, &self.shown) else {
+            return false;
+        };
+        if still.size() != picture.size() {
+            return false;
+        }
+        still.develop(&self.gpu, &self.view, scene, picture, opacity);
+        picture.show(&self.gpu, &self.view);
+        true
     }
 
     /// Frees the still.

@@ -95,6 +95,13 @@ impl MapSets {
         }
     }
 
+    /// Makes what is the same for all sets, but for scratch. False if it was there.
+    pub(crate) fn makes_hills(&mut self, device: &wgpu::Device, queue: &wgpu::Queue) -> bool {
+        let is_new = self.hills.is_none();
+        self.hills.get_or_insert_with(|| hills(device, queue));
+        is_new
+    }
+
     /// Frees the set of `view`.
     pub(crate) fn release(&mut self, view: u64) {
         self.sets.retain(|set| {

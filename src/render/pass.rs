@@ -1,6 +1,6 @@
 //! The description of a pass, and the pipeline made from it.
 
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 
 use super::surface::{DEPTH_FORMAT, Kind};
 use crate::shading::Recipe;
@@ -75,6 +75,8 @@ pub(crate) enum Target {
     SampleDepth,
     /// The mean of a still's samples, without depth.
     Mean,
+    /// A picture out of sight, without depth, over what is in it.
+    Image,
     /// A tile of an atlas, without depth.
     Bake,
 }
@@ -86,14 +88,21 @@ pub(crate) struct Maker {
     kind: Kind,
     /// The shaders that were needed until now, by their passes' names: several pipelines have the same.
     modules: RefCell<Vec<(&'static str, wgpu::ShaderModule)>>,
+    /// How many pipelines were made.
+    made: Cell<u32>,
 }
 
 impl Maker {
     pub(crate) fn new(layouts: [wgpu::BindGroupLayout; 5], kind: Kind) -> Self {
-        Self { layouts, kind, modules: RefCell::default() }
+        Self { layouts, kind, modules: RefCell::default(), made: Cell::default() }
+    }
+
+    pub(crate) fn made(&self) -> u32 {
+        self.made.get()
     }
 
     pub(crate) fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
+        self.made.set(self.made.get() + 1);
         let mut modules = self.modules.borrow_mut();
         let known = modules.iter().find(|(name, _)| *name == pass.shader.name());
         let module = known.map(|(_, module)| module.clone()).unwrap_or_else(|| {
@@ -134,11 +143,13 @@ fn pipeline(
     let mut constants: Vec<_> = recipe.iter().flatten().copied().collect();
     let color = |format, blend, write_mask| Some(wgpu::ColorTargetState { format, blend, write_mask });
     let all = wgpu::ColorWrites::ALL;
+    if matches!(pass.target, Target::View { .. } | Target::Rough | Target::Image) {
+        constants.push(("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 }));
+    }
     let (targets, depth_format, count) = match pass.target {
         Target::View { .. } | Target::Rough => {
             let blend = matches!(pass.target, Target::View { blend: true }).then_some(wgpu::BlendState::ALPHA_BLENDING);
             let samples = if matches!(pass.target, Target::Rough) { 1 } else { samples };
-            constants.push(("target_is_srgb", if format.is_srgb() { 1.0 } else { 0.0 }));
             (Some(color(format, blend, all)), Some(DEPTH_FORMAT), samples)
         }
         Target::ViewDepth => (Some(color(format, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), samples),
@@ -149,6 +160,7 @@ fn pipeline(
         Target::Sample => (Some(color(SAMPLE_FORMAT, None, all)), Some(DEPTH_FORMAT), 1),
         Target::SampleDepth => (Some(color(SAMPLE_FORMAT, None, wgpu::ColorWrites::empty())), Some(DEPTH_FORMAT), 1),
         Target::Mean => (Some(color(MEAN_FORMAT, None, all)), None, 1),
+        Target::Image => (Some(color(format, Some(wgpu::BlendState::ALPHA_BLENDING), all)), None, 1),
         Target::Bake => (Some(color(BAKE_FORMAT, None, all)), None, 1),
     };
     let (depth_compare, depth_write, bias, slope_scale) = match pass.depth {

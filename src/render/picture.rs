@@ -42,7 +42,9 @@ impl Picture {
     pub(crate) fn new(gpu: &Gpu, view: &View, width: u32, height: u32, is_rough: bool) -> Self {
         let most = gpu.max_side();
         let (width, height) = (width.clamp(1, most), height.clamp(1, most));
-        let usage = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::TEXTURE_BINDING;
+        let usage = wgpu::TextureUsages::COPY_DST
+            | wgpu::TextureUsages::TEXTURE_BINDING
+            | wgpu::TextureUsages::RENDER_ATTACHMENT;
         let image = texture(&gpu.device, "rock-field/picture/image", (width, height), 1, gpu.kind.format, usage);
         let present = gpu.present.get_or_init(|| Present::new(&gpu.device, gpu.kind));
         let group = present.group(&gpu.device, &image);
@@ -52,7 +54,7 @@ impl Picture {
         Self { shot, is_rough, pieces: Pieces::new(width, height), image, group, given: 0, done: Arc::default() }
     }
 
-    /// Draws the next piece, of about `pixels`. True while there is more to come. Between the pieces nothing that the view shows may change.
+    /// Draws the next piece, of about `pixels`; with 0 nothing but the light and the colours that all pieces need. True while there is more to come. Between the pieces nothing that the view shows may change.
     pub(crate) fn draw_piece(
         &mut self,
         gpu: &Gpu,
@@ -62,9 +64,17 @@ impl Picture {
         plan: Option<&Plan>,
         pixels: u32,
     ) -> bool {
+        if pixels == 0 {
+            scene.into_iter().for_each(|scene| view.dress(gpu, scene, props));
+            return true;
+        }
         let Some(piece) = self.pieces.next(pixels, MOST_SIDE) else {
             return false;
         };
+        let scene = scene.map(|scene| {
+            let maps = view.prepare(gpu, scene, props);
+            (&*scene, maps)
+        });
         let samples = if self.is_rough { 1 } else { gpu.kind.samples };
         let Piece { x, y, width, height } = piece;
         let mut easel = gpu.easel.borrow_mut();
@@ -74,10 +84,6 @@ impl Picture {
         };
         let tile = self.shot.tile.map(|Tile { whole, .. }| Tile { whole, corner: [x as f32, y as f32] });
         let shot = Shot { width, height, tile, ..self.shot };
-        let scene = scene.map(|scene| {
-            let maps = view.prepare_apart(gpu, scene, props);
-            (&*scene, maps)
-        });
         let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let attachments = easel.attachments(view.clear_color(gpu));
         view.paint(
@@ -115,6 +121,16 @@ impl Picture {
     /// Whether there is no piece left to draw.
     pub(crate) fn is_whole(&self) -> bool {
         self.pieces.is_whole()
+    }
+
+    /// Where it is drawn.
+    pub(crate) fn image(&self) -> &wgpu::TextureView {
+        &self.image
+    }
+
+    /// Width and height, device pixels.
+    pub(crate) fn size(&self) -> [u32; 2] {
+        [self.shot.width, self.shot.height]
     }
 
     /// Shows the picture on the view's own screen, as large as that; on a shared one in its own size, and whoever copies it from there scales it.

@@ -64,8 +64,7 @@ const STROKE: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     attributes: &wgpu::vertex_attr_array![0 => Float32x4, 1 => Unorm8x4, 2 => Float32x2],
 };
 
-/// All pipelines. Those that not every visit needs are made when they are first used, because linking a program takes
-/// WebGL2 tens of milliseconds.
+/// All pipelines, each made when it is first used: linking a program takes WebGL2 tens of milliseconds.
 pub(crate) struct Pipelines {
     pub(crate) frame_layout: wgpu::BindGroupLayout,
     pub(crate) field_layout: wgpu::BindGroupLayout,
@@ -74,25 +73,12 @@ pub(crate) struct Pipelines {
     patterns: OnceCell<wgpu::BindGroup>,
     pub(crate) still_layout: wgpu::BindGroupLayout,
     maker: Maker,
-    pub(crate) shadow: wgpu::RenderPipeline,
-    pub(crate) height: wgpu::RenderPipeline,
-    open: OnceCell<wgpu::RenderPipeline>,
-    pub(crate) ground: wgpu::RenderPipeline,
-    floor: OnceCell<wgpu::RenderPipeline>,
-    /// For outsides, then for insides.
-    pub(crate) rock: [wgpu::RenderPipeline; 2],
-    natural_floor: OnceCell<wgpu::RenderPipeline>,
-    sample_floor: OnceCell<wgpu::RenderPipeline>,
-    still: OnceCell<[wgpu::RenderPipeline; 2]>,
-    rough_floor: OnceCell<wgpu::RenderPipeline>,
+    fixed: [OnceCell<wgpu::RenderPipeline>; FIXED],
     natural: RefCell<Vec<(Natural, Recipe, wgpu::RenderPipeline)>>,
-    plain_wood: OnceCell<wgpu::RenderPipeline>,
-    wire: OnceCell<[wgpu::RenderPipeline; 2]>,
-    wood_wire: OnceCell<[wgpu::RenderPipeline; 2]>,
-    plan: OnceCell<[wgpu::RenderPipeline; 2]>,
 }
 
 impl Pipelines {
+    /// None yet.
     pub(crate) fn new(device: &wgpu::Device, kind: Kind) -> Self {
         let frame_layout = uniform_layout::<Globals>(device, "rock-field/layout/frame");
         let field_layout = uniform_layout::<FieldUniforms>(device, "rock-field/layout/field");
@@ -101,38 +87,6 @@ impl Pipelines {
         let still_layout = still_layout(device);
         let layouts = [&frame_layout, &field_layout, &maps_layout, &patterns_layout, &still_layout];
         let maker = Maker::new(layouts.map(Clone::clone), kind);
-        let make = |pass| maker.make(device, pass);
-        let shadow = make(Pass {
-            shader: shaders::SHADOW,
-            buffers: &[Some(POSITION), Some(COLOR)],
-            topology: wgpu::PrimitiveTopology::TriangleList,
-            sides: Sides::Both,
-            depth: Depth::Test,
-            target: Target::Shadow,
-            recipe: None,
-        });
-        let height = make(Pass {
-            shader: shaders::HEIGHT,
-            buffers: &[Some(POSITION), Some(COLOR)],
-            topology: wgpu::PrimitiveTopology::TriangleList,
-            sides: Sides::Both,
-            depth: Depth::Test,
-            target: Target::Height,
-            recipe: None,
-        });
-        let ground = make(Pass {
-            shader: shaders::GROUND,
-            buffers: &[],
-            topology: wgpu::PrimitiveTopology::TriangleList,
-            sides: Sides::Both,
-            depth: Depth::Ignore,
-            target: Target::View { blend: false },
-            recipe: None,
-        });
-        // At the outline of a rock, a front face and the hidden face behind it share an edge, and with it their depth.
-        // Drawn together, specks of the hidden face would show along the ridges. Insides are therefore drawn second,
-        // and pushed back.
-        let rock = [make(rock_pass(Sides::Out, Depth::Test)), make(rock_pass(Sides::In, Depth::TestBehind))];
         Self {
             frame_layout,
             field_layout,
@@ -140,27 +94,20 @@ impl Pipelines {
             patterns_layout,
             patterns: OnceCell::new(),
             still_layout,
-            shadow,
-            height,
-            open: OnceCell::new(),
-            ground,
-            floor: OnceCell::new(),
-            rock,
-            natural_floor: OnceCell::new(),
-            sample_floor: OnceCell::new(),
-            still: OnceCell::new(),
-            rough_floor: OnceCell::new(),
+            fixed: [const { OnceCell::new() }; FIXED],
             natural: RefCell::default(),
-            plain_wood: OnceCell::new(),
-            wire: OnceCell::new(),
-            wood_wire: OnceCell::new(),
-            plan: OnceCell::new(),
             maker,
         }
     }
 
-    fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
-        self.maker.make(device, pass)
+    /// The pipeline of a pass that is the same in every picture.
+    pub(crate) fn fixed(&self, device: &wgpu::Device, what: Fixed) -> &wgpu::RenderPipeline {
+        self.fixed[what as usize].get_or_init(|| self.maker.make(device, what.pass()))
+    }
+
+    /// How many were made until now.
+    pub(crate) fn made(&self) -> u32 {
+        self.maker.made()
     }
 
     /// The textures that all passes in natural colours share. They are made when the first of these passes is drawn.
@@ -168,36 +115,11 @@ impl Pipelines {
         self.patterns.get_or_init(|| patterns::group(device, queue, &self.patterns_layout))
     }
 
-    /// Draws the map of what the ground sees of the sky, which natural colours read.
-    pub(crate) fn open(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        let pass = || Pass { buffers: &[], target: Target::Open, ..wood_pass(shaders::OPEN, Depth::Ignore) };
-        self.open.get_or_init(|| self.make(device, pass()))
-    }
-
-    /// Draws the ground's depth in the papers' style, for scenes that extend below it.
-    pub(crate) fn floor(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        self.floor.get_or_init(|| self.make(device, floor_pass(Depth::TestJustBehind, Target::ViewDepth)))
-    }
-
-    /// Draws the ground's depth before anything else in natural colours: what it hides is not shaded.
-    pub(crate) fn natural_floor(&self, device: &wgpu::Device, sort: Sort) -> &wgpu::RenderPipeline {
-        let (floor, target) = match sort {
-            Sort::Frame => (&self.natural_floor, Target::ViewDepth),
-            Sort::Rough => (&self.rough_floor, Target::RoughDepth),
-            Sort::Sample => (&self.sample_floor, Target::SampleDepth),
-        };
-        floor.get_or_init(|| self.make(device, floor_pass(NATURAL_FLOOR, target)))
-    }
-
-    /// Adds a sample of a still to the mean, and makes a picture of the mean.
-    pub(crate) fn still(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
-        let pass = |shader, target, depth| Pass { shader, buffers: &[], target, ..wood_pass(shader, depth) };
-        self.still.get_or_init(|| {
-            [
-                self.make(device, pass(shaders::GATHER, Target::Mean, Depth::Ignore)),
-                self.make(device, pass(shaders::DEVELOP, Target::View { blend: false }, Depth::Ignore)),
-            ]
-        })
+    /// Makes the patterns. False if they were there.
+    pub(crate) fn makes_patterns(&self, device: &wgpu::Device, queue: &wgpu::Queue) -> bool {
+        let is_new = self.patterns.get().is_none();
+        self.patterns(device, queue);
+        is_new
     }
 
     /// The pipeline of a pass in natural colours that is made for `recipe`.
@@ -211,69 +133,100 @@ impl Pipelines {
                 Sort::Rough => pass.target = Target::Rough,
                 Sort::Sample => pass.target = Target::Sample,
             }
-            let pipeline = self.make(device, pass);
+            let pipeline = self.maker.make(device, pass);
             made.push((what, recipe, pipeline.clone()));
             pipeline
         })
     }
+}
 
-    /// Pipeline for a log and wood ears in the papers' style: both alike, matte.
-    pub(crate) fn plain_wood(&self, device: &wgpu::Device) -> &wgpu::RenderPipeline {
-        self.plain_wood.get_or_init(|| self.make(device, wood_pass(shaders::PLAIN_WOOD, Depth::Test)))
+/// A pass that is the same in every picture.
+#[derive(Clone, Copy)]
+pub(crate) enum Fixed {
+    Shadow,
+    Height,
+    /// What the ground sees of the sky, which natural colours read.
+    Open,
+    /// The backdrop and the ground in the papers' style.
+    Ground,
+    /// The ground's depth in the papers' style, for scenes that extend below it.
+    Floor,
+    /// The outsides of rocks in the papers' style, then their insides.
+    ///
+    /// At the outline of a rock, a front face and the hidden face behind it share an edge, and with it their depth. Drawn together, specks of the
+    /// hidden face would show along the ridges. Insides are therefore drawn second, and pushed back.
+    Outsides,
+    Insides,
+    /// A log and wood ears in the papers' style: both alike, matte.
+    Wood,
+    /// Rocks in the wireframe: the fill, pushed back, and the edges.
+    WireFill,
+    WireEdges,
+    /// The same of a log and wood ears.
+    WoodFill,
+    WoodEdges,
+    /// Plans.
+    PlanFills,
+    PlanStrokes,
+    /// The ground's depth before anything else in natural colours: what it hides is not shaded. For a picture, a rough one and a sample.
+    FrameFloor,
+    RoughFloor,
+    SampleFloor,
+    /// Adds a sample of a still to the mean.
+    Gather,
+    /// Makes a picture of the mean.
+    Develop,
+}
+
+const FIXED: usize = Fixed::Develop as usize + 1;
+
+impl Fixed {
+    /// The ground's depth in natural colours.
+    pub(crate) fn floor(sort: Sort) -> Self {
+        match sort {
+            Sort::Frame => Self::FrameFloor,
+            Sort::Rough => Self::RoughFloor,
+            Sort::Sample => Self::SampleFloor,
+        }
     }
 
-    /// Pipelines for a log and wood ears in the wireframe: the fill, pushed back, and the edges.
-    pub(crate) fn wood_wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
-        self.wood_wire.get_or_init(|| {
-            let edges = Pass {
-                shader: shaders::WOOD_WIRE,
-                topology: wgpu::PrimitiveTopology::LineList,
-                buffers: &[Some(POSITION), Some(COLOR)],
-                ..wood_pass(shaders::PLAIN_WOOD, Depth::Test)
-            };
-            [self.make(device, wood_pass(shaders::PLAIN_WOOD, Depth::TestBehind)), self.make(device, edges)]
-        })
-    }
-
-    /// Pipelines for rocks in the wireframe: the fill, pushed back, and the edges.
-    pub(crate) fn wire(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
-        self.wire.get_or_init(|| {
-            let edges = Pass {
-                shader: shaders::WIRE,
-                buffers: &[Some(POSITION), Some(COLOR)],
-                topology: wgpu::PrimitiveTopology::LineList,
-                sides: Sides::Both,
-                depth: Depth::Test,
-                target: Target::View { blend: false },
-                recipe: None,
-            };
-            [self.make(device, rock_pass(Sides::Both, Depth::TestBehind)), self.make(device, edges)]
-        })
-    }
-
-    /// Pipelines for plans: fills and strokes.
-    pub(crate) fn plan(&self, device: &wgpu::Device) -> &[wgpu::RenderPipeline; 2] {
-        self.plan.get_or_init(|| {
-            let fills = Pass {
-                shader: shaders::PLAN,
-                buffers: &[Some(FILL)],
-                topology: wgpu::PrimitiveTopology::TriangleList,
-                sides: Sides::Both,
-                depth: Depth::Ignore,
-                target: Target::View { blend: false },
-                recipe: None,
-            };
-            let strokes = Pass {
+    fn pass(self) -> Pass<'static> {
+        let view = |blend| Target::View { blend };
+        let natural_floor = |target| floor_pass(NATURAL_FLOOR, target);
+        let plain = |shader, target| Pass { shader, ..floor_pass(Depth::Ignore, target) };
+        let edges = |shader| Pass {
+            shader,
+            topology: wgpu::PrimitiveTopology::LineList,
+            ..rock_pass(Sides::Both, Depth::Test)
+        };
+        match self {
+            Self::Shadow => map_pass(shaders::SHADOW, Target::Shadow),
+            Self::Height => map_pass(shaders::HEIGHT, Target::Height),
+            Self::Open => plain(shaders::OPEN, Target::Open),
+            Self::Ground => plain(shaders::GROUND, view(false)),
+            Self::Floor => floor_pass(Depth::TestJustBehind, Target::ViewDepth),
+            Self::Outsides => rock_pass(Sides::Out, Depth::Test),
+            Self::Insides => rock_pass(Sides::In, Depth::TestBehind),
+            Self::Wood => wood_pass(shaders::PLAIN_WOOD, Depth::Test),
+            Self::WireFill => rock_pass(Sides::Both, Depth::TestBehind),
+            Self::WireEdges => edges(shaders::WIRE),
+            Self::WoodFill => wood_pass(shaders::PLAIN_WOOD, Depth::TestBehind),
+            Self::WoodEdges => edges(shaders::WOOD_WIRE),
+            Self::PlanFills => {
+                Pass { shader: shaders::PLAN, buffers: &[Some(FILL)], ..floor_pass(Depth::Ignore, view(false)) }
+            }
+            Self::PlanStrokes => Pass {
                 shader: shaders::STROKE,
                 buffers: &[Some(STROKE)],
                 topology: wgpu::PrimitiveTopology::TriangleStrip,
-                sides: Sides::Both,
-                depth: Depth::Ignore,
-                target: Target::View { blend: true },
-                recipe: None,
-            };
-            [self.make(device, fills), self.make(device, strokes)]
-        })
+                ..floor_pass(Depth::Ignore, view(true))
+            },
+            Self::FrameFloor => natural_floor(Target::ViewDepth),
+            Self::RoughFloor => natural_floor(Target::RoughDepth),
+            Self::SampleFloor => natural_floor(Target::SampleDepth),
+            Self::Gather => plain(shaders::GATHER, Target::Mean),
+            Self::Develop => plain(shaders::DEVELOP, Target::Image),
+        }
     }
 }
 
@@ -327,6 +280,11 @@ fn floor_pass(depth: Depth, target: Target) -> Pass<'static> {
         target,
         recipe: None,
     }
+}
+
+/// Both sides are drawn, since c_w turns some rocks inside out.
+fn map_pass(shader: Shader, target: Target) -> Pass<'static> {
+    Pass { shader, target, ..rock_pass(Sides::Both, Depth::Test) }
 }
 
 fn rock_pass(sides: Sides, depth: Depth) -> Pass<'static> {

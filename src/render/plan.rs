@@ -164,7 +164,7 @@ impl Plan {
         })
     }
 
-    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, [fills, strokes]: &[wgpu::RenderPipeline; 2]) {
+    pub(crate) fn draw(&self, pass: &mut wgpu::RenderPass<'_>, [fills, strokes]: [&wgpu::RenderPipeline; 2]) {
         pass.set_pipeline(fills);
         pass.set_vertex_buffer(0, self.fills.slice(..));
         pass.draw(0..self.fill_vertices, 0..1);

@@ -3,18 +3,22 @@
 
 use glam::{Vec2, Vec3, Vec4};
 
-use super::maps::group;
+use super::maps::{Maps, group};
 use super::pass::{MEAN_FORMAT, SAMPLE_FORMAT, SHADOW_FORMAT};
-use super::surface::{DEPTH_FORMAT, depth_attachment, texture};
+use super::pipelines::Fixed;
+use super::surface::{DEPTH_FORMAT, depth_attachment, kept, texture};
 use super::view::Shot;
-use super::{Gpu, Props, RenderError, Scene, View, upload};
-use crate::shading::{Bounds, FieldUniforms, Globals, Sample, Sort, in_sight};
+use super::{Gpu, Picture, Props, RenderError, Scene, Tile, View, upload};
+use crate::shading::{Bounds, FieldUniforms, Globals, Piece, Pieces, Sample, Sort, in_sight};
 
 /// Most bytes that the textures of a still may take.
 const MOST_BYTES: u64 = 1 << 29;
 
-/// Bytes per pixel: a sample, its depth, and two means.
-const PIXEL_BYTES: u64 = 8 + 4 + 2 * 16;
+/// Bytes per pixel: two means.
+const PIXEL_BYTES: u64 = 2 * 16;
+
+/// Longest side of a piece of a sample: each clears all that it may be drawn on.
+const PIECE_SIDE: u32 = 512;
 
 /// Largest sides of the shadow maps of the sun, the sky and the ground, texels. The edges of a single shadow are seen of the sun's alone.
 const SIDES: [u32; 3] = [4096, 2048, 2048];
@@ -43,8 +47,13 @@ struct Light {
 pub(crate) struct Still {
     shot: Shot,
     lens: Lens,
-    /// How many samples there are.
+    /// How many samples are whole.
     count: u32,
+    /// Of the one after them: the light whose shadow map is drawn, which part of that is next, and what is left of the picture.
+    light: usize,
+    part: usize,
+    pieces: Pieces,
+    /// A piece of the sample, in the upper left corner.
     sample: wgpu::TextureView,
     depth: wgpu::TextureView,
     /// The mean is in one of them, by turns.
@@ -82,8 +91,9 @@ impl Still {
         let device = &gpu.device;
         let (drawn, read) = (wgpu::TextureUsages::RENDER_ATTACHMENT, wgpu::TextureUsages::TEXTURE_BINDING);
         let picture = |label, format, usage| texture(device, label, (shot.width, shot.height), 1, format, usage);
-        let sample = picture("rock-field/still/sample", SAMPLE_FORMAT, drawn | read);
-        let depth = picture("rock-field/still/depth", DEPTH_FORMAT, drawn);
+        let size = (shot.width.min(PIECE_SIDE), shot.height.min(PIECE_SIDE));
+        let sample = texture(device, "rock-field/still/sample", size, 1, SAMPLE_FORMAT, drawn | read);
+        let depth = texture(device, "rock-field/still/depth", size, 1, DEPTH_FORMAT, drawn);
         let means = [0, 1].map(|_| picture("rock-field/still/mean", MEAN_FORMAT, drawn | read));
         let gathered = [0, 1].map(|mean: usize| {
             let entry =
@@ -105,84 +115,138 @@ impl Still {
         };
         let [sun, sky, below] = SIDES.map(light);
         let lights = [sun?, sky?, below?];
-        Ok(Self { shot, lens, count: 0, sample, depth, means, gathered, lights, uniforms, group })
+        Ok(Self {
+            shot,
+            lens,
+            count: 0,
+            light: 0,
+            part: 0,
+            pieces: Pieces::new(shot.width, shot.height),
+            sample,
+            depth,
+            means,
+            gathered,
+            lights,
+            uniforms,
+            group,
+        })
     }
 
-    /// Draws one more sample. The scene, the props and the view must be those of the samples before.
-    pub(crate) fn add(&mut self, gpu: &Gpu, view: &View, scene: &mut Scene, props: &Props) {
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let Some(maps) = view.prepare(gpu, &mut encoder, scene, props) else {
-            return;
+    /// Draws what comes next of a sample: a part of a shadow map, or a piece of the picture of about `pixels`. False when the sample is whole, and in the
+    /// mean. The scene, the props and the view must be those of the samples before; what else is drawn may come between.
+    pub(crate) fn draw(&mut self, gpu: &Gpu, view: &View, scene: &mut Scene, props: &Props, pixels: u32) -> bool {
+        let Some(maps) = view.prepare(gpu, scene, props) else {
+            return false;
         };
         let sample = Sample::new(self.count, view.sun());
-        let mut globals = moved(view.globals(&self.shot, Some(scene)), &sample, self.lens);
-        self.count += 1;
-        globals.scene[1] = 1.0 / self.count as f32;
-        view.write(gpu, &globals);
-        let sight = view.sight(&globals, scene);
+        let globals = moved(view.globals(&self.shot, Some(scene)), &sample, self.lens);
         // Copies are lit as the field is, and may show any part of it.
-        let lit = if scene.shows_around(&sight) { scene.bounds } else { lit(&globals, scene.bounds) };
+        let shows_around = scene.shows_around(&view.sight(&globals, scene));
+        let lit = if shows_around { scene.bounds } else { lit(&globals, scene.bounds) };
         let (uniforms, shadows) = scene.sampled(&sample, lit);
-        gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
-        scene.light_around(gpu, &uniforms, true);
-        for (light, uniforms) in self.lights.iter().zip(&shadows) {
-            gpu.queue.write_buffer(&light.uniforms, 0, bytemuck::bytes_of(uniforms));
-            let texel = uniforms.sun[3] / light.side as f32;
-            scene.draw_shadows(gpu, &mut encoder, [&view.frame_group, &light.group], &light.map, texel, props);
+        if let (Some(light), Some(shadow)) = (self.lights.get(self.light), shadows.get(self.light)) {
+            view.write(gpu, &globals);
+            gpu.queue.write_buffer(&light.uniforms, 0, bytemuck::bytes_of(shadow));
+            let texel = shadow.sun[3] / light.side as f32;
+            let groups = [&view.frame_group, &light.group];
+            let goes_on = scene.draw_shadows(gpu, groups, &light.map, texel, props, self.part);
+            (self.light, self.part) = if goes_on { (self.light, self.part + 1) } else { (self.light + 1, 0) };
+        } else if let Some(piece) = self.pieces.next(pixels, PIECE_SIDE) {
+            gpu.queue.write_buffer(&self.uniforms, 0, bytemuck::bytes_of(&uniforms));
+            scene.light_around(gpu, &uniforms, true);
+            self.draw_piece(gpu, view, (scene, &maps), props, &sample, piece);
         }
+        let is_whole = self.pieces.is_whole();
+        if is_whole {
+            self.count += 1;
+            self.light = 0;
+            self.pieces = Pieces::new(self.shot.width, self.shot.height);
+        }
+        !is_whole
+    }
+
+    /// Draws a piece of the picture of the sample, whose shadow maps are drawn, and adds it to the mean.
+    fn draw_piece(
+        &self,
+        gpu: &Gpu,
+        view: &View,
+        (scene, maps): (&Scene, &Maps),
+        props: &Props,
+        sample: &Sample,
+        Piece { x, y, width, height }: Piece,
+    ) {
+        let own = [self.shot.width as f32, self.shot.height as f32];
+        let Tile { whole, corner } = self.shot.tile.unwrap_or(Tile { whole: own, corner: [0.0; 2] });
+        let [left, top] = [x as f32, y as f32];
+        let tile = Tile { whole, corner: [corner[0] + left, corner[1] + top] };
+        let shot = Shot { width, height, tile: Some(tile), ..self.shot };
+        let mut globals = moved(view.globals(&shot, Some(scene)), sample, self.lens);
+        globals.scene[1] = 1.0 / (self.count + 1) as f32;
+        // Where the mean has the piece.
+        globals.plan = [left, top, 0.0, 0.0];
+        view.write(gpu, &globals);
         let [sun, sky, below] = self.lights.each_ref().map(|light| &light.map);
         let others = [&maps.height, &maps.sky, &maps.hills, &maps.open];
         let maps_group = group(&gpu.device, &gpu.pipelines.maps_layout, [sun, sky, below], others);
-
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("rock-field/still/pass"),
             color_attachments: &[Some(cleared(&self.sample))],
             depth_stencil_attachment: Some(depth_attachment(&self.depth, wgpu::StoreOp::Discard)),
             ..Default::default()
         });
+        pass.set_viewport(0.0, 0.0, width as f32, height as f32, 0.0, 1.0);
         for (index, group) in (0..).zip([&view.frame_group, &self.group, &maps_group]) {
             pass.set_bind_group(index, group, &[]);
         }
-        view.draw_natural(&mut pass, gpu, scene, &self.group, &sight, props, Sort::Sample);
+        view.draw_natural(&mut pass, gpu, scene, &self.group, &view.sight(&globals, scene), props, Sort::Sample);
         drop(pass);
-
-        let [gather, _] = gpu.pipelines.still(&gpu.device);
-        let [before, after] = if self.count.is_multiple_of(2) { [1, 0] } else { [0, 1] };
-        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-            label: Some("rock-field/still/gather"),
-            color_attachments: &[Some(cleared(&self.means[after]))],
-            ..Default::default()
-        });
-        for (index, group) in (0..).zip([&view.frame_group, &self.group, &self.gathered[before]]) {
-            pass.set_bind_group(index, group, &[]);
-        }
-        pass.set_pipeline(gather);
-        pass.draw(0..3, 0..1);
-        drop(pass);
+        let gather = gpu.pipelines.fixed(&gpu.device, Fixed::Gather);
+        let [before, after] = if self.count.is_multiple_of(2) { [0, 1] } else { [1, 0] };
+        let place = [left, top, width as f32, height as f32];
+        self.fill(view, &mut encoder, &self.means[after], place, gather, &self.gathered[before]);
         gpu.queue.submit([encoder.finish()]);
     }
 
-    /// Shows the mean of the samples on the view's screen, which must be as large as the still.
-    pub(crate) fn show(&self, gpu: &Gpu, view: &View, scene: &Scene) {
-        let globals = view.globals(&self.shot, Some(scene));
-        view.write(gpu, &globals);
-        let [_, develop] = gpu.pipelines.still(&gpu.device);
-        view.show(gpu, |encoder, screen, frame| {
-            let (color, depth) = screen.attachments(frame, wgpu::Color::BLACK);
-            let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
-                label: Some("rock-field/still/show"),
-                color_attachments: &[Some(color)],
-                depth_stencil_attachment: Some(depth),
-                ..Default::default()
-            });
-            pass.set_viewport(0.0, 0.0, self.shot.width as f32, self.shot.height as f32, 0.0, 1.0);
-            let newest = &self.gathered[if self.count.is_multiple_of(2) { 0 } else { 1 }];
-            for (index, group) in (0..).zip([&view.frame_group, &self.group, newest]) {
-                pass.set_bind_group(index, group, &[]);
-            }
-            pass.set_pipeline(develop);
-            pass.draw(0..3, 0..1);
+    /// Draws on a place of a target what a pipeline makes of a mean.
+    fn fill(
+        &self,
+        view: &View,
+        encoder: &mut wgpu::CommandEncoder,
+        target: &wgpu::TextureView,
+        [left, top, width, height]: [f32; 4],
+        pipeline: &wgpu::RenderPipeline,
+        mean: &wgpu::BindGroup,
+    ) {
+        let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
+            label: Some("rock-field/still/fill"),
+            color_attachments: &[Some(wgpu::RenderPassColorAttachment { ops: kept(), ..cleared(target) })],
+            ..Default::default()
         });
+        pass.set_viewport(left, top, width, height, 0.0, 1.0);
+        for (index, group) in (0..).zip([&view.frame_group, &self.group, mean]) {
+            pass.set_bind_group(index, group, &[]);
+        }
+        pass.set_pipeline(pipeline);
+        pass.draw(0..3, 0..1);
+    }
+
+    /// Draws the mean of the samples over a picture of the same size, with this opacity, 0…1.
+    pub(crate) fn develop(&self, gpu: &Gpu, view: &View, scene: &Scene, picture: &Picture, opacity: f32) {
+        let mut globals = view.globals(&self.shot, Some(scene));
+        globals.scene[1] = opacity;
+        view.write(gpu, &globals);
+        let develop = gpu.pipelines.fixed(&gpu.device, Fixed::Develop);
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let newest = &self.gathered[if self.count.is_multiple_of(2) { 0 } else { 1 }];
+        let place = [0.0, 0.0, self.shot.width as f32, self.shot.height as f32];
+        self.fill(view, &mut encoder, picture.image(), place, develop, newest);
+        gpu.queue.submit([encoder.finish()]);
+    }
+
+    /// Width and height, device pixels.
+    pub(crate) fn size(&self) -> [u32; 2] {
+        [self.shot.width, self.shot.height]
     }
 }
 

@@ -140,6 +140,11 @@ pub(crate) fn depth_attachment(
     }
 }
 
+/// What an attachment holds stays in it.
+pub(crate) fn kept<T>() -> wgpu::Operations<T> {
+    wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store }
+}
+
 fn attachments(
     device: &wgpu::Device,
     Kind { format, samples }: Kind,

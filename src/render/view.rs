@@ -1,15 +1,16 @@
 //! One canvas: its camera, its style, and how a frame is drawn.
 
 mod atlas;
+mod natural;
 
 use glam::{Mat4, Vec3, Vec4};
 
 use super::maps::Maps;
-use super::pipelines::Natural;
+use super::pipelines::Fixed;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
 use crate::shading::palette::{self, DARK, LIGHT};
-use crate::shading::{ColorMode, Globals, Look, Mode, Quality, Recipe, Sight, Sort};
+use crate::shading::{ColorMode, Globals, Look, Mode, Quality, Sight, Sort};
 
 /// A part of a larger picture: the size of the whole and where the part's upper left corner is in it, device pixels.
 #[derive(Clone, Copy)]
@@ -165,36 +166,27 @@ impl View {
         gpu.queue.present(texture);
     }
 
-    /// Makes the scene ready to be drawn, with its maps.
-    pub(super) fn prepare(
-        &self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        scene: &mut Scene,
-        props: &Props,
-    ) -> Option<Maps> {
+    /// Lights and paints the scene, if it is not yet so.
+    pub(super) fn dress(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) {
         scene.light(gpu, self.look.sun, props, self.is_surrounded());
-        self.is_solid().then(|| {
-            self.maps(gpu, scene, self.shown_color(), |scene, maps| {
-                scene.draw_maps(gpu, encoder, &self.frame_group, maps, props);
-            })
-        })
+        if self.is_solid() {
+            scene.paint(gpu, self.shown_color(), &self.look);
+        }
     }
 
-    /// The same, with submissions of their own for the maps, none of which takes long.
-    pub(super) fn prepare_apart(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) -> Option<Maps> {
-        scene.light(gpu, self.look.sun, props, self.is_surrounded());
+    /// Makes the scene ready to be drawn, with its maps, which are submitted on their own: none of them takes long.
+    pub(super) fn prepare(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) -> Option<Maps> {
+        self.dress(gpu, scene, props);
         let draw = |scene: &Scene, maps: &Maps| {
-            // Submitted before the uniforms of the picture are written, and rocks sink by these.
+            // Before the uniforms of the picture are written: rocks sink by these.
             self.write(gpu, &self.globals(&self.shot, Some(scene)));
-            scene.submit_maps(gpu, &self.frame_group, maps, props);
+            scene.draw_maps(gpu, &self.frame_group, maps, props);
         };
-        self.is_solid().then(|| self.maps(gpu, scene, self.shown_color(), draw))
+        self.is_solid().then(|| self.maps(gpu, scene, draw))
     }
 
-    /// Paints a scene that is lit, and returns its maps, which `draw` draws if they are stale.
-    fn maps(&self, gpu: &Gpu, scene: &mut Scene, color: ColorMode, draw: impl FnOnce(&Scene, &Maps)) -> Maps {
-        scene.paint(gpu, color, &self.look);
+    /// The maps of a scene that is dressed, which `draw` draws if they are stale.
+    fn maps(&self, gpu: &Gpu, scene: &Scene, draw: impl FnOnce(&Scene, &Maps)) -> Maps {
         let (maps, stale) =
             gpu.maps.borrow_mut().lend(&gpu.device, &gpu.queue, &gpu.pipelines.maps_layout, self.number, scene.number);
         if stale {
@@ -215,7 +207,7 @@ impl View {
         plan: Option<&Plan>,
     ) {
         let scene = scene.map(|scene| {
-            let maps = self.prepare(gpu, encoder, scene, props);
+            let maps = self.prepare(gpu, scene, props);
             (&*scene, maps)
         });
         let attachments = screen.attachments(frame, self.clear_color(gpu));
@@ -274,69 +266,34 @@ impl View {
         sort: Sort,
     ) {
         let seen = &scene.seen(sight);
+        let pipeline = |what| gpu.pipelines.fixed(&gpu.device, what);
         match (self.mode, plan) {
             (Mode::Rocks, _) if self.is_natural() => {
                 self.draw_natural(pass, gpu, scene, &scene.field_group, sight, props, sort);
             }
             (Mode::Rocks, _) => {
                 draw_ground(pass, gpu, scene);
-                for sides in &gpu.pipelines.rock {
+                for sides in [Fixed::Outsides, Fixed::Insides].map(&pipeline) {
                     scene.draw_rocks(pass, sides, seen);
                 }
                 if !props.is_empty() {
-                    props.draw(pass, [gpu.pipelines.plain_wood(&gpu.device); 2]);
+                    props.draw(pass, [pipeline(Fixed::Wood); 2]);
                 }
             }
             (Mode::Wireframe, _) => {
-                let [fill, edges] = gpu.pipelines.wire(&gpu.device);
+                let [fill, edges] = [Fixed::WireFill, Fixed::WireEdges].map(&pipeline);
                 draw_ground(pass, gpu, scene);
                 scene.draw_rocks(pass, fill, seen);
                 scene.draw_edges(pass, edges);
                 if !props.is_empty() {
-                    let [fill, edges] = gpu.pipelines.wood_wire(&gpu.device);
+                    let [fill, edges] = [Fixed::WoodFill, Fixed::WoodEdges].map(&pipeline);
                     props.draw(pass, [fill; 2]);
                     props.draw_edges(pass, edges);
                 }
             }
-            (_, Some(plan)) => plan.draw(pass, gpu.pipelines.plan(&gpu.device)),
+            (_, Some(plan)) => plan.draw(pass, [Fixed::PlanFills, Fixed::PlanStrokes].map(&pipeline)),
             (_, None) => {}
         }
-    }
-
-    /// The same in natural colours; `field` is the group 1 that is bound.
-    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
-    pub(super) fn draw_natural(
-        &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        gpu: &Gpu,
-        scene: &Scene,
-        field: &wgpu::BindGroup,
-        sight: &Sight,
-        props: &Props,
-        sort: Sort,
-    ) {
-        let seen = &scene.seen(sight);
-        let pipeline = |what, recipe: Recipe| gpu.pipelines.natural(&gpu.device, what, recipe.of(sort));
-        let bodies = Recipe::of_bodies(self.quality, &self.look);
-        pass.set_bind_group(3, gpu.pipelines.patterns(&gpu.device, &gpu.queue), &[]);
-        pass.set_pipeline(gpu.pipelines.natural_floor(&gpu.device, sort));
-        pass.draw(0..3, 0..1);
-        scene.draw_rocks(pass, &pipeline(Natural::Rocks, bodies), seen);
-        if scene.is_turned {
-            scene.draw_rocks(pass, &pipeline(Natural::Insides, bodies), seen);
-        }
-        scene.draw_around(pass, gpu, &pipeline(Natural::Rocks, bodies), sight, self.quality.surroundings());
-        pass.set_bind_group(1, field, &[]);
-        if !props.is_empty() {
-            let ears = if props.is_closed() { Natural::Bodies } else { Natural::Sheets };
-            props.draw(pass, [&pipeline(Natural::Log, bodies), &pipeline(ears, bodies)]);
-        }
-        // The backdrop and the ground come last, so that only their visible parts are shaded.
-        pass.set_pipeline(&pipeline(
-            Natural::Ground,
-            Recipe::of_ground(self.quality, &self.look, props.axis().is_some()),
-        ));
-        pass.draw(0..6, 0..1);
     }
 
     /// In natural colours, rocks have as many triangles as can be told apart. In the papers' style every facet is seen.
@@ -440,10 +397,10 @@ impl View {
 
 /// Draws the backdrop and the ground in the papers' style, and the ground's depth too if something extends below it.
 fn draw_ground(pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, scene: &Scene) {
-    pass.set_pipeline(&gpu.pipelines.ground);
+    pass.set_pipeline(gpu.pipelines.fixed(&gpu.device, Fixed::Ground));
     pass.draw(0..3, 0..1);
     if scene.is_buried {
-        pass.set_pipeline(gpu.pipelines.floor(&gpu.device));
+        pass.set_pipeline(gpu.pipelines.fixed(&gpu.device, Fixed::Floor));
         pass.draw(0..3, 0..1);
     }
 }

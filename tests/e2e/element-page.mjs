@@ -85,10 +85,12 @@ export function quiet(page) {
   return page.evaluate(async () => {
     // A picture in pieces may wait for a device that is busy for longer than that.
     const isDrawing = () => [...document.querySelectorAll('*')].some(({ shadowRoot }) => shadowRoot?.querySelector('[data-drawing]'));
-    for (let last = -1; last !== counts.frames || isDrawing(); ) {
+    // Between a small picture and the whole one there is a pause.
+    for (let last = -1, calm = 0; calm < 2; calm += 1) {
+      if (last !== counts.frames || isDrawing()) calm = 0;
       last = counts.frames;
       await frame();
-      await new Promise((resolve) => setTimeout(resolve, 800));
+      await new Promise((resolve) => setTimeout(resolve, calm === 0 ? 800 : 250));
     }
     return counts.frames;
   });

@@ -13,6 +13,7 @@ import type { Orbit } from '../scene/camera/orbit.ts';
 import { FOV, FOV_BOUNDS } from '../base/fov.ts';
 import { INTERACTIONS, LOADINGS, NAVIGATIONS, QUALITY_CHOICES, THEMES } from '../base/view.ts';
 import type { ColorMode, Interaction, Loading, Navigation, Theme, WantedQuality } from '../base/view.ts';
+import { REST_SAMPLES, SAMPLES_BOUNDS } from '../renderer/limits.ts';
 import { errorInfo, RockFieldError } from '../base/errors.ts';
 import type { Slots } from '../base/filled.ts';
 import type { Link } from '../table/link.ts';
@@ -41,6 +42,7 @@ export const COMMON_ATTRIBUTES = [
   'view',
   'color',
   'quality',
+  'samples',
   'camera-orbit',
   'fov',
   'interaction',
@@ -56,6 +58,7 @@ export interface ElementAttributes<K extends Kind> extends Link<K> {
   /** Vertical, degrees. */
   fov: number;
   quality: WantedQuality;
+  samples: number;
   theme: Theme;
   interaction: Interaction;
   navigation: Navigation;
@@ -181,8 +184,9 @@ export class AttributeReader<K extends Kind> {
       color: this.#color(source),
       camera: source.camera,
       orbit: this.#orbit(),
-      fov: this.#fov(),
+      fov: this.#numberOr('fov', true, FOV_BOUNDS, FOV),
       quality: this.choice('quality', QUALITY_CHOICES, QUALITY_CHOICES[0]),
+      samples: this.#numberOr('samples', false, SAMPLES_BOUNDS, REST_SAMPLES),
       theme: this.choice('theme', THEMES, THEMES[0]),
       interaction: this.choice('interaction', INTERACTIONS, INTERACTIONS[0]),
       navigation: this.choice('navigation', NAVIGATIONS, NAVIGATIONS[0]),
@@ -242,9 +246,9 @@ export class AttributeReader<K extends Kind> {
     return orbit;
   }
 
-  #fov(): number {
-    const given = this.get('fov');
-    return given === null ? FOV : (this.#number('fov', given.trim(), true, FOV_BOUNDS, FOV) as number);
+  #numberOr(name: string, isReal: boolean, bounds: Pick<Bounds, 'min' | 'max'>, fallback: number): number {
+    const given = this.get(name);
+    return given === null ? fallback : (this.#number(name, given.trim(), isReal, bounds, fallback) as number);
   }
 
   #scale(): number {

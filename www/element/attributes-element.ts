@@ -10,6 +10,7 @@ import { checkNumber } from '../table/param-checks.ts';
 import type { Link } from '../table/link.ts';
 import { presetColor } from '../table/table.ts';
 import type { Kind } from '../table/table.ts';
+import { REST_SAMPLES, SAMPLES_BOUNDS } from '../renderer/limits.ts';
 import { checkChoice, COMMON_ATTRIBUTES } from './attribute-reader.ts';
 import type { ElementAttributes } from './attribute-reader.ts';
 import type { AttributesDefinition } from './definition.ts';
@@ -40,6 +41,7 @@ const PROPERTIES = [
   'view',
   'color',
   'quality',
+  'samples',
   'camera',
   'fov',
   'theme',
@@ -99,6 +101,7 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
     this.#readParams(read, unread);
     this.#readSeen(read, has);
     this.sceneQuality = read.quality;
+    this.sceneSamples = read.samples;
     this.sceneTheme = read.theme;
     this.#interaction = read.interaction;
     this.#navigation = read.navigation;
@@ -283,6 +286,17 @@ export abstract class AttributesElement<K extends Kind> extends ParamsElement<K>
 
   set quality(quality: WantedQuality) {
     this.setAttribute('quality', checkChoice('quality', quality ?? QUALITY_CHOICES[0], QUALITY_CHOICES));
+  }
+
+  /** How many samples a picture at rest is refined with: see the attribute. */
+  get samples(): number {
+    this.readAttributes();
+    return this.sceneSamples;
+  }
+
+  set samples(samples: number | `${number}` | null) {
+    checkNumber('samples', typeof samples === 'string' ? Number(samples) : (samples ?? REST_SAMPLES), SAMPLES_BOUNDS, true);
+    writeAttribute(this, 'samples', samples);
   }
 
   /** Of the picture and the panel: see the attribute. */

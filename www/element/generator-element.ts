@@ -33,6 +33,7 @@ export interface ElementEventMap<Stage extends string> {
 /**
  * @attribute src - A share link or its fragment, or parameters as JSON; fills everything.
  * @attribute quality - `low`, `medium` or `high`, of natural colours; `auto`: as well as motion flows, and `high` at rest. Slow devices draw fewer pixels in motion.
+ * @attribute samples - How many samples of light a picture in natural colours is refined with at rest, 0 … 4096; default 64. Only at `high` and `auto`.
  * @attribute theme - `light`, `dark`, or `auto`: as the system is set.
  * @attribute camera-orbit - Azimuth, angle from above, distance: `45deg 55deg 120%`, each of them perhaps `auto`.
  * @attribute fov - Vertical field of view in degrees, 5 … 120; default 36.

@@ -57,9 +57,11 @@ export interface RawRenderer {
   setTile(width: number, height: number, x: number, y: number, backing: number): void;
   render(): void;
   beginStill(lens: number, focus: number): void;
-  addSample(): void;
+  drawSample(pixels: number): boolean;
   showStill(): void;
+  refinePicture(opacity: number): boolean;
   endStill(): void;
+  makeNext(sort: number): boolean;
   beginPicture(width: number, height: number, isRough: boolean): void;
   drawPiece(pixels: number): boolean;
   piecesUnderWay(): number;

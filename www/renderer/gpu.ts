@@ -170,7 +170,10 @@ export class GpuRenderer implements SceneRenderer {
   }
 
   render(): void {
-    this.#show(() => this.#raw.render());
+    this.#guard(() => {
+      this.#raw.render();
+      this.#copy([this.canvas.width, this.canvas.height]);
+    });
   }
 
   renderTile(tile: Tile): void {
@@ -178,24 +181,15 @@ export class GpuRenderer implements SceneRenderer {
     this.render();
   }
 
-  readonly stills: Stills = {
-    begin: (tile, lens = { radius: 0, focus: 1 }) => {
-      if (tile) this.#setTile(tile);
-      this.#guard(() => this.#raw.beginStill(lens.radius, lens.focus));
-    },
-    add: async () => {
-      this.#guard(() => this.#raw.addSample());
-      const { deviceDone } = await lazily(() => import('./done.ts'));
-      await deviceDone(this.#device.canvas ?? this.canvas, this.backend);
-    },
-    show: () => this.#show(() => this.#raw.showStill()),
-    end: () => this.#guard(() => this.#raw.endStill()),
-  };
-
-  #show(draw: () => void): void {
-    this.#guard(() => {
-      draw();
-      this.#copy([this.canvas.width, this.canvas.height]);
+  async stills(): Promise<Stills> {
+    const { makeStills } = await lazily(() => import('./stills.ts'));
+    return makeStills({
+      raw: this.#raw,
+      device: this.#device,
+      canvas: this.canvas,
+      guard: (call) => this.#guard(call),
+      setTile: (tile) => this.#setTile(tile),
+      copy: (size) => this.#copy(size),
     });
   }
 
@@ -206,10 +200,13 @@ export class GpuRenderer implements SceneRenderer {
   }
 
   readonly pieces: Pieces = {
-    begin: (width, height, isRough) => {
-      this.#begun = [width, height];
+    make: (isRough) => {
       // Whoever looks at a picture, such as a test, can tell that another is on its way.
       this.canvas.dataset['drawing'] = '';
+      return this.#guard(() => this.#raw.makeNext(isRough ? 1 : 0)) === true;
+    },
+    begin: (width, height, isRough) => {
+      this.#begun = [width, height];
       this.#guard(() => this.#raw.beginPicture(width, height, isRough));
     },
     draw: (pixels) => {

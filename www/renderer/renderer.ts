@@ -48,22 +48,30 @@ export interface Lens {
 export interface Stills {
   /** Begins one of what the camera shows now, at the present size; `tile` is of a part. Without a lens everything is sharp. What is drawn must not change until `end`. */
   begin(tile?: Tile, lens?: Lens): void;
-  /** Draws one more sample, out of sight. Resolves when the device is done with it. */
-  add(): Promise<void>;
+  /** As `Pieces.make`, for samples. */
+  make(): boolean;
+  /** Draws the next part of a sample, out of sight: of its shadow maps, or a piece of about so many pixels. False: the sample is whole. */
+  draw(pixels: number): boolean;
+  /** Resolves when the device is done with what it was given. */
+  done(): Promise<void>;
   /** Shows the mean of the samples now, at the size of `begin`. */
   show(): void;
+  /** Draws the mean over the picture in pieces that is shown, with this opacity, and shows it. Nothing happens where that is of another size. */
+  blend(opacity: number): void;
   /** Frees what the still holds. */
   end(): void;
 }
 
 /** Pictures that are drawn in pieces, out of sight: none of them takes a device long, and the page goes on between them. */
 export interface Pieces {
+  /** Makes one of the things that such a picture lacks, each of which takes tens of milliseconds. False: nothing was lacking. */
+  make(isRough: boolean): boolean;
   /**
    * Begins a picture of what is drawn now, through the camera of now; device pixels, whatever the size on the screen is. A rough one has one
    * sample a pixel. What it shows must not change until it is whole, but for the camera.
    */
   begin(width: number, height: number, isRough: boolean): void;
-  /** Draws the next piece, of about so many pixels. False: that was the last. */
+  /** Draws the next piece, of about so many pixels; with 0 only what they all need. False: that was the last. */
   draw(pixels: number): boolean;
   /** How many pieces the device has not drawn yet. */
   underWay(): number;
@@ -96,7 +104,7 @@ export interface SceneRenderer {
    * Makes stills: the mean of many samples of a picture in natural colours, which converges to what the sun, the sky and one bounce of light
    * give. Absent without a GPU.
    */
-  readonly stills?: Stills;
+  stills?(): Promise<Stills>;
   /** Draws pictures in pieces. Absent without a GPU. */
   readonly pieces?: Pieces;
   /** What the browser calls the device; empty without a GPU. */

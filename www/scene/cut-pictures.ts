@@ -7,7 +7,9 @@
  * wanted any more.
  */
 
+import type { Quality } from '../base/view.ts';
 import type { Pieces } from '../renderer/renderer.ts';
+import { ROUGH, SMALL, WHOLE } from './steps.ts';
 
 /** A picture of a motion is to take so long, ms, and changes its size where it takes more or less than this. */
 const MOTION_MS = 75;
@@ -23,10 +25,34 @@ const WHOLE_PICTURES = 2;
 /** How often the device is asked while it draws a picture of a motion, ms; while it draws a still, with every frame of the screen. */
 const POLL_MS = 4;
 
+/** What takes longer is followed by a task of its own, ms. */
+const LONG_MS = 10;
+
 /** A piece of a still is to take so long, ms. Two are under way, so that the device never waits for the screen. */
 const PIECE_MS = 30;
 const UNDER_WAY = 2;
 const [FIRST_PIECE, LEAST_PIECE, LARGEST_PIECE] = [16_384, 4096, 1_048_576];
+
+/** What is drawn in pieces. */
+export interface CutScene {
+  /** The window it is in; it may come into another. */
+  view(): Window;
+  canDraw(): boolean;
+  /** Whether the quality makes a difference to what is shown. */
+  isGraded(): boolean;
+  /** What draws in pieces, and for a stage of which size; undefined where nothing does. */
+  pieces(): { pieces: Pieces; size: readonly [number, number] } | undefined;
+  /** Readies the renderer for a picture in pieces through the camera of now. What it returns is called with what shows the picture. */
+  prepare(level: Quality | null): (show: () => void) => void;
+}
+
+interface Wanted {
+  level: Quality | null;
+  /** One of a motion, or else a still. */
+  isMoving: boolean;
+  /** A still that another follows. */
+  mayBeRough: boolean;
+}
 
 export interface CutPicture {
   pieces: Pieces;
@@ -66,21 +92,76 @@ export class CutPictures {
     return this.#scaleFor(size) < 1;
   }
 
+  /**
+   * Draws a picture of the scene and shows it: what is on the screen then, or undefined where it went out of sight. Nothing is shown that is not
+   * wanted any more.
+   */
+  async show(scene: CutScene, { level, isMoving, mayBeRough }: Wanted, isWanted: () => boolean): Promise<number | undefined> {
+    const found = scene.pieces();
+    if (!found) return undefined;
+    const { pieces, size } = found;
+    const isRough = mayBeRough && scene.isGraded();
+    const step = isMoving && this.isScaled(size) ? SMALL : isRough ? ROUGH : WHOLE;
+    let shown = (_show: () => void): void => {};
+    const prepare = (): void => {
+      shown = scene.prepare(level);
+    };
+    const isOver = (): boolean => !isWanted() || !scene.canDraw();
+    try {
+      const isDrawn = await this.draw({ pieces, size, isMoving, isRough, view: scene.view(), prepare, isOver }, String(level));
+      if (!isWanted()) return undefined;
+      if (isDrawn) shown(() => pieces.show());
+      else pieces.show();
+      return isDrawn ? step : undefined;
+    } catch (thrown) {
+      if (isWanted())
+        shown(() => {
+          throw thrown;
+        });
+      return step;
+    }
+  }
+
+  /** Makes what the first picture of a motion needs, while what it shows is still grown. */
+  ready(scene: CutScene, level: Quality | null, isWanted: () => boolean): void {
+    const found = scene.pieces();
+    if (!found || scene.canDraw()) return;
+    const picture = { ...found, prepare: () => void scene.prepare(level), isOver: () => !isWanted() || scene.canDraw() };
+    // Nobody waits for it: what is refused is told when it is drawn.
+    this.#make(picture, this.isScaled(found.size)).catch(() => undefined);
+  }
+
   /** True when the picture is whole; it is still to be shown. `kind` is what its pipelines depend on. */
   async draw(picture: CutPicture, kind: string): Promise<boolean> {
     const { pieces, size, isMoving, prepare, isOver } = picture;
     const scale = isMoving ? this.#scaleFor(size) : 1;
     const [width, height] = size.map((side) => Math.max(1, Math.round(side * scale))) as [number, number];
     const isRough = isMoving ? scale < 1 : picture.isRough;
+    if (!(await this.#make(picture, isRough))) return false;
     const start = performance.now();
-    prepare();
     pieces.begin(width, height, isRough);
+    pieces.draw(0);
+    if (performance.now() - start > LONG_MS) {
+      await nextTask();
+      if (isOver()) return false;
+      prepare();
+    }
     if (isMoving) while (pieces.draw(this.#piece));
     const isDone = isMoving ? await this.#wait(picture) : await this.#drawn(picture);
     const of = `${kind} ${isRough}`;
     if (isDone && isMoving && this.#seen.has(of)) this.#took(performance.now() - start, size, scale);
     if (isDone) this.#seen.add(of);
     return isDone && !isOver();
+  }
+
+  /** Makes what such pictures lack, in tasks of their own; the renderer is ready after it. False when nobody wants one any more. */
+  async #make({ pieces, prepare, isOver }: Pick<CutPicture, 'pieces' | 'prepare' | 'isOver'>, isRough: boolean): Promise<boolean> {
+    for (;;) {
+      prepare();
+      if (!pieces.make(isRough)) return true;
+      await nextTask();
+      if (isOver()) return false;
+    }
   }
 
   async #wait({ pieces, isOver }: CutPicture): Promise<boolean> {
@@ -129,6 +210,10 @@ export class CutPictures {
     if (ms > TOO_FAST_MS && ms < TOO_SLOW_MS) return;
     this.pixels = Math.round(width * height * scale ** 2 * Math.min(2, MOTION_MS / ms));
   }
+}
+
+function nextTask(): Promise<void> {
+  return new Promise((resolve) => setTimeout(resolve));
 }
 
 function nextFrame(view: Window): Promise<number> {

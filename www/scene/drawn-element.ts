@@ -50,7 +50,7 @@ export abstract class DrawnElement extends StageElement {
   #pacer = new FramePacer({
     view: () => this.ownWindow,
     canDraw: () => this.canDraw,
-    isGraded: () => this.#style.color === 'natural' && this.#style.view === '3d' && this.backend !== 'canvas2d',
+    isGraded: () => this.#isGraded,
     advance: (now) => this.advance(now),
     draw: (level) => this.#draw(level),
     pieces: () => {
@@ -58,6 +58,7 @@ export abstract class DrawnElement extends StageElement {
       const size = this.stageSize?.pixels;
       return pieces && size && { pieces, size };
     },
+    refiner: () => (this.#isGraded ? this.#kept.renderer : undefined),
     prepare: (level) => {
       const { camera } = this;
       const { renderer } = this.#kept;
@@ -158,6 +159,14 @@ export abstract class DrawnElement extends StageElement {
 
   protected set sceneQuality(quality: WantedQuality) {
     this.#pacer.wanted = quality;
+  }
+
+  protected get sceneSamples(): number {
+    return this.#pacer.samples;
+  }
+
+  protected set sceneSamples(samples: number) {
+    this.#pacer.samples = samples;
   }
 
   protected get sceneView(): View {
@@ -351,6 +360,11 @@ export abstract class DrawnElement extends StageElement {
       this.report({ name: 'RendererFailed', message: `the view could not be shown: ${errorText(thrown)}` });
       return false;
     }
+  }
+
+  /** Whether the quality makes a difference to what is shown. */
+  get #isGraded(): boolean {
+    return this.#style.color === 'natural' && this.#style.view === '3d' && this.backend !== 'canvas2d';
   }
 
   #hasPicture(): boolean {

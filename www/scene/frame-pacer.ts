@@ -1,17 +1,18 @@
 /**
  * When a scene is drawn, and how well: nothing unless something changed and can be seen; in motion as well as it flows, at rest once
- * more at its best, then not at all.
+ * more at its best, then refined (`refine.ts`), then not at all.
  *
  * Where a whole picture takes longer than a page may wait, pictures are drawn in pieces (`cut-pictures.ts`): small ones in motion, and at rest
  * first one that is whole, then the best one.
  */
 
 import { lazily } from '../base/lazy.ts';
-import { AutoQuality } from '../renderer/quality.ts';
+import type { AutoQuality } from '../renderer/quality.ts';
 import { isSoftware, paceOf, rememberPace } from '../renderer/pace.ts';
-import type { Pieces } from '../renderer/renderer.ts';
+import type { SceneRenderer } from '../renderer/renderer.ts';
 import type { Quality, WantedQuality } from '../base/view.ts';
-import type { CutPictures } from './cut-pictures.ts';
+import type { CutPictures, CutScene } from './cut-pictures.ts';
+import { FINAL, SMALL, WHOLE } from './steps.ts';
 
 /** Who asks for no frame for so long is at rest. */
 const REST_MS = 150;
@@ -27,23 +28,16 @@ const SLOW_STILL_MS = 100;
 /** More than any picture has. */
 const EVERY_PIXEL = 1e9;
 
-export interface PacedScene {
-  /** The window it is in; it may come into another. */
-  view(): Window;
-  canDraw(): boolean;
-  /** Whether the quality makes a difference to what is shown. */
-  isGraded(): boolean;
+export interface PacedScene extends CutScene {
   /** On to the frame at `now`. True while there is more to come. */
   advance(now: number): boolean;
   /** Null: it makes no difference. */
   draw(level: Quality | null): void;
-  /** What draws in pieces, and for a stage of which size; undefined where nothing does. */
-  pieces(): { pieces: Pieces; size: readonly [number, number] } | undefined;
-  /** Readies the renderer for a picture in pieces through the camera of now. What it returns is called with what shows the picture. */
-  prepare(level: Quality | null): (show: () => void) => void;
+  /** What refines a picture at rest; undefined where nothing does. */
+  refiner(): Pick<SceneRenderer, 'stills' | 'isLost'> | undefined;
 }
 
-/** A picture in pieces that is under way. */
+/** What is under way: a picture in pieces of a motion, or of a scene at rest, or what refines that. */
 interface Work {
   isMoving: boolean;
 }
@@ -51,14 +45,16 @@ interface Work {
 export class FramePacer {
   readonly #scene: PacedScene;
   #wanted: WantedQuality = 'auto';
-  #auto = new AutoQuality();
+  #samples = 0;
+  /** Of motions, where nobody says: at first, and as they flow from when they are watched. */
+  #first: Quality = 'medium';
+  #auto: AutoQuality | undefined;
   #dirty = false;
   #frame = 0;
   #resting: ReturnType<typeof setTimeout> | undefined;
   /** Of the picture on the screen. */
   #level: Quality | null = null;
-  /** Whether that has all pixels of the stage, and all samples. */
-  #has = { pixels: true, samples: true };
+  #shown = FINAL;
   /** Counts what would make the time of a still another's. */
   #disturbances = 0;
   /** What the device is remembered by; empty where it is not. */
@@ -88,6 +84,17 @@ export class FramePacer {
     this.invalidate();
   }
 
+  /** How many samples a picture at rest is refined with at its best; 0: with none. */
+  get samples(): number {
+    return this.#samples;
+  }
+
+  set samples(samples: number) {
+    if (samples === this.#samples) return;
+    this.#samples = samples;
+    this.invalidate();
+  }
+
   /** Of a picture that is taken and not looked at while it is made. */
   get best(): Quality | null {
     if (!this.#scene.isGraded()) return null;
@@ -98,7 +105,8 @@ export class FramePacer {
   renew(device = ''): void {
     const { level, isCut, pixels } = paceOf(device);
     this.#end();
-    this.#auto = new AutoQuality(level);
+    this.#auto = undefined;
+    this.#first = level;
     this.#device = device;
     this.#isCut = isCut;
     this.#isFast = this.#isPieced = false;
@@ -110,7 +118,7 @@ export class FramePacer {
   invalidate(): void {
     this.#dirty = true;
     clearTimeout(this.#resting);
-    if (this.#work && !this.#work.isMoving) this.#end();
+    this.#endStill();
     this.#request();
   }
 
@@ -118,6 +126,7 @@ export class FramePacer {
   look(isMoving: boolean): void {
     this.#disturbances += 1;
     if (this.#dirty || isMoving) this.invalidate();
+    else if (!this.#isFinal) this.#request();
   }
 
   stop(): void {
@@ -126,7 +135,7 @@ export class FramePacer {
     this.#frame = 0;
     if (this.#work) this.#dirty = true;
     this.#end();
-    this.#auto.rest();
+    this.#auto?.rest();
   }
 
   /** Draws in this very task if it can. A frame that was asked for still comes: more may hang on it than this picture. */
@@ -174,11 +183,26 @@ export class FramePacer {
     const ms = now - this.#lastFrame;
     this.#lastFrame = now;
     if (this.#isCut) return;
-    if (this.#isAuto) this.#auto.frame(now);
+    if (this.#isAuto) this.#watchQuality(now);
     this.#stuck = ms > STUCK_MS && ms < PAUSE_MS ? this.#stuck + 1 : 0;
-    if (this.#stuck < STUCK_FRAMES || (this.#isAuto && this.#auto.moving !== 'low') || !this.#scene.pieces()) return;
+    if (this.#stuck < STUCK_FRAMES || (this.#isAuto && this.#flowing !== 'low') || !this.#scene.pieces()) return;
     this.#isCut = true;
     if (!this.#cut) this.#fetch(EVERY_PIXEL);
+  }
+
+  /** What watches is fetched with the first frame; nothing waits for it. */
+  #watchQuality(now: number): void {
+    this.#auto?.frame(now);
+    if (this.#auto) return;
+    const first = this.#first;
+    lazily(() => import('../renderer/quality.ts')).then(
+      ({ AutoQuality }) => (this.#auto ??= new AutoQuality(first)),
+      () => undefined,
+    );
+  }
+
+  get #flowing(): Quality {
+    return this.#auto?.moving ?? this.#first;
   }
 
   get #isAuto(): boolean {
@@ -186,7 +210,7 @@ export class FramePacer {
   }
 
   get #movingLevel(): Quality | null {
-    return this.#isAuto ? this.#auto.moving : this.best;
+    return this.#isAuto ? this.#flowing : this.best;
   }
 
   #drawMoving(): void {
@@ -195,15 +219,16 @@ export class FramePacer {
       return;
     }
     this.#draw(this.#movingLevel);
-    if (this.#isAuto && !this.#dirty) this.#rest();
+    if (!this.#dirty && (this.#isAuto || !this.#isFinal)) this.#rest();
   }
 
   #draw(level: Quality | null): void {
     if (this.#frame === 0) this.#dirty = false;
     clearTimeout(this.#resting);
     this.#disturbances += 1;
+    this.#endStill();
     this.#level = level;
-    this.#has = { pixels: true, samples: true };
+    this.#shown = WHOLE;
     if (this.#isPieced) this.#scene.pieces()?.pieces.end();
     this.#isPieced = false;
     this.#scene.draw(level);
@@ -219,17 +244,54 @@ export class FramePacer {
   }
 
   #settle(): void {
-    this.#auto.rest();
+    this.#auto?.rest();
     this.#lastFrame = -Infinity;
-    const best = this.#isAuto ? 'high' : this.best;
-    const { pixels, samples } = this.#has;
-    if (pixels && samples && this.#level === best) return;
-    const isCut = this.#isCut && this.#scene.pieces();
-    if (isCut && !pixels) this.#drawCut(this.#movingLevel, false, true);
+    const { best } = this;
+    const isCut = this.#isCut && this.#scene.pieces() !== undefined;
+    if (this.#shown >= WHOLE && this.#level === best) this.#refine();
+    else if (isCut && this.#shown === SMALL) this.#drawCut(this.#movingLevel, false, true);
     else if (isCut || (this.#cut && !this.#isFast && this.#scene.pieces())) this.#drawCut(best, false);
     else this.#drawStill(best);
     if (this.#device)
-      rememberPace(this.#device, { level: this.#auto.moving, isCut: this.#isCut, pixels: this.#isCut ? (this.#cut?.pixels ?? 0) : 0 });
+      rememberPace(this.#device, { level: this.#flowing, isCut: this.#isCut, pixels: this.#isCut ? (this.#cut?.pixels ?? 0) : 0 });
+  }
+
+  get #refiner(): ReturnType<PacedScene['refiner']> {
+    return this.#samples > 0 && this.best === 'high' ? this.#scene.refiner() : undefined;
+  }
+
+  /** Whether no better picture can follow at rest. */
+  get #isFinal(): boolean {
+    return this.#shown === FINAL || (this.#shown === WHOLE && this.#level === this.best && !this.#refiner);
+  }
+
+  #refine(): void {
+    const found = this.#scene.pieces();
+    const renderer = this.#refiner;
+    if (this.#shown === FINAL || !found || !renderer) return;
+    const work: Work = { isMoving: false };
+    this.#work = work;
+    const refinement = {
+      ...found,
+      renderer,
+      samples: this.#samples,
+      isPieced: this.#isPieced,
+      view: this.#scene.view(),
+      holds: () => {
+        this.#isPieced = true;
+      },
+      prepare: () => this.#scene.prepare(this.#level),
+      isOver: () => this.#work !== work || !this.#scene.canDraw(),
+    };
+    const end = (isFinal: boolean): void => {
+      if (this.#work !== work) return;
+      this.#work = undefined;
+      if (isFinal) this.#shown = FINAL;
+    };
+    // What is refused leaves the picture as it is.
+    lazily(() => import('./refine.ts'))
+      .then(({ refine }) => refine(refinement))
+      .then(end, () => end(true));
   }
 
   /** At once; how long it took says whether the next one is. */
@@ -244,6 +306,7 @@ export class FramePacer {
         if (drawn !== this.#disturbances) return;
         this.#isFast = performance.now() - start < SLOW_STILL_MS;
         if (!this.#isFast && !this.#cut && this.#scene.pieces()) this.#fetch(EVERY_PIXEL);
+        if (!this.#isFinal) this.#request();
       }),
     );
   }
@@ -256,7 +319,10 @@ export class FramePacer {
     lazily(() => import('./cut-pictures.ts'))
       .then(
         ({ CutPictures }) => {
-          if (device === this.#device) this.#cut = new CutPictures(pixels);
+          if (device !== this.#device) return;
+          const cut = new CutPictures(pixels);
+          this.#cut = cut;
+          cut.ready(this.#scene, this.#movingLevel, () => this.#cut === cut);
         },
         // Without it pictures are drawn whole.
         () => (this.#isCut = false),
@@ -268,10 +334,8 @@ export class FramePacer {
   }
 
   #drawCut(level: Quality | null, isMoving: boolean, mayBeRough = false): void {
-    const isRough = mayBeRough && this.#scene.isGraded();
     const cut = this.#cut;
-    const found = this.#scene.pieces();
-    if (!cut || !found) {
+    if (!cut) {
       this.#fetch(0);
       return;
     }
@@ -280,52 +344,36 @@ export class FramePacer {
     this.#disturbances += 1;
     const work: Work = { isMoving };
     this.#work = work;
-    const { pieces, size } = found;
-    let shown = (_show: () => void): void => {};
-    const picture = {
-      pieces,
-      size,
-      isMoving,
-      isRough,
-      view: this.#scene.view(),
-      prepare: () => (shown = this.#scene.prepare(level)),
-      isOver: () => this.#work !== work || !this.#scene.canDraw(),
-    };
-    const isWhole = !isMoving || !cut.isScaled(size);
-    const end = (isDrawn: boolean, show: () => void): void => {
-      if (this.#work !== work) return;
-      this.#work = undefined;
-      if (isDrawn) {
-        shown(show);
-        this.#level = level;
-        this.#has = { pixels: isWhole, samples: isWhole && !isRough };
-        this.#isPieced = true;
-        if (isMoving && cut.isNeedless && !isSoftware(this.#device)) this.#isCut = false;
-      } else {
-        // It went out of sight.
-        this.#dirty = true;
-        pieces.show();
-      }
-      if (!isMoving || !this.#dirty) {
-        if (isMoving) this.#rest();
-        else this.#request();
-        return;
-      }
-      // The next one of a motion does not wait for the screen, which is faster than these are.
-      this.#scene.view().cancelAnimationFrame(this.#frame);
-      this.#onFrame(performance.now());
-    };
-    cut.draw(picture, String(level)).then(
-      (isDrawn) => end(isDrawn, () => pieces.show()),
-      (thrown: unknown) =>
-        end(true, () => {
-          throw thrown;
-        }),
-    );
+    void cut
+      .show(this.#scene, { level, isMoving, mayBeRough }, () => this.#work === work)
+      .then((shown) => {
+        if (this.#work !== work) return;
+        this.#work = undefined;
+        // Or else it went out of sight.
+        if (shown === undefined) this.#dirty = true;
+        else {
+          this.#level = level;
+          this.#shown = shown;
+          this.#isPieced = true;
+          if (isMoving && cut.isNeedless && !isSoftware(this.#device)) this.#isCut = false;
+        }
+        if (!isMoving) this.#request();
+        else if (!this.#dirty) this.#rest();
+        else {
+          // The next one of a motion does not wait for the screen, which is faster than these are.
+          this.#scene.view().cancelAnimationFrame(this.#frame);
+          this.#onFrame(performance.now());
+        }
+      });
   }
 
-  /** Ends a picture in pieces that is under way. */
+  /** Ends what is under way. */
   #end(): void {
     this.#work = undefined;
+  }
+
+  /** The same, unless it is of a motion: that is followed by what has changed since. */
+  #endStill(): void {
+    if (this.#work && !this.#work.isMoving) this.#end();
   }
 }

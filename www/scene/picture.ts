@@ -20,7 +20,7 @@ import { same } from '../table/table.ts';
 import type { Edition, Kind, Table } from '../table/table.ts';
 import type { TiledPicture } from './tiles.ts';
 import { lazily } from '../base/lazy.ts';
-import { MAX_PIXELS, MAX_SIDE } from '../renderer/limits.ts';
+import { MAX_PIXELS, MAX_SAMPLES, MAX_SIDE } from '../renderer/limits.ts';
 
 export interface PictureOptions extends LensOptions {
   /** Device pixels; one follows from the other, and both from the size on the screen, when left out. */
@@ -61,9 +61,6 @@ export interface PictureSource {
 }
 
 const PNG = 'image/png';
-
-/** Of a picture: twice as many would halve what nobody sees any more. */
-const MAX_SAMPLES = 4096;
 
 /** Of a picture that has no place on the screen, px. */
 const UNSEEN_SIZE: [number, number] = [300, 150];

@@ -1,8 +1,10 @@
-/** A still, drawn sample by sample: each in a task of its own, so that the page goes on. */
+/** A still that somebody waits for, such as a picture as a file. */
 
 import { RockFieldError } from '../base/errors.ts';
 import type { CameraState } from '../base/view.ts';
 import type { Lens, SceneRenderer, Tile } from '../renderer/renderer.ts';
+import { Samples } from './samples.ts';
+import { inTurn } from './turns.ts';
 
 export interface StillPicture {
   renderer: SceneRenderer;
@@ -27,9 +29,13 @@ export interface StillPicture {
  *
  * @throws the signal's reason, and what the renderer refuses.
  */
-export async function stillPicture<T>(picture: StillPicture, take: () => T): Promise<T | undefined> {
-  const { renderer, samples, prepare, restore, signal } = picture;
-  const { stills } = renderer;
+export function stillPicture<T>(picture: StillPicture, take: () => T): Promise<T | undefined> {
+  return inTurn(() => make(picture, take));
+}
+
+async function make<T>(picture: StillPicture, take: () => T): Promise<T | undefined> {
+  const { renderer, prepare, restore, signal } = picture;
+  const stills = await renderer.stills?.();
   if (!stills) throw new RockFieldError({ name: 'NoPicture', message: 'without a GPU there are no samples to be drawn' });
   const onStage = <R>(work: () => R): R => {
     prepare();
@@ -41,14 +47,17 @@ export async function stillPicture<T>(picture: StillPicture, take: () => T): Pro
       restore();
     }
   };
+  const isOver = (): boolean => {
+    signal?.throwIfAborted();
+    return renderer.isLost || !picture.isSame();
+  };
+  const samples = new Samples({ stills, prepare, isOver });
+  if (!(await samples.ready())) return undefined;
   onStage(() => stills.begin(picture.tile, picture.lens));
   try {
-    for (let drawn = 0; drawn < samples; drawn += 1) {
-      prepare();
-      await stills.add();
-      signal?.throwIfAborted();
-      if (renderer.isLost || !picture.isSame()) return undefined;
-      picture.onProgress?.((drawn + 1) / (samples + 1));
+    for (let drawn = 1; drawn <= picture.samples; drawn += 1) {
+      if (!(await samples.draw())) return undefined;
+      picture.onProgress?.(drawn / (picture.samples + 1));
     }
     return onStage(() => {
       stills.show();

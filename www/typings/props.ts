@@ -8,7 +8,17 @@ import type { WoodEarLogElement, WoodEarLogEventMap } from '../entries/wood-ear-
 
 type Parameters<Properties> = { [Name in keyof Properties]: Properties[Name] | Text<Properties[Name]> };
 type Reflected<Preset extends string> = { [Name in keyof ReflectedProperties<Preset>]: Exclude<ReflectedProperties<Preset>[Name], ''> };
-type SceneProperty = 'params' | 'view' | 'color' | 'quality' | 'interaction' | 'navigation' | 'cameraOrbit' | 'metresPerPixel' | 'theme';
+type SceneProperty =
+  | 'params'
+  | 'view'
+  | 'color'
+  | 'quality'
+  | 'samples'
+  | 'interaction'
+  | 'navigation'
+  | 'cameraOrbit'
+  | 'metresPerPixel'
+  | 'theme';
 
 /** Whatever both elements have. */
 interface Shared {

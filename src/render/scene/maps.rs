@@ -3,7 +3,8 @@
 use std::ops::Range;
 
 use super::super::maps::{Maps, group};
-use super::super::surface::depth_attachment;
+use super::super::pipelines::Fixed;
+use super::super::surface::{depth_attachment, kept};
 use super::super::{Gpu, Props};
 use super::Scene;
 use crate::shading::ColorMode;
@@ -24,26 +25,9 @@ enum Map {
 }
 
 impl Scene {
-    /// Draws the shadow and height maps and what the ground sees of the sky, and writes the sky's. They change only with the field, the sun and the props, so drawing them once
-    /// is enough.
-    pub(crate) fn draw_maps(
-        &self,
-        gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
-        frame_group: &wgpu::BindGroup,
-        maps: &Maps,
-        props: &Props,
-    ) {
-        maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
-        let rocks = self.arrangement.all(TEXELS * self.texel * self.texel);
-        for which in [Map::Shadow, Map::Height] {
-            self.draw_map(gpu, encoder, frame_group, (which, maps), props, &rocks, true);
-        }
-        self.draw_open(gpu, encoder, frame_group, maps, None);
-    }
-
-    /// The same in submissions of their own, each of a few of the rocks.
-    pub(crate) fn submit_maps(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps, props: &Props) {
+    /// Draws the shadow and height maps and what the ground sees of the sky, in submissions each of a few of the rocks, and writes the sky's. They change only with the field, the sun and
+    /// the props, so drawing them once is enough.
+    pub(crate) fn draw_maps(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps, props: &Props) {
         maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
         let rocks = parts(&self.arrangement.all(TEXELS * self.texel * self.texel));
         let none = Props::default();
@@ -57,27 +41,26 @@ impl Scene {
         }
         for part in 0..OPEN_PARTS {
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
-            self.draw_open(gpu, &mut encoder, frame_group, maps, Some(part));
+            self.draw_open(gpu, &mut encoder, frame_group, maps, part);
             gpu.queue.submit([encoder.finish()]);
         }
     }
 
-    /// Finds what the ground sees of the sky, in one of [`OPEN_PARTS`] strips of the map or, without a number, in all of it. The other styles do
-    /// not ask for it.
+    /// Finds what the ground sees of the sky, in one of [`OPEN_PARTS`] strips of the map. The other styles do not ask for it.
     fn draw_open(
         &self,
         gpu: &Gpu,
         encoder: &mut wgpu::CommandEncoder,
         frame_group: &wgpu::BindGroup,
         maps: &Maps,
-        part: Option<u32>,
+        part: u32,
     ) {
         if self.painted != Some(ColorMode::Natural) {
             return;
         }
         let side = maps.open.texture().width();
-        let (start, rows) = part.map_or((0, side), |part| (part * (side / OPEN_PARTS), side / OPEN_PARTS));
-        let load = if start == 0 { wgpu::LoadOp::Clear(wgpu::Color::BLACK) } else { wgpu::LoadOp::Load };
+        let rows = side / OPEN_PARTS;
+        let load = if part == 0 { wgpu::LoadOp::Clear(wgpu::Color::BLACK) } else { wgpu::LoadOp::Load };
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("rock-field/open/pass"),
             color_attachments: &[Some(wgpu::RenderPassColorAttachment {
@@ -94,8 +77,8 @@ impl Scene {
         for (index, group) in (0..).zip([frame_group, &self.field_group, &maps]) {
             pass.set_bind_group(index, group, &[]);
         }
-        pass.set_scissor_rect(0, start, side, rows);
-        pass.set_pipeline(gpu.pipelines.open(&gpu.device));
+        pass.set_scissor_rect(0, part * rows, side, rows);
+        pass.set_pipeline(gpu.pipelines.fixed(&gpu.device, Fixed::Open));
         pass.draw(0..3, 0..1);
     }
 
@@ -112,20 +95,22 @@ impl Scene {
         is_first: bool,
     ) {
         let (label, pipeline, depth) = match which {
-            Map::Shadow => ("rock-field/shadow/pass", &gpu.pipelines.shadow, &maps.shadow),
-            Map::Height => ("rock-field/height/pass", &gpu.pipelines.height, &maps.height_depth),
+            Map::Shadow => ("rock-field/shadow/pass", gpu.pipelines.fixed(&gpu.device, Fixed::Shadow), &maps.shadow),
+            Map::Height => {
+                ("rock-field/height/pass", gpu.pipelines.fixed(&gpu.device, Fixed::Height), &maps.height_depth)
+            }
         };
         let mut depth = depth_attachment(depth, wgpu::StoreOp::Store);
-        let mut load = wgpu::LoadOp::Clear(wgpu::Color::BLACK);
+        let mut ops = wgpu::Operations { load: wgpu::LoadOp::Clear(wgpu::Color::BLACK), store: wgpu::StoreOp::Store };
         if !is_first {
-            load = wgpu::LoadOp::Load;
-            depth.depth_ops = Some(wgpu::Operations { load: wgpu::LoadOp::Load, store: wgpu::StoreOp::Store });
+            ops = kept();
+            depth.depth_ops = Some(kept());
         }
         let colors = [Some(wgpu::RenderPassColorAttachment {
             view: &maps.height,
             depth_slice: None,
             resolve_target: None,
-            ops: wgpu::Operations { load, store: wgpu::StoreOp::Store },
+            ops,
         })];
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some(label),
@@ -144,25 +129,38 @@ impl Scene {
         props.draw(&mut pass, [pipeline; 2]);
     }
 
-    /// Draws the shadow map of a light whose uniforms are in `light`; a texel of it is so many px wide.
+    /// Draws a part of the shadow map of a light whose uniforms are in `light`, from number 0; a texel of it is so many px wide. Whether there is another
+    /// part.
     pub(crate) fn draw_shadows(
         &self,
         gpu: &Gpu,
-        encoder: &mut wgpu::CommandEncoder,
         [frame, light]: [&wgpu::BindGroup; 2],
         map: &wgpu::TextureView,
         texel: f32,
         props: &Props,
-    ) {
+        part: usize,
+    ) -> bool {
+        let parts = parts(&self.arrangement.all(TEXELS * texel * texel));
+        let mut depth = depth_attachment(map, wgpu::StoreOp::Store);
+        if part > 0 {
+            depth.depth_ops = Some(kept());
+        }
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
         let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
             label: Some("rock-field/still/shadow"),
-            depth_stencil_attachment: Some(depth_attachment(map, wgpu::StoreOp::Store)),
+            depth_stencil_attachment: Some(depth),
             ..Default::default()
         });
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, light, &[]);
-        self.draw_rocks(&mut pass, &gpu.pipelines.shadow, &self.arrangement.all(TEXELS * texel * texel));
-        props.draw(&mut pass, [&gpu.pipelines.shadow; 2]);
+        let pipeline = gpu.pipelines.fixed(&gpu.device, Fixed::Shadow);
+        self.draw_rocks(&mut pass, pipeline, parts.get(part).map_or(&[], Vec::as_slice));
+        if part == 0 {
+            props.draw(&mut pass, [pipeline; 2]);
+        }
+        drop(pass);
+        gpu.queue.submit([encoder.finish()]);
+        part + 1 < parts.len()
     }
 }
 

@@ -12,10 +12,6 @@ impl View {
     pub(crate) fn bake(&self, gpu: &Gpu, scene: &mut Scene, bake: &Bake, corner: [f32; 2]) {
         let props = Props::default();
         scene.light(gpu, self.look.sun, &props, false);
-        let mut encoder = gpu.device.create_command_encoder(&Default::default());
-        let maps = self.maps(gpu, scene, ColorMode::Natural, |scene, maps| {
-            scene.draw_maps(gpu, &mut encoder, &self.frame_group, maps, &props);
-        });
         let mut globals = self.globals(&self.shot, None);
         let half = 0.5 * BAKE_SIDE as f32;
         globals.plan = [corner[0] + half, corner[1] + half, 1.0 / half, -1.0 / half];
@@ -23,6 +19,9 @@ impl View {
         // No rock sinks.
         globals.scene[2] = 0.0;
         self.write(gpu, &globals);
+        scene.paint(gpu, ColorMode::Natural, &self.look);
+        let maps = self.maps(gpu, scene, |scene, maps| scene.draw_maps(gpu, &self.frame_group, maps, &props));
+        let encoder = gpu.device.create_command_encoder(&Default::default());
         let pipeline = gpu.pipelines.natural(&gpu.device, Natural::Bake, Recipe::of_bodies(Quality::High, &self.look));
         let patterns = gpu.pipelines.patterns(&gpu.device, &gpu.queue);
         let groups = [&self.frame_group, &scene.field_group, &maps.group, patterns];

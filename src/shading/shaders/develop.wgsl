@@ -1,4 +1,4 @@
-// A still as a picture: the mean of its samples.
+// A still as a picture: the mean of its samples, as opaque as `globals.scene.y` over what is there.
 
 @group(2) @binding(0) var mean: texture_2d<f32>;
 
@@ -9,5 +9,6 @@ fn vs_main(@builtin(vertex_index) index: u32) -> @builtin(position) vec4f {
 
 @fragment
 fn fs_main(@builtin(position) pixel: vec4f) -> @location(0) vec4f {
-  return shown_as(toned(textureLoad(mean, vec2i(pixel.xy), 0).rgb), pixel.xy);
+  let picture = shown_as(toned(textureLoad(mean, vec2i(pixel.xy), 0).rgb), pixel.xy);
+  return vec4f(picture.rgb, globals.scene.y);
 }

@@ -1,0 +1,198 @@
+// A clock, a screen and a graphics device of our own, for whoever draws frames. Every test of a file that imports this begins with new ones.
+import { afterEach, beforeEach } from 'node:test';
+import type { Quality } from '../../www/base/view.ts';
+import type { Pieces, Stills } from '../../www/renderer/renderer.ts';
+import { FramePacer } from '../../www/scene/frame-pacer.ts';
+
+export const STAGE = [800, 600] as const;
+
+/** What the scene asked the screen for, and the time. */
+export const screen = { frames: [] as FrameRequestCallback[], clock: 0 };
+const real = { request: globalThis.requestAnimationFrame, cancel: globalThis.cancelAnimationFrame };
+
+beforeEach((context) => {
+  screen.frames = [];
+  screen.clock = 0;
+  globalThis.requestAnimationFrame = (callback) => screen.frames.push(callback);
+  globalThis.cancelAnimationFrame = (handle) => {
+    screen.frames[handle - 1] = () => {};
+  };
+  if ('mock' in context) context.mock.timers.enable({ apis: ['setTimeout'] });
+});
+
+afterEach(() => {
+  globalThis.requestAnimationFrame = real.request;
+  globalThis.cancelAnimationFrame = real.cancel;
+});
+
+/** The screen asks for its next picture. */
+export function present(ms = 16): void {
+  screen.clock += ms;
+  const due = screen.frames;
+  screen.frames = [];
+  for (const callback of due) callback(screen.clock);
+}
+
+export function setUp({
+  graded = true,
+  moves = 0,
+  pieces = undefined as Pieces | undefined,
+  stills = undefined as Stills | undefined,
+} = {}) {
+  const drawn: (Quality | null)[] = [];
+  const scene = { visible: true, graded, moves, level: null as Quality | null, error: null as unknown };
+  const pacer = new FramePacer({
+    view: () => globalThis as unknown as Window,
+    canDraw: () => scene.visible,
+    isGraded: () => scene.graded,
+    advance: () => {
+      scene.moves -= 1;
+      return scene.moves >= 0;
+    },
+    draw: (level) => void drawn.push(level),
+    pieces: () => pieces && { pieces, size: STAGE },
+    refiner: () => (stills && scene.graded ? { stills: async () => stills, isLost: false } : undefined),
+    prepare: (level) => {
+      scene.level = level;
+      return (show) => {
+        try {
+          show();
+        } catch (thrown) {
+          scene.error = thrown;
+        }
+      };
+    },
+  });
+  return { drawn, scene, pacer };
+}
+
+/** Draws pictures in pieces, so many pixels in a millisecond. */
+export class Device implements Pieces {
+  /** What was shown, one line each: its size, and `rough` if it was so. */
+  readonly shown: string[] = [];
+  readonly pieces: number[] = [];
+  begun = 0;
+  width = 0;
+  #picture = '';
+  #left = 0;
+  #under: { pixels: number }[] = [];
+  readonly #speed: number;
+
+  constructor(speed: number) {
+    this.#speed = speed;
+  }
+
+  make(): boolean {
+    return false;
+  }
+
+  begin(width: number, height: number, isRough: boolean): void {
+    this.begun += 1;
+    this.width = width;
+    this.#picture = `${width}×${height}${isRough ? ' rough' : ''}`;
+    this.#left = width * height;
+    this.#under = [];
+  }
+
+  draw(pixels: number): boolean {
+    if (pixels === 0) return true;
+    const size = Math.min(pixels, this.#left);
+    this.#left -= size;
+    this.pieces.push(size);
+    this.#under.push({ pixels: size });
+    return this.#left > 0;
+  }
+
+  underWay(): number {
+    return this.#under.length;
+  }
+
+  show(): void {
+    this.shown.push(this.#picture);
+  }
+
+  end(): void {}
+
+  pass(ms: number): void {
+    let pixels = ms * this.#speed;
+    for (const piece of this.#under) {
+      const done = Math.min(pixels, piece.pixels);
+      piece.pixels -= done;
+      pixels -= done;
+    }
+    this.#under = this.#under.filter((piece) => piece.pixels > 0);
+  }
+}
+
+/** Draws samples of stills, each of which takes so many ms of the time that goes by. */
+export class Samplers implements Stills {
+  begun = 0;
+  ended = 0;
+  samples = 0;
+  /** Of what is on the screen, the share that the mean has. */
+  share = 0;
+  readonly shares: number[] = [];
+  readonly #ms: number;
+
+  constructor(ms: number) {
+    this.#ms = ms;
+  }
+
+  make(): boolean {
+    return false;
+  }
+
+  begin(): void {
+    this.begun += 1;
+    this.samples = 0;
+  }
+
+  draw(): boolean {
+    this.samples += 1;
+    return false;
+  }
+
+  done(): Promise<void> {
+    return new Promise((resolve) => setTimeout(resolve, this.#ms));
+  }
+
+  show(): void {}
+
+  blend(opacity: number): void {
+    this.share += (1 - this.share) * opacity;
+    this.shares.push(this.share);
+  }
+
+  end(): void {
+    this.ended += 1;
+  }
+}
+
+export type Mock = { timers: { tick(ms: number): void }; method: typeof import('node:test').mock.method };
+
+/** The time goes on, in steps of a screen's frames. */
+export async function pass(mock: Mock, device: Device, ms: number): Promise<void> {
+  for (let at = 0; at < ms; at += 4) {
+    mock.timers.tick(4);
+    screen.clock += 4;
+    device.pass(4);
+    if (at % 16 === 0) present(0);
+    await settled();
+  }
+}
+
+/** What waits for nothing but promises, and scripts that are imported, is done. */
+export async function settled(): Promise<void> {
+  for (let k = 0; k < 4; k += 1) await new Promise((resolve) => setImmediate(resolve));
+}
+
+export const SWIFTSHADER = 'webgl ANGLE (Google, Vulkan 1.3.0 (SwiftShader Device (Subzero)), SwiftShader driver)';
+
+export async function setUpSoftware(mock: Mock, speed: number, stills?: Stills) {
+  mock.method(performance, 'now', () => screen.clock);
+  const device = new Device(speed);
+  const set = setUp({ pieces: device, stills });
+  set.pacer.renew(SWIFTSHADER);
+  await settled();
+  return { ...set, device };
+}
