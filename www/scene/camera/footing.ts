@@ -6,7 +6,7 @@ import type { Field } from '../../data/field.ts';
 const FOOT = 0.15;
 const STEP = 0.12;
 /** Most cells along a side: of a field that is much larger than who walks there, they are coarser. */
-const MOST_CELLS = 512;
+const MOST_CELLS = 256;
 /** Half the width of the blur that makes a slope of a step, cells; and how often it is made: a slope without kinks. */
 const BLUR = 2;
 const BLURS = 2;
