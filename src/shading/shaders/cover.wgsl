@@ -45,7 +45,7 @@ fn scatter(at: vec2f, lean: vec2f, period: f32, axis: vec2f, here: f32, own: f32
   let sun = field.sun.xy / max(field.sun.z, 0.6);
   let beam = vec2f(dot(sun, axis), dot(sun, aside));
   // A large stone may reach into the next cells; a small one, or any at less than high quality, stays within its own and throws no shadow.
-  let is_large = quality > 1.5 && period > 2.5;
+  let is_large = quality > 1.5 && period > 5.0;
   // A stone hides what is behind it: those that are met stand nearer to the eye.
   let base = vec2i(floor(q + 0.1 * ray - select(0.0, 0.5, is_large)));
   let least = select(3.2, 2.8, is_large);
@@ -361,7 +361,7 @@ fn moss_coat(at: vec3f, footprint: f32) {
   const STEMS = vec3f(1.0, 1.0, 0.7);
   var period = 1.9;
   var p = TURN * (at * STEMS) / period;
-  let octaves = select(2, 4, quality > 1.5);
+  let octaves = select(2, 3, quality > 1.5);
   for (var i = 0; i < octaves; i++) {
     let seen = shown(period, footprint);
     if seen <= 0.0 {

@@ -77,8 +77,8 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
     var found = 0.0;
     var sum = 0.0;
     var way = vec2f(1.0, 0.0);
-    for (var i = 0; i < 7; i++) {
-      let radius = (most + 2.0 * texel * side) * sqrt(f32(i) / 7.0);
+    for (var i = 0; i < 5; i++) {
+      let radius = (most + 2.0 * texel * side) * sqrt(f32(i) / 5.0);
       let away = way * radius * wide;
       way = turned(way);
       let there = textureSampleLevel(shadow_depths, depth_sampler, uv + away, 0.0).r;
@@ -91,7 +91,7 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
     }
     soft = clamp(SPREAD * deep * sum / found * 0.5, soft * 0.75, max(most, soft));
   }
-  let taps = select(6, 12, quality > 1.5);
+  let taps = select(6, 10, quality > 1.5);
   var lit = 0.0;
   var way = vec2f(1.0, 0.0);
   for (var i = 0; i < taps; i++) {

@@ -30,7 +30,7 @@ fn vs_main(@location(0) position: vec3f, @location(1) color: vec4f, @location(2)
   let far = length(out.from_eye);
   var home = at_rest(out.from_eye, out.normal, 2.0 * far * length(globals.ray_up.xyz) / globals.ray_up.w);
   home.z = max(home.z, 0.0);
-  let seen = sky_seen(home, out.normal, 16);
+  let seen = sky_seen(home, out.normal, 10);
   out.open = vec3f(seen, open_towards.xy);
   out.air = air_before(out.from_eye / far, far);
   light_nearby();
