@@ -52,7 +52,7 @@ export interface Stills {
   make(): boolean;
   /** Draws the next part of a sample, out of sight: of its shadow maps, or a piece of about so many pixels. False: the sample is whole. */
   draw(pixels: number): boolean;
-  /** Resolves when the device is done with what it was given. */
+  /** Resolves when the device is done with what it was given; rejects where it had no memory for the still. */
   done(): Promise<void>;
   /** Shows the mean of the samples now, at the size of `begin`. */
   show(): void;

@@ -1,8 +1,10 @@
 /** Stills of a wasm renderer. */
 
+import { RockFieldError } from '../base/errors.ts';
 import type { RawRenderer } from './artefact.ts';
 import type { SharedDevice } from './device.ts';
 import { deviceDone } from './done.ts';
+import { watchMemory } from './memory.ts';
 import type { Stills, Tile } from './renderer.ts';
 
 /** What a renderer gives to those that draw with it. */
@@ -22,15 +24,25 @@ const SAMPLE = 2;
 
 export function makeStills({ raw, device, canvas, guard, setTile, copy }: Drawing): Stills {
   const size = (): [number, number] => [canvas.width, canvas.height];
+  const target = device.canvas ?? canvas;
+  /** Of the still that is begun: its size, and whether there was memory for it. */
+  let begun = size();
+  let hadMemory: Promise<boolean> = Promise.resolve(true);
   return {
     begin: (tile, lens = { radius: 0, focus: 1 }) => {
       if (tile) setTile(tile);
+      const watched = watchMemory(target, device.backend);
       guard(() => raw.beginStill(lens.radius, lens.focus));
+      hadMemory = watched();
+      begun = size();
       canvas.dataset['drawing'] = '';
     },
     make: () => guard(() => raw.makeNext(SAMPLE)) === true,
     draw: (pixels) => guard(() => raw.drawSample(pixels)) === true,
-    done: () => deviceDone(device.canvas ?? canvas, device.backend),
+    done: async () => {
+      await deviceDone(target, device.backend);
+      if (!(await hadMemory)) throw tooLarge(begun);
+    },
     show: () =>
       guard(() => {
         raw.showStill();
@@ -42,4 +54,9 @@ export function makeStills({ raw, device, canvas, guard, setTile, copy }: Drawin
       delete canvas.dataset['drawing'];
     },
   };
+}
+
+function tooLarge([width, height]: readonly [number, number]): RockFieldError {
+  const message = `the graphics device has no memory for the mean of samples of a picture of ${width} × ${height} pixels; a smaller one takes less`;
+  return new RockFieldError({ name: 'NoPicture', message });
 }
