@@ -29,9 +29,10 @@ const POLL_MS = 4;
 const LONG_MS = 10;
 
 /** A piece of a still is to take so long, ms. Two are under way, so that the device never waits for the screen. */
-const PIECE_MS = 30;
+const PIECE_MS = 40;
 const UNDER_WAY = 2;
-const [FIRST_PIECE, LEAST_PIECE, LARGEST_PIECE] = [16_384, 4096, 1_048_576];
+/** Pixels. Every piece also costs the triangles that cross it: smaller than the least, they would make up most of its time. */
+const [FIRST_PIECE, LEAST_PIECE, LARGEST_PIECE] = [24_576, 12_288, 1_048_576];
 
 /** What is drawn in pieces. */
 export interface CutScene {

@@ -30,8 +30,12 @@ fn vs_main(@location(0) position: vec3f, @location(1) color: vec4f, @location(2)
   let far = length(out.from_eye);
   var home = at_rest(out.from_eye, out.normal, 2.0 * far * length(globals.ray_up.xyz) / globals.ray_up.w);
   home.z = max(home.z, 0.0);
-  let seen = sky_seen(home, out.normal, 10);
-  out.open = vec3f(seen, open_towards.xy);
+  out.open = vec3f(0.7, 0.0, 0.0);
+  // Nobody sees what faces away by more than a triangle may turn.
+  if dot(out.normal, out.from_eye) < 0.4 * far {
+    out.open.x = sky_seen(home, out.normal, select(10, 3, quality < 0.5));
+    out.open = vec3f(out.open.x, open_towards.xy);
+  }
   out.air = air_before(out.from_eye / far, far);
   light_nearby();
   out.from_ground = ground_light;
