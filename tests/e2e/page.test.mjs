@@ -3,6 +3,7 @@
 /** @import { Page } from 'playwright-core' */
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
+import { tables } from '../../scripts/lib/tables.mjs';
 import { violations } from './axe.mjs';
 import { hidePictures, holdResults, launch, screenshotPath, until } from './browser.mjs';
 import { MESSAGE, address, boxOf, closeClean, follow, hash, openRocks, params, stats } from './rock-page.mjs';
@@ -105,7 +106,7 @@ test('the presets are chosen from a list, by keys or by hand, with pictures of t
   await page.keyboard.press('Enter');
   await page.getByRole('listbox').waitFor();
   assert.equal(await focused(), 'journal-fig1', 'it begins at what is chosen');
-  assert.equal(await page.getByRole('option').count(), 36);
+  assert.equal(await page.getByRole('option').count(), (await tables()).PRESETS.length);
   assert.deepEqual(await page.locator('.presets [role=group]').evaluateAll((groups) => groups.map(({ ariaLabel }) => ariaLabel)), [
     'Natural grounds',
     'Journal (2011)',
