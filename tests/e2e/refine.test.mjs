@@ -6,7 +6,7 @@ import { launch, pageOf } from './browser.mjs';
 
 const SAMPLES = 16;
 
-const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>refine</title><link rel="icon" href="data:,"><style>rock-field { width: 120px; height: 80px }</style>
+const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>refine</title><link rel="icon" href="data:,"><style>rock-field { width: 72px; height: 48px }</style>
 <script>
   globalThis.counts = { frames: 0 };
   const request = requestAnimationFrame;
@@ -14,7 +14,7 @@ const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>refine
   globalThis.requestAnimationFrame = (callback) => (counts.frames += 1, request(callback));
 </script>
 <script type="module" src="/rock-field.js"></script>
-<rock-field preset="riverbed" image-width="160" image-height="160" color="natural" quality="high" samples="${SAMPLES}"></rock-field>`;
+<rock-field preset="riverbed" image-width="96" image-height="96" color="natural" quality="high" samples="${SAMPLES}"></rock-field>`;
 
 /** Until samples are drawn (true), which ask for no frame, or nothing is (false), for so long that nothing follows. */
 const drawing = (page, isUnderWay) =>
@@ -37,7 +37,7 @@ for (const webgpu of [false, true]) {
         const bytes = await page.evaluate(
           async (samples) => [
             ...new Uint8Array(
-              await (await document.querySelector('rock-field').toBlob({ width: 120, height: 80, link: false, samples })).arrayBuffer(),
+              await (await document.querySelector('rock-field').toBlob({ width: 72, height: 48, link: false, samples })).arrayBuffer(),
             ),
           ],
           samples,

@@ -22,7 +22,7 @@ after(() => studio?.close());
 const drawn = async (backend, samples) => readPicture((await studio.take(backend, { ...SIZE, camera: CAMERA, samples })).png);
 
 test('a still comes nearer to what it converges to with every sample, and both backends to the same', async () => {
-  const last = await drawn('webgpu', 128);
+  const last = await drawn('webgpu', 64);
   const [four, sixteen] = [await drawn('webgpu', 4), await drawn('webgpu', 16)];
   const [coarse, fine] = [meanDifference(four, last), meanDifference(sixteen, last)];
   assert.ok(fine < 0.6 * coarse, `${fine} % after 16 samples, ${coarse} % after 4`);
