@@ -4,8 +4,11 @@ import type { Stills } from '../renderer/renderer.ts';
 
 /** The device is given as much at a time as takes it so long, ms. */
 const PART_MS = 30;
-/** Where a piece of the picture takes longer alone it gets smaller, to the least; where all takes less, more is given. Pixels. */
-const [FIRST_PIECE, LEAST_PIECE, LARGEST_PIECE] = [16_384, 1024, 262_144];
+/**
+ * Where a piece of the picture takes longer alone it gets smaller, to the least, since every piece also costs the triangles that cross it; where all
+ * takes less, more is given. Pixels.
+ */
+const [FIRST_PIECE, LEAST_PIECE, LARGEST_PIECE] = [24_576, 16_384, 262_144];
 const MOST_PARTS = 64;
 
 export interface Sampled {
