@@ -2,9 +2,10 @@
 // makes smaller, and which is downloaded twice, in the file and in the glue.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { Failure } from '../lib/run.mjs';
+import { WasmReader } from './wasm-reader.mjs';
 
 const IMPORT_SECTION = 2;
-/** Kinds of imports: the bytes that say what is imported are only copied for functions, and Rust imports nothing else. */
+/** The kind of an import that is a function: Rust imports nothing else. */
 const FUNCTION = 0;
 
 /** Renames the imports of the file `wasm`, and what its glue in the file `glue` calls them. */
@@ -12,7 +13,7 @@ export function shortenImports(wasm, glue) {
   const bytes = readFileSync(wasm);
   const names = new Map();
   let script = readFileSync(glue, 'utf8');
-  /** A name that the glue has for nothing else. */
+  /** The glue's own names have no digits after an underscore at their beginning. */
   const shortOf = (name) => {
     if (!names.has(name)) names.set(name, `_${names.size.toString(36)}`);
     return names.get(name);
@@ -25,37 +26,18 @@ export function shortenImports(wasm, glue) {
 }
 
 function withImports(bytes, shortOf) {
-  let at = 8;
-  const leb = () => {
-    let value = 0;
-    for (let factor = 1; ; factor *= 128) {
-      const byte = bytes[at++];
-      value += (byte & 127) * factor;
-      if (byte < 128) return value;
+  const reader = new WasmReader(bytes);
+  for (const { id, begin, end } of reader.sections()) {
+    if (id !== IMPORT_SECTION) continue;
+    const count = reader.number();
+    const parts = [lebOf(count)];
+    for (let k = 0; k < count; k++) {
+      const [module, name, kind] = [reader.text(), reader.text(), reader.byte()];
+      if (kind !== FUNCTION) throw new Failure(`${name} is imported and is no function`);
+      parts.push(textOf(module), textOf(shortOf(name)), Buffer.of(kind), lebOf(reader.number()));
     }
-  };
-  const text = () => {
-    const length = leb();
-    at += length;
-    return bytes.toString('utf8', at - length, at);
-  };
-  while (at < bytes.length) {
-    const begin = at;
-    const id = bytes[at++];
-    const size = leb();
-    const end = at + size;
-    if (id === IMPORT_SECTION) {
-      const count = leb();
-      const parts = [lebOf(count)];
-      for (let k = 0; k < count; k++) {
-        const [module, name, kind] = [text(), text(), bytes[at++]];
-        if (kind !== FUNCTION) throw new Failure(`${name} is imported and is no function`);
-        parts.push(textOf(module), textOf(shortOf(name)), Buffer.of(kind), lebOf(leb()));
-      }
-      const section = Buffer.concat(parts);
-      return Buffer.concat([bytes.subarray(0, begin), Buffer.of(id), lebOf(section.length), section, bytes.subarray(end)]);
-    }
-    at = end;
+    const section = Buffer.concat(parts);
+    return Buffer.concat([bytes.subarray(0, begin), Buffer.of(id), lebOf(section.length), section, bytes.subarray(end)]);
   }
   return bytes;
 }

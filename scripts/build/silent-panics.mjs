@@ -1,6 +1,9 @@
 // Takes out of a wasm file what panics would say: wasm has no stderr, and `panic = "abort"` ends in the same trap without it.
 import { readFileSync, writeFileSync } from 'node:fs';
 import { Failure } from '../lib/run.mjs';
+import { WasmReader } from './wasm-reader.mjs';
+
+const DATA_SECTION = 11;
 
 /** What the standard library calls to panic, and never returns from. */
 const PANICS =
@@ -66,32 +69,19 @@ function blankLocations(wasm) {
 /** The active data segments: where each lies in memory, and where its bytes begin in the file. */
 function dataSegments(wasm) {
   const segments = [];
-  let at = 8;
-  const leb = () => {
-    let value = 0;
-    for (let factor = 1; ; factor *= 128) {
-      const byte = wasm[at++];
-      value += (byte & 127) * factor;
-      if (byte < 128) return value;
+  const reader = new WasmReader(wasm);
+  for (const { id } of reader.sections()) {
+    if (id !== DATA_SECTION) continue;
+    for (let left = reader.number(); left > 0; left--) {
+      // Flags 0: memory 0, at `i32.const address; end`. Others are passive, or in other memories: Rust makes none.
+      if (reader.number() !== 0) throw new Failure('a data segment is not at a fixed place in memory');
+      reader.byte();
+      const address = reader.number();
+      reader.byte();
+      const length = reader.number();
+      segments.push({ address, begin: reader.at, length });
+      reader.at += length;
     }
-  };
-  while (at < wasm.length) {
-    const id = wasm[at++];
-    const size = leb();
-    const end = at + size;
-    if (id === 11) {
-      for (let left = leb(); left > 0; left--) {
-        // Flags 0: memory 0, at `i32.const address; end`. Others are passive, or in other memories: Rust makes none.
-        if (leb() !== 0) throw new Failure('a data segment is not at a fixed place in memory');
-        at++;
-        const address = leb();
-        at++;
-        const length = leb();
-        segments.push({ address, begin: at, length });
-        at += length;
-      }
-    }
-    at = end;
   }
   return segments;
 }

@@ -118,6 +118,7 @@ function toolVersions() {
     'scripts/build/wasm.mjs',
     'scripts/build/silent-panics.mjs',
     'scripts/build/short-imports.mjs',
+    'scripts/build/wasm-reader.mjs',
     'rust-toolchain.toml',
     '.cargo/config.toml',
   ];

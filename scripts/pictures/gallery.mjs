@@ -185,7 +185,10 @@ function readArguments() {
   const cameras = values.cameras.split(',');
   const unknown = cameras.find((name) => !(name in CAMERAS));
   if (unknown !== undefined) throw new Failure(`there is no camera called ${unknown}; there are: ${Object.keys(CAMERAS).join(', ')}`);
-  const [azimuth, elevation] = values.sun?.split(',') ?? [];
+  const [azimuth, elevation] = (values.sun ?? '').split(',');
+  if (values.sun !== undefined && !/^-?[\d.]+,-?[\d.]+$/.test(values.sun))
+    throw new Failure(`--sun takes azimuth and elevation in degrees, like 240,12, not ${values.sun}`);
+  if (values.samples !== undefined && !/^\d+$/.test(values.samples)) throw new Failure(`--samples takes a number, not ${values.samples}`);
   const look = { ...(values.seed && { seed: values.seed }), ...(values.sun && { 'sun-azimuth': azimuth, 'sun-elevation': elevation }) };
   const asked = BACKENDS.filter((backend) => values[backend]);
   return {

@@ -272,6 +272,11 @@ fn grain_ground(at: vec3f, footprint: f32) {
   cover_slope += strength.y * (slope * TURN).xy;
 }
 
+// How high water stands above the ground, px.
+fn water_level() -> f32 {
+  return globals.backdrop_high.w * field.size.z;
+}
+
 // How wet it is, 0…1: in patches that grow together, and what water reaches.
 fn wet_cover(at: vec3f) -> f32 {
   var wet = 0.0;
@@ -280,7 +285,7 @@ fn wet_cover(at: vec3f) -> f32 {
     wet = wetness * smoothstep(-0.5, 0.4, noise2(at.xy / 37.0) + wetness);
   }
   if has_water {
-    let above = at.z - globals.backdrop_high.w * field.size.z;
+    let above = at.z - water_level();
     wet = max(wet, 0.8 * (1.0 - smoothstep(0.6, 2.2, above + 0.8 * noise2(at.xy / 9.0))));
   }
   return wet;

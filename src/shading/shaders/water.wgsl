@@ -7,11 +7,6 @@ var<private> water_deep: f32;
 var<private> water_at: vec3f;
 var<private> water_normal: vec3f;
 
-// How high water stands, px.
-fn water_level() -> f32 {
-  return globals.backdrop_high.w * field.size.z;
-}
-
 // Ripples of what flows along x.
 fn ripples(at: vec2f, footprint: f32) -> vec2f {
   var slope = vec3f(0.0);
