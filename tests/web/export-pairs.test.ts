@@ -93,8 +93,11 @@ type WoodEarPresetName = keyof typeof woodEarPresets;
 const FIELDS = Object.keys(presets) as PresetName[];
 const COLONIES = Object.keys(woodEarPresets) as WoodEarPresetName[];
 
+/** In pixels; the lengths of the conference's presets are shares of the width, so that only a small image has few of their rocks. */
+const sizeOf = (preset: PresetName): { imageWidth: number; imageHeight: number } =>
+  preset.startsWith('conference') ? { imageWidth: 24, imageHeight: 18 } : { imageWidth: 80, imageHeight: 60 };
 const rocks = (preset: PresetName, options: ExportOptions): Promise<ExportedFile> =>
-  exportScene({ preset, seed: 3, imageWidth: 80, imageHeight: 60 }, options);
+  exportScene({ preset, seed: 3, ...sizeOf(preset) }, options);
 
 /** With little to do. */
 const SMALL = { rings: 4, meridians: 9, range: 20, density: 10, log: { length: 40, radius: 6, spacing: 3 }, ground: '' };

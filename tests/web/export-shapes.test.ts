@@ -114,7 +114,7 @@ test('levels reach as far as the rock to all sides, and as high', async () => {
 });
 
 test('every triangle of a coarser level reaches off the ground, and what is closed has a volume', async () => {
-  const request = { ...REQUEST, preset: 'conference-fig10c', seed: 3, imageWidth: 200, imageHeight: 150 } as const;
+  const request = { ...REQUEST, preset: 'conference-fig10c', seed: 3, imageWidth: 100, imageHeight: 75 } as const;
   const open = levelsIn(nodesOf(await read((await exportScene(request, { lods: 4 })).bytes)));
   for (const [, ...coarser] of open.values()) {
     for (const node of coarser) {

@@ -24,7 +24,7 @@ const GROUND = new Realm<GroundModule>(
   () => import('../../pkg/ground-mesh.js'),
   () => readFileSync(new URL('../../pkg/ground-mesh_bg.wasm', import.meta.url)),
 );
-const REQUEST = { preset: 'riverbed', seed: 7, imageWidth: 120, imageHeight: 90 } as const;
+const REQUEST = { preset: 'riverbed', seed: 7, imageWidth: 64, imageHeight: 48 } as const;
 
 /** As a renderer would draw it: the left half of the texture red, the right half green; open, in their plane, and rough. */
 function drawn(side: number): Uint8Array[] {
