@@ -82,7 +82,7 @@ impl Bake {
         for (index, group) in (0..).zip(groups) {
             pass.set_bind_group(index, group, &[]);
         }
-        pass.set_vertex_buffer(3, self.atlas.slice(..));
+        pass.set_vertex_buffer(4, self.atlas.slice(..));
         draw(&mut pass, pipeline);
         drop(pass);
         encoder.copy_texture_to_buffer(

@@ -69,7 +69,9 @@ impl VertexBuffers {
         }
         let make = |name, what, elements: u32| {
             let label = ["rock-field/", kind, name].concat();
-            upload::buffer(&gpu.device, &label, what, 4 * u64::from(elements), wgpu::BufferUsages::VERTEX)
+            // They are copied to find out what each vertex sees of the sky.
+            let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_SRC;
+            upload::buffer(&gpu.device, &label, what, 4 * u64::from(elements), usage)
         };
         let positions = make("/positions", "vertices", 3 * count)?;
         let normals = make("/normals", "normals", count)?;
@@ -93,12 +95,14 @@ pub(crate) struct MeshBuffers {
     index_count: u32,
     /// Two vertex numbers per edge. Made when the wireframe is first shown.
     edges: Option<wgpu::Buffer>,
+    /// What each vertex sees of the sky, four bytes, if the mesh is one of rocks.
+    open: Option<wgpu::Buffer>,
 }
 
 impl Drop for MeshBuffers {
     /// As of the vertices.
     fn drop(&mut self) {
-        std::iter::once(&self.indices).chain(&self.edges).for_each(wgpu::Buffer::destroy);
+        std::iter::once(&self.indices).chain(&self.edges).chain(&self.open).for_each(wgpu::Buffer::destroy);
     }
 }
 
@@ -127,7 +131,7 @@ impl MeshBuffers {
         if index_count > 0 && highest >= vertices.count {
             return Err(RenderError::Malformed("an index points past the vertices"));
         }
-        Ok(Self { vertices, indices, index_count, edges: None })
+        Ok(Self { vertices, indices, index_count, edges: None, open: None })
     }
 
     /// Makes a buffer for so many indices.
@@ -152,6 +156,24 @@ impl MeshBuffers {
     /// Whether there is nothing to draw.
     pub(crate) fn is_empty(&self) -> bool {
         self.index_count == 0
+    }
+
+    /// Adds room for what each vertex sees of the sky.
+    pub(crate) fn add_open(&mut self, gpu: &Gpu) -> Result<(), RenderError> {
+        let bytes = 4 * u64::from(self.vertices());
+        let usage = wgpu::BufferUsages::VERTEX;
+        self.open = Some(upload::buffer(&gpu.device, "rock-field/rock/open", "vertices", bytes, usage)?);
+        Ok(())
+    }
+
+    /// Positions, normals and colours of the vertices: 12, 4 and 4 bytes each.
+    pub(crate) fn each(&self) -> [&wgpu::Buffer; 3] {
+        let VertexBuffers { positions, normals, colors, .. } = &self.vertices;
+        [positions, normals, colors]
+    }
+
+    pub(crate) fn open(&self) -> Option<&wgpu::Buffer> {
+        self.open.as_ref()
     }
 
     pub(crate) fn has_edges(&self) -> bool {
@@ -199,11 +221,14 @@ impl MeshBuffers {
         if ranges.iter().all(Range::is_empty) {
             return;
         }
-        let VertexBuffers { positions, normals, colors, .. } = &self.vertices;
+        let [positions, normals, colors] = self.each();
         pass.set_pipeline(pipeline);
         pass.set_vertex_buffer(0, positions.slice(..));
         pass.set_vertex_buffer(1, colors.slice(..));
         pass.set_vertex_buffer(2, normals.slice(..));
+        if let Some(open) = &self.open {
+            pass.set_vertex_buffer(3, open.slice(..));
+        }
         pass.set_index_buffer(indices.slice(..), wgpu::IndexFormat::Uint32);
         for range in ranges {
             pass.draw_indexed(range.clone(), 0, 0..1);

@@ -41,11 +41,25 @@ impl Maps {
     }
 }
 
+/// What is drawn in maps; see [`super::Scene::drawn`].
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) struct Drawn {
+    pub(crate) shadows: u64,
+    pub(crate) heights: u64,
+}
+
+/// Which maps have to be drawn.
+#[derive(Clone, Copy)]
+pub(crate) struct Stale {
+    pub(crate) shadows: bool,
+    pub(crate) heights: bool,
+}
+
 struct Set {
     maps: Maps,
-    /// Numbers of the view that the maps are lent to, and of the scene that is drawn in them.
+    /// The number of the view that the maps are lent to, and what is drawn in them.
     view: u64,
-    scene: u64,
+    drawn: Drawn,
     /// When the maps were last asked for.
     used: u64,
 }
@@ -66,15 +80,15 @@ impl MapSets {
         MAP_SIDE.min(max_side)
     }
 
-    /// Returns maps for `view`, as a group of this `layout`, and whether `scene` still has to be drawn in them.
+    /// Returns maps for `view`, as a group of this `layout`, and which of them do not yet have what is to be `drawn` in them.
     pub(crate) fn lend(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         layout: &wgpu::BindGroupLayout,
         view: u64,
-        scene: u64,
-    ) -> (Maps, bool) {
+        drawn: Drawn,
+    ) -> (Maps, Stale) {
         self.now += 1;
         let own = self.sets.iter().position(|set| set.view == view);
         let place = own.or_else(|| {
@@ -83,14 +97,16 @@ impl MapSets {
         });
         match place.and_then(|place| self.sets.get_mut(place)) {
             Some(set) => {
-                let stale = (set.view, set.scene) != (view, scene);
-                (set.view, set.scene, set.used) = (view, scene, self.now);
-                (set.maps.clone(), stale)
+                let is_other = set.view != view;
+                let shadows = is_other || set.drawn.shadows != drawn.shadows;
+                let heights = is_other || set.drawn.heights != drawn.heights;
+                (set.view, set.drawn, set.used) = (view, drawn, self.now);
+                (set.maps.clone(), Stale { shadows, heights })
             }
             None => {
                 let maps = self.make(device, queue, layout);
-                self.sets.push(Set { maps: maps.clone(), view, scene, used: self.now });
-                (maps, true)
+                self.sets.push(Set { maps: maps.clone(), view, drawn, used: self.now });
+                (maps, Stale { shadows: true, heights: true })
             }
         }
     }

@@ -15,7 +15,7 @@ pub(crate) const SHADOW_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Depth
 /// everywhere.
 pub(crate) const HEIGHT_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rg8Unorm;
 
-/// Of the map of what the ground sees of the sky (`open.wgsl`).
+/// Of what the ground and the rocks see of the sky (`open.wgsl`, `open_rock.wgsl`).
 pub(crate) const OPEN_FORMAT: wgpu::TextureFormat = wgpu::TextureFormat::Rgba8Unorm;
 
 /// The eight bytes of a texel that `bake.wgsl` writes.
@@ -67,7 +67,7 @@ pub(crate) enum Target {
     RoughDepth,
     Shadow,
     Height,
-    /// What the ground sees of the sky, without depth.
+    /// What the ground or the rocks see of the sky, without depth.
     Open,
     /// A sample of a still.
     Sample,
@@ -83,8 +83,8 @@ pub(crate) enum Target {
 
 /// Makes pipelines.
 pub(crate) struct Maker {
-    /// Of the groups frame, field, maps, patterns and still.
-    layouts: [wgpu::BindGroupLayout; 5],
+    /// Of the groups frame, field, maps, patterns, still and vertices.
+    layouts: [wgpu::BindGroupLayout; 6],
     kind: Kind,
     /// The shaders that were needed until now, by their passes' names: several pipelines have the same.
     modules: RefCell<Vec<(&'static str, wgpu::ShaderModule)>>,
@@ -93,7 +93,7 @@ pub(crate) struct Maker {
 }
 
 impl Maker {
-    pub(crate) fn new(layouts: [wgpu::BindGroupLayout; 5], kind: Kind) -> Self {
+    pub(crate) fn new(layouts: [wgpu::BindGroupLayout; 6], kind: Kind) -> Self {
         Self { layouts, kind, modules: RefCell::default(), made: Cell::default() }
     }
 
@@ -121,7 +121,7 @@ impl Maker {
 fn pipeline(
     device: &wgpu::Device,
     module: &wgpu::ShaderModule,
-    [frame, field, maps, patterns, still]: &[wgpu::BindGroupLayout; 5],
+    [frame, field, maps, patterns, still, vertices]: &[wgpu::BindGroupLayout; 6],
     Kind { format, samples }: Kind,
     pass: Pass<'_>,
 ) -> wgpu::RenderPipeline {
@@ -131,6 +131,7 @@ fn pipeline(
         Reads::Uniforms => &[frame, field],
         Reads::Maps => &[frame, field, maps],
         Reads::Patterns => &[frame, field, maps, patterns],
+        Reads::Vertices => &[frame, field, maps, vertices],
         Reads::Still => &[frame, field, still],
     };
     let groups: Vec<_> = groups.iter().copied().map(Some).collect();

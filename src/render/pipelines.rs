@@ -6,6 +6,7 @@
 //! | 1 `field` | field | 0 `FieldUniforms` |
 //! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler, 8 and 9 more shadow maps of a still, 10 hills, 11 what the ground sees of the sky |
 //! | 3 `patterns` | device | 0 volume of noise, 1 plane of noise, 2 lattice of points, 3 the sampler of the first two |
+//! | 3 `vertices` | field | 0 positions, 1 normals, 2 colours of some vertices, as textures |
 //! | 2 `still` | sample | 0 mean of the samples, 1 the newest one |
 
 use std::cell::{OnceCell, RefCell};
@@ -35,6 +36,13 @@ const NORMAL: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
     array_stride: 4,
     step_mode: wgpu::VertexStepMode::Vertex,
     attributes: &wgpu::vertex_attr_array![2 => Snorm16x2],
+};
+
+/// What a vertex sees of the sky, as `open_rock.wgsl` writes it.
+const OPEN: wgpu::VertexBufferLayout<'static> = wgpu::VertexBufferLayout {
+    array_stride: 4,
+    step_mode: wgpu::VertexStepMode::Vertex,
+    attributes: &wgpu::vertex_attr_array![3 => Unorm8x4],
 };
 
 /// Bytes per vertex of an atlas: its place, texels, and its tangent.
@@ -72,6 +80,7 @@ pub(crate) struct Pipelines {
     patterns_layout: wgpu::BindGroupLayout,
     patterns: OnceCell<wgpu::BindGroup>,
     pub(crate) still_layout: wgpu::BindGroupLayout,
+    pub(crate) vertices_layout: wgpu::BindGroupLayout,
     maker: Maker,
     fixed: [OnceCell<wgpu::RenderPipeline>; FIXED],
     natural: RefCell<Vec<(Natural, Recipe, wgpu::RenderPipeline)>>,
@@ -85,7 +94,8 @@ impl Pipelines {
         let maps_layout = maps_layout(device);
         let patterns_layout = patterns_layout(device);
         let still_layout = still_layout(device);
-        let layouts = [&frame_layout, &field_layout, &maps_layout, &patterns_layout, &still_layout];
+        let vertices_layout = vertices_layout(device);
+        let layouts = [&frame_layout, &field_layout, &maps_layout, &patterns_layout, &still_layout, &vertices_layout];
         let maker = Maker::new(layouts.map(Clone::clone), kind);
         Self {
             frame_layout,
@@ -94,6 +104,7 @@ impl Pipelines {
             patterns_layout,
             patterns: OnceCell::new(),
             still_layout,
+            vertices_layout,
             fixed: [const { OnceCell::new() }; FIXED],
             natural: RefCell::default(),
             maker,
@@ -147,6 +158,8 @@ pub(crate) enum Fixed {
     Height,
     /// What the ground sees of the sky, which natural colours read.
     Open,
+    /// The same of the rocks' vertices.
+    OpenRocks,
     /// The backdrop and the ground in the papers' style.
     Ground,
     /// The ground's depth in the papers' style, for scenes that extend below it.
@@ -203,6 +216,7 @@ impl Fixed {
             Self::Shadow => map_pass(shaders::SHADOW, Target::Shadow),
             Self::Height => map_pass(shaders::HEIGHT, Target::Height),
             Self::Open => plain(shaders::OPEN, Target::Open),
+            Self::OpenRocks => plain(shaders::OPEN_ROCK, Target::Open),
             Self::Ground => plain(shaders::GROUND, view(false)),
             Self::Floor => floor_pass(Depth::TestJustBehind, Target::ViewDepth),
             Self::Outsides => rock_pass(Sides::Out, Depth::Test),
@@ -254,15 +268,19 @@ const NATURAL_FLOOR: Depth = Depth::TestBehind;
 impl Natural {
     fn pass(self) -> Pass<'static> {
         let body = |shader, sides| Pass { sides, ..wood_pass(shader, Depth::Test) };
+        let rocks = |sides| Pass {
+            buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL), Some(OPEN)],
+            ..body(shaders::NATURAL_ROCK, sides)
+        };
         match self {
-            Self::Rocks => body(shaders::NATURAL_ROCK, Sides::Out),
-            Self::Insides => Pass { depth: Depth::TestBehind, ..body(shaders::NATURAL_ROCK, Sides::In) },
+            Self::Rocks => rocks(Sides::Out),
+            Self::Insides => Pass { depth: Depth::TestBehind, ..rocks(Sides::In) },
             Self::Log => body(shaders::LOG, Sides::Both),
             Self::Sheets => body(shaders::EAR, Sides::Both),
             Self::Bodies => body(shaders::EAR, Sides::Out),
             Self::Ground => Pass { buffers: &[], ..wood_pass(shaders::NATURAL_GROUND, NATURAL_FLOOR) },
             Self::Bake => Pass {
-                buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL), Some(ATLAS)],
+                buffers: &[Some(POSITION), Some(COLOR), Some(NORMAL), None, Some(ATLAS)],
                 target: Target::Bake,
                 ..wood_pass(shaders::BAKE, Depth::Ignore)
             },
@@ -384,4 +402,11 @@ fn layout(
 fn still_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     let texture = texture(wgpu::TextureSampleType::Float { filterable: false }, wgpu::TextureViewDimension::D2);
     fragment_layout(device, "rock-field/layout/still", &[texture, texture])
+}
+
+fn vertices_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
+    use wgpu::TextureSampleType::{Float, Uint};
+    let texture = |sample_type| texture(sample_type, wgpu::TextureViewDimension::D2);
+    let float = texture(Float { filterable: false });
+    fragment_layout(device, "rock-field/layout/vertices", &[float, texture(Uint), float])
 }

@@ -1,7 +1,9 @@
 //! One field on the device: its buffers, and the functions that draw it.
 
 mod maps;
+mod open;
 
+use std::cell::Cell;
 use std::ops::Range;
 
 use bytemuck::Zeroable;
@@ -10,7 +12,7 @@ use glam::Vec3;
 use super::around::{Around, Field};
 use super::buffers::{Mesh, MeshBuffers, VertexBuffers};
 use super::indices::arranged;
-use super::maps::MapSets;
+use super::maps::{Drawn, MapSets};
 use super::{Gpu, Props, RenderError, upload};
 use crate::shading::{
     Arrangement, Body, Bounds, ColorMode, FieldUniforms, Look, Sample, Sight, Stands, Turned, beam, palette,
@@ -48,9 +50,11 @@ impl Rocks {
 
 /// Buffers and bind groups of one field.
 pub(crate) struct Scene {
-    /// Identifies the contents of the shadow and height maps. It is unique on the device, and renewed whenever the maps
-    /// have to be redrawn.
-    pub(crate) number: u64,
+    /// Identifies the contents of the shadow and height maps by numbers that are unique on the device, each renewed whenever its maps have to be
+    /// redrawn.
+    pub(crate) drawn: Drawn,
+    /// The heights for which it was found what the rocks see of the sky.
+    opened: Cell<u64>,
     buffers: MeshBuffers,
     arrangement: Arrangement,
     rocks: Rocks,
@@ -131,7 +135,8 @@ impl Scene {
         });
         let arrangement = Arrangement::of(&bodies, image);
         let (indices, highest) = arranged(gpu, mesh.indices, &rocks.index_starts, &bodies, &arrangement)?;
-        let buffers = MeshBuffers::with_indices(vertices, mesh, indices, highest)?;
+        let mut buffers = MeshBuffers::with_indices(vertices, mesh, indices, highest)?;
+        buffers.add_open(gpu)?;
         let mut turned = Turned::new(&rocks.vertex_starts);
         mesh.each_vertex(|position, normal| turned.add(position, normal));
         let is_turned = turned.found();
@@ -152,7 +157,8 @@ impl Scene {
             entries: &[wgpu::BindGroupEntry { binding: 0, resource: uniforms.as_entire_binding() }],
         });
         Ok(Self {
-            number: gpu.next_number(),
+            drawn: Drawn { shadows: gpu.next_number(), heights: gpu.next_number() },
+            opened: Cell::new(0),
             buffers,
             arrangement,
             rocks,
@@ -188,8 +194,11 @@ impl Scene {
             }
             return;
         }
+        self.drawn.shadows = gpu.next_number();
+        if (self.props, self.is_surrounded) != (Some(props.number), is_surrounded) {
+            self.drawn.heights = gpu.next_number();
+        }
         (self.sun, self.props, self.is_surrounded) = (sun, Some(props.number), is_surrounded);
-        self.number = gpu.next_number();
         let (low, high) = props.around(self.low, self.high);
         self.center = (low + high) * 0.5;
         self.radius = (high - low).length() * 0.5;
@@ -256,7 +265,7 @@ impl Scene {
         // In natural colours some rocks are lowered.
         let sinks = |mode| mode == Some(ColorMode::Natural);
         if sinks(self.painted) != sinks(Some(mode)) {
-            self.number = gpu.next_number();
+            self.drawn = Drawn { shadows: gpu.next_number(), heights: gpu.next_number() };
         }
         self.painted = Some(mode);
         let Self { buffers, rocks, stands, image, high, .. } = &*self;

@@ -5,7 +5,7 @@ mod natural;
 
 use glam::{Mat4, Vec3, Vec4};
 
-use super::maps::Maps;
+use super::maps::{Maps, Stale};
 use super::pipelines::Fixed;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
@@ -177,20 +177,23 @@ impl View {
     /// Makes the scene ready to be drawn, with its maps, which are submitted on their own: none of them takes long.
     pub(super) fn prepare(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) -> Option<Maps> {
         self.dress(gpu, scene, props);
-        let draw = |scene: &Scene, maps: &Maps| {
+        let draw = |scene: &Scene, maps: &Maps, stale| {
             // Before the uniforms of the picture are written: rocks sink by these.
             self.write(gpu, &self.globals(&self.shot, Some(scene)));
-            scene.draw_maps(gpu, &self.frame_group, maps, props);
+            scene.draw_maps(gpu, &self.frame_group, maps, stale, props);
+            if self.is_natural() {
+                scene.open(gpu, &self.frame_group, maps);
+            }
         };
         self.is_solid().then(|| self.maps(gpu, scene, draw))
     }
 
     /// The maps of a scene that is dressed, which `draw` draws if they are stale.
-    fn maps(&self, gpu: &Gpu, scene: &Scene, draw: impl FnOnce(&Scene, &Maps)) -> Maps {
+    fn maps(&self, gpu: &Gpu, scene: &Scene, draw: impl FnOnce(&Scene, &Maps, Stale)) -> Maps {
         let (maps, stale) =
-            gpu.maps.borrow_mut().lend(&gpu.device, &gpu.queue, &gpu.pipelines.maps_layout, self.number, scene.number);
-        if stale {
-            draw(scene, &maps);
+            gpu.maps.borrow_mut().lend(&gpu.device, &gpu.queue, &gpu.pipelines.maps_layout, self.number, scene.drawn);
+        if stale.shadows || stale.heights {
+            draw(scene, &maps, stale);
         }
         maps
     }

@@ -2,12 +2,13 @@
 
 use std::ops::Range;
 
-use super::super::maps::{Maps, group};
+use super::super::maps::{Maps, Stale, group};
 use super::super::pipelines::Fixed;
 use super::super::surface::{depth_attachment, kept};
 use super::super::{Gpu, Props};
 use super::Scene;
 use crate::shading::ColorMode;
+use glam::Vec3;
 
 /// How large the triangles of the shadow and height maps may be on the mean, texels².
 const TEXELS: f32 = 12.0;
@@ -25,21 +26,21 @@ enum Map {
 }
 
 impl Scene {
-    /// Draws the shadow and height maps and what the ground sees of the sky, in submissions each of a few of the rocks, and writes the sky's. They change only with the field, the sun and
-    /// the props, so drawing them once is enough.
-    pub(crate) fn draw_maps(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps, props: &Props) {
+    /// Draws those of the maps that are stale, in submissions each of a few of the rocks: the shadows with the sky, the heights with what the ground
+    /// sees of the sky. They change only with the field, the props and, but for the heights, the sun.
+    pub(crate) fn draw_maps(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps, stale: Stale, props: &Props) {
         maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
         let rocks = parts(&self.arrangement.all(TEXELS * self.texel * self.texel));
         let none = Props::default();
-        for which in [Map::Shadow, Map::Height] {
-            for (part, rocks) in rocks.iter().enumerate() {
+        for (which, is_stale) in [(Map::Shadow, stale.shadows), (Map::Height, stale.heights)] {
+            for (part, rocks) in rocks.iter().enumerate().filter(|_| is_stale) {
                 let mut encoder = gpu.device.create_command_encoder(&Default::default());
                 let props = if part == 0 { props } else { &none };
                 self.draw_map(gpu, &mut encoder, frame_group, (which, maps), props, rocks, part == 0);
                 gpu.queue.submit([encoder.finish()]);
             }
         }
-        for part in 0..OPEN_PARTS {
+        for part in if stale.heights { 0..OPEN_PARTS } else { 0..0 } {
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
             self.draw_open(gpu, &mut encoder, frame_group, maps, part);
             gpu.queue.submit([encoder.finish()]);
@@ -123,7 +124,9 @@ impl Scene {
         self.draw_rocks(&mut pass, pipeline, rocks);
         if is_first && self.is_surrounded {
             let most = TEXELS * self.texel * self.texel;
-            self.around.draw_neighbours(&mut pass, gpu, pipeline, &self.field(), self.sun, most);
+            // For the heights only what stands on the field: they know no sun.
+            let sun = if which == Map::Shadow { self.sun } else { Vec3::Z };
+            self.around.draw_neighbours(&mut pass, gpu, pipeline, &self.field(), sun, most);
             pass.set_bind_group(1, &self.field_group, &[]);
         }
         props.draw(&mut pass, [pipeline; 2]);

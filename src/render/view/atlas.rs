@@ -20,7 +20,9 @@ impl View {
         globals.scene[2] = 0.0;
         self.write(gpu, &globals);
         scene.paint(gpu, ColorMode::Natural, &self.look);
-        let maps = self.maps(gpu, scene, |scene, maps| scene.draw_maps(gpu, &self.frame_group, maps, &props));
+        let maps = self.maps(gpu, scene, |scene, maps, stale| {
+            scene.draw_maps(gpu, &self.frame_group, maps, stale, &props);
+        });
         let encoder = gpu.device.create_command_encoder(&Default::default());
         let pipeline = gpu.pipelines.natural(&gpu.device, Natural::Bake, Recipe::of_bodies(Quality::High, &self.look));
         let patterns = gpu.pipelines.patterns(&gpu.device, &gpu.queue);

@@ -73,7 +73,7 @@ impl View {
         let fixed: &[Fixed] = match sort {
             _ if !self.is_natural() => &[Fixed::Shadow, Fixed::Height, Fixed::Ground, Fixed::Outsides, Fixed::Insides],
             Sort::Sample => &[Fixed::SampleFloor, Fixed::Gather, Fixed::Develop],
-            _ => &[Fixed::Shadow, Fixed::Height, Fixed::Open, Fixed::floor(sort)],
+            _ => &[Fixed::Shadow, Fixed::Height, Fixed::Open, Fixed::OpenRocks, Fixed::floor(sort)],
         };
         if fixed.iter().copied().any(is_made) {
             return true;

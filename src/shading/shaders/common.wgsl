@@ -131,6 +131,13 @@ fn settled(position: vec3f, painted: vec4f) -> vec3f {
   return position + field.shift.xyz - vec3f(0.0, 0.0, steps / 31.0 * field.size.z * globals.scene.z);
 }
 
+// A normal that is folded to an octahedron, as buffers.rs does it.
+fn unfolded(normal: vec2f) -> vec3f {
+  let z = 1.0 - abs(normal.x) - abs(normal.y);
+  let fold = max(-z, 0.0);
+  return normalize(vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z));
+}
+
 fn kind_of(painted: vec4f) -> f32 {
   let byte = floor(painted.w * 255.0 + 0.5);
   return byte - 8.0 * floor(byte / 8.0);

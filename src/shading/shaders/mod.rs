@@ -40,7 +40,9 @@ pub(crate) enum Reads {
     Maps,
     /// Also these and the patterns of natural colours.
     Patterns,
-    /// Also the mean of a still, and its newest sample.
+    /// Also the vertices of rocks, as textures.
+    Vertices,
+    /// Of the uniforms, and the mean of a still and its newest sample.
     Still,
 }
 
@@ -76,6 +78,7 @@ impl Shader {
     pub(crate) fn reads(self) -> Reads {
         match self.name {
             "gather" | "develop" => Reads::Still,
+            "open_rock" => Reads::Vertices,
             _ if self.before.contains(&NOISE) => Reads::Patterns,
             // What is lit has the lighting before it.
             _ if self.before.is_empty() => Reads::Uniforms,
@@ -99,6 +102,7 @@ shaders! {
     SHADOW "shadow" after &[];
     HEIGHT "height" after &[];
     OPEN "open" after &[HEIGHTS];
+    OPEN_ROCK "open_rock" after &[HEIGHTS];
     GROUND "ground" after LIGHTING;
     FLOOR "floor" after &[];
     ROCK "rock" after LIGHTING;

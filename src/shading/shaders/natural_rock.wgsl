@@ -17,7 +17,13 @@ struct Varyings {
 }
 
 @vertex
-fn vs_main(@location(0) position: vec3f, @location(1) color: vec4f, @location(2) normal: vec2f) -> Varyings {
+fn vs_main(
+  @location(0) position: vec3f,
+  @location(1) color: vec4f,
+  @location(2) normal: vec2f,
+  // What open_rock.wgsl found
+  @location(3) open: vec4f,
+) -> Varyings {
   var out: Varyings;
   out.from_eye = settled(position, color) - globals.eye.xyz;
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
@@ -25,17 +31,9 @@ fn vs_main(@location(0) position: vec3f, @location(1) color: vec4f, @location(2)
   // The same rock of two copies has other colours.
   out.own = vec4f(fract(color.xyz + field.shift.w * vec3f(1.0, 1.7, 2.3)), kind_of(color) / 255.0);
   out.normal = unfolded(normal);
-  // What changes slowly is found here, since there are several pixels for each vertex. Below the ground it is as dark as just above it, or the
-  // rocks would be too dark all along their feet.
+  out.open = vec3f(open.x, open.yz * 4.0 - 2.0);
+  // What changes slowly is found here, since there are several pixels for each vertex.
   let far = length(out.from_eye);
-  var home = at_rest(out.from_eye, out.normal, 2.0 * far * length(globals.ray_up.xyz) / globals.ray_up.w);
-  home.z = max(home.z, 0.0);
-  out.open = vec3f(0.7, 0.0, 0.0);
-  // Nobody sees what faces away by more than a triangle may turn.
-  if dot(out.normal, out.from_eye) < 0.4 * far {
-    out.open.x = sky_seen(home, out.normal, select(10, 3, quality < 0.5));
-    out.open = vec3f(out.open.x, open_towards.xy);
-  }
   out.air = air_before(out.from_eye / far, far);
   light_nearby();
   out.from_ground = ground_light;

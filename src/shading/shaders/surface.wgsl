@@ -6,13 +6,6 @@ var<private> surface_rough: f32;
 // With its relief
 var<private> surface_normal: vec3f;
 
-// A normal that is folded to an octahedron, as buffers.rs does it.
-fn unfolded(normal: vec2f) -> vec3f {
-  let z = 1.0 - abs(normal.x) - abs(normal.y);
-  let fold = max(-z, 0.0);
-  return normalize(vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z));
-}
-
 // Where the mesh means to be smooth its normal and the face's nearly agree: 1. A broken edge stays sharp: 0.
 fn agreement(smooth_normal: vec3f, face: vec3f) -> f32 {
   return smoothstep(0.72, 0.84, dot(smooth_normal, face));
