@@ -6,7 +6,7 @@ use glam::Vec3;
 
 use super::buffers::MeshBuffers;
 use super::{Gpu, RenderError, upload};
-use crate::shading::{Arrangement, Bricks, FieldUniforms, Sight};
+use crate::shading::{Arrangement, Bricks, FieldUniforms, Sight, least_of};
 
 /// Bytes between the uniforms of two copies: a multiple of what devices ask for.
 const STRIDE: u64 = 512;
@@ -89,17 +89,12 @@ impl Around {
         let seen = self.seen(field, sight);
         // What is too much is left out by size, and everywhere alike: a copy that is missing between others would be seen. Copies out of the
         // picture count, so that all parts of a picture show the same.
-        let mut least = sight.least;
         let away = |copy: &Vec3| Sight { eye: sight.eye - *copy, most: COARSER * sight.most, ..*sight };
         let all: Vec<Sight> = self.copies.iter().map(away).collect();
-        while least < MOST {
+        let least = least_of(sight.least, MOST, |least| {
             let triangles = |sight: &Sight| field.arrangement.triangles_afar(&Sight { least, ..*sight });
-            if all.iter().map(triangles).sum::<u64>() <= SHARE * u64::from(most) {
-                break;
-            }
-            // Where nothing is left out at first, it is 0.
-            least = (1.5 * least).max(1.0);
-        }
+            all.iter().map(triangles).sum::<u64>() <= SHARE * u64::from(most)
+        });
         let ranges = seen.iter().map(|(distance, _, sight)| {
             let sight = Sight { least, ..*sight };
             let is_near = *distance < NEAR * self.side;

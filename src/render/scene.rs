@@ -209,6 +209,7 @@ impl Scene {
         let sky = gpu.sky(sun);
         uniforms.sunshine = sky.sunshine.extend(0.0).to_array();
         uniforms.sky = sky.uniforms(sun);
+        [uniforms.sky[2][3], uniforms.sky[3][3]] = self.hills_turned();
         uniforms.bricks = self.around.bricks().uniform();
         // What stands on the field stands on none of its copies, and would throw its shadow there.
         self.is_repeated = is_surrounded && props.is_empty();
@@ -222,6 +223,14 @@ impl Scene {
         self.lit = uniforms;
         self.bounds = [low, high];
         self.light_around(gpu, &uniforms, false);
+    }
+
+    /// Cosine and sine of how far the hills are turned: by what stays the same while most parameters change.
+    fn hills_turned(&self) -> [f32; 2] {
+        let layers = self.rocks.layers.iter().max().copied().unwrap_or(0);
+        let sides = self.image[0] as u32 ^ (self.image[1] as u32) << 16;
+        let angle = std::f32::consts::TAU * palette::share(palette::hash(layers, sides), 0);
+        [angle.cos(), angle.sin()]
     }
 
     /// Lights the copies of the field as it is lit by `uniforms`, for what is submitted next: `is_sampled` if they are those of a sample, until

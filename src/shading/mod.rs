@@ -23,7 +23,7 @@ pub(crate) mod wood;
 
 pub(crate) use around::Bricks;
 pub(crate) use beam::{Bounds, beam, in_sight};
-pub(crate) use levels::{Arrangement, Body, LEVELS, Sight, coarser};
+pub(crate) use levels::{Arrangement, Body, LEVELS, Sight, coarser, least_of};
 pub(crate) use look::Look;
 pub(crate) use order::{ColorMode, Mode, Quality};
 pub(crate) use pieces::{Piece, Pieces};

@@ -82,6 +82,24 @@ fn lattice(block: &[u32], m: usize, row: usize, column: usize) -> u32 {
     block.get(at).copied().unwrap_or(0)
 }
 
+/// How large rocks must be to be drawn, from `least` on, so that what is drawn `fits`, or else `most`. It is found to a few hundredths, or many rocks
+/// would come and go at once while a camera moves.
+pub(crate) fn least_of(least: f32, most: f32, fits: impl Fn(f32) -> bool) -> f32 {
+    if fits(least) {
+        return least;
+    }
+    // Where nothing is left out at first, `least` is 0.
+    let (mut low, mut high) = (least, (1.5 * least).max(1.0));
+    while high < most && !fits(high) {
+        (low, high) = (high, 1.5 * high);
+    }
+    for _ in 0..4 {
+        let middle = 0.5 * (low + high);
+        *(if fits(middle) { &mut high } else { &mut low }) = middle;
+    }
+    high.min(most)
+}
+
 /// Rocks that are drawn together.
 #[derive(Debug)]
 pub(crate) struct Group {

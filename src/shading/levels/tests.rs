@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use glam::{Mat4, Vec3, Vec4};
 
-use super::{Arrangement, Body, Group, LEVELS, Sight, coarser};
+use super::{Arrangement, Body, Group, LEVELS, Sight, coarser, least_of};
 use crate::Mesh;
 use crate::params::{PRESETS, Params};
 use crate::rocks::generate;
@@ -243,4 +243,16 @@ fn a_copy_reaches_into_the_field_where_it_lies_over_it_or_throws_its_shadow_ther
     let over = indices(Vec3::X * 0.83 * side, Vec3::Z);
     let all = indices(Vec3::ZERO, Vec3::Z);
     assert!(0 < over && over < all / 2, "{over} of {all}");
+}
+
+#[test]
+fn rocks_are_left_out_by_size_as_soon_as_all_do_not_fit_and_hardly_more_than_have_to_be() {
+    for smallest in [0.0, 6.0, 24.0] {
+        assert_eq!(least_of(smallest, 2000.0, |_| true), smallest);
+        assert_eq!(least_of(smallest, 2000.0, |_| false), 2000.0);
+        for fitting in (1..190).map(|step| smallest + 0.1 + step as f32 * 10.0) {
+            let found = least_of(smallest, 2000.0, |least| least >= fitting);
+            assert!(found >= fitting && found <= (1.04 * fitting).max(1.5), "{found} where {fitting} fits");
+        }
+    }
 }

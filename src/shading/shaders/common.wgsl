@@ -51,7 +51,8 @@ struct FieldUniforms {
   bow: vec4f,
   // The sun's light; w unused
   sunshine: vec4f,
-  // What the sky lights, by the direction of a surface (sky.rs); w of the first two: the direction of the sun's azimuth
+  // What the sky lights, by the direction of a surface (sky.rs); w of the first two: the direction of the sun's azimuth, of
+  // the next two: cosine and sine of how far the hills are turned
   sky: array<vec4f, 6>,
   // Of a sample of a still, as for the sun above: the light from a point of the sky, and from one of the ground
   sky_from_world: mat4x4f,

@@ -106,7 +106,7 @@ fn ground_surface(world: vec3f, to_eye: vec3f, seen: f32, footprint: f32) {
   slope = mix(slope, vec3f(snow_slope.xy, 0.0), snow);
   rough = mix(rough, 0.9, snow);
   albedo = mix(albedo, mix(afar_albedo, SNOW, 0.85 * snow), afar_rock);
-  albedo *= mix(0.8, 1.0, afar_one) * rolling(world.xy);
+  albedo *= rolling(world.xy);
   found_albedo = albedo;
   found_rough = select(rough, 0.95, water_deep > 0.0);
   found_slope = slope;
@@ -160,14 +160,15 @@ fn fs_main(
   let one = afar_one * (1.0 - rock);
   let seen = mix(0.85, sky_seen_by_ground(home.xy), one);
   open_towards *= one;
-  // In the shadow of so many rocks lies about a quarter of the ground, and none of it in a shadow of its own.
+  // Where only the mean is shown, nothing lies in a shadow of its own.
   home = select(home, vec3f(home.xy + 1e6, home.z), afar_one < 0.5);
   if globals.soil.w > 0.5 {
     return backing(sun_seen(world, up), seen);
   }
   ground_surface(world, to_eye, seen, footprint);
   let open = seen * mix(mix(0.6, 1.0, cover_open), 1.0, rock);
-  gathered = caustics(world, footprint);
+  // In the shadow of so many rocks lies about a quarter of the ground.
+  gathered = caustics(world, footprint) * mix(0.75, 1.0, afar_one);
   let normal = bumped(up, found_slope * (1.0 - rock));
   let light = daylight(found_albedo, found_rough, home, up, normal, to_eye, open);
 

@@ -37,6 +37,14 @@ fn ground_drawn(world: vec3f, face: vec3f) -> f32 {
   return mix(1.0, textureSampleCompareLevel(below_map, shadow_sampler, at.xy, at.z), at.w);
 }
 
+// What comes from a rock that stands before the light from `way`: as bright as a ball there is on the mean, of which the less is lit the nearer it
+// stands to the sun (Lambert's phase function), under the sky as far as rocks see of it.
+fn sent_by_rock(way: vec3f, open_sky: vec3f) -> vec3f {
+  let cosine = clamp(-dot(way, field.sun.xyz), -1.0, 1.0);
+  let phase = (sqrt(1.0 - cosine * cosine) + (3.14159 - acos(cosine)) * cosine) * (2.0 / (3.0 * 3.14159));
+  return kind_albedo(globals.scene.w) * (sunshine() * phase + 0.5 * open_sky);
+}
+
 // What comes to a point from all around, by the cosine, as a share of what a white surface would send on; `face` without its relief.
 fn around(world: vec3f, face: vec3f, normal: vec3f) -> vec3f {
   let sun_color = sunshine();
@@ -47,7 +55,7 @@ fn around(world: vec3f, face: vec3f, normal: vec3f) -> vec3f {
   let rising = drawn(dot(normal, up), up.z);
   if rising > 0.0 {
     let open = select(0.0, sky_drawn(world, face), dot(face, up) > 0.0);
-    light += rising * mix(rock_light, sky_radiance(up), open);
+    light += rising * mix(sent_by_rock(up, open_sky), sky_radiance(up), open);
   }
   let down = field.below_way.xyz;
   let falling = drawn(dot(normal, down), -down.z);
@@ -55,7 +63,7 @@ fn around(world: vec3f, face: vec3f, normal: vec3f) -> vec3f {
     let open = select(0.0, ground_drawn(world, face), dot(face, down) > 0.0);
     let there = vec3f(world.xy + down.xy * (max(world.z, 0.0) / -down.z), 0.0);
     let lit = sun_color * field.sun.z * sun_drawn(there, vec3f(0.0, 0.0, 1.0)) + 0.6 * open_sky;
-    light += falling * mix(rock_light, ground_albedo() * lit, open);
+    light += falling * mix(sent_by_rock(down, open_sky), ground_albedo() * lit, open);
   }
   return light;
 }

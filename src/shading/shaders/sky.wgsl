@@ -52,13 +52,16 @@ fn with_hills(sky: vec3f, direction: vec3f, pixel: f32) -> vec3f {
   if direction.z > HILLS_TOP {
     return sky;
   }
-  let turn = atan2(direction.y, direction.x) / 6.2831853 + 0.5;
+  // Each field has another part of the panorama before it.
+  let turned_by = mat2x2f(field.sky[2].w, field.sky[3].w, -field.sky[3].w, field.sky[2].w);
+  let there = turned_by * direction.xy;
+  let turn = atan2(there.y, there.x) / 6.2831853 + 0.5;
   let found = textureSampleLevel(hill_map, sky_sampler, vec2f(turn, direction.z / HILLS_TOP), 0.0);
   // Crowns of trees and rocks on the skyline.
   let crowns = (noise2(vec2f(turn * 2600.0, 0.5)) + 0.7 * noise2(vec2f(turn * 7100.0, 7.5))) * 0.22;
   let rows = (found.w * 255.0 - 128.0) / 32.0 + crowns;
   let covered = clamp(rows * HILLS_TOP / HILLS_ROWS / pixel + 0.5, 0.0, 1.0);
-  let flat = found.xy * 2.0 - 1.0;
+  let flat = (found.xy * 2.0 - 1.0) * turned_by;
   let normal = vec3f(flat, sqrt(max(1.0 - dot(flat, flat), 0.0)));
   let distance = found.z * found.z * HILLS_FAR;
   let at = vec2f(turn * 900.0, direction.z * 4000.0);
