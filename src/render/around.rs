@@ -91,7 +91,7 @@ impl Around {
         // picture count, so that all parts of a picture show the same.
         let away = |copy: &Vec3| Sight { eye: sight.eye - *copy, most: COARSER * sight.most, ..*sight };
         let all: Vec<Sight> = self.copies.iter().map(away).collect();
-        let least = least_of(sight.least, MOST, |least| {
+        let least = least_of(sight.least, MOST, &|least| {
             let triangles = |sight: &Sight| field.arrangement.triangles_afar(&Sight { least, ..*sight });
             all.iter().map(triangles).sum::<u64>() <= SHARE * u64::from(most)
         });

@@ -84,7 +84,7 @@ fn lattice(block: &[u32], m: usize, row: usize, column: usize) -> u32 {
 
 /// How large rocks must be to be drawn, from `least` on, so that what is drawn `fits`, or else `most`. It is found to a few hundredths, or many rocks
 /// would come and go at once while a camera moves.
-pub(crate) fn least_of(least: f32, most: f32, fits: impl Fn(f32) -> bool) -> f32 {
+pub(crate) fn least_of(least: f32, most: f32, fits: &dyn Fn(f32) -> bool) -> f32 {
     if fits(least) {
         return least;
     }

@@ -248,10 +248,10 @@ fn a_copy_reaches_into_the_field_where_it_lies_over_it_or_throws_its_shadow_ther
 #[test]
 fn rocks_are_left_out_by_size_as_soon_as_all_do_not_fit_and_hardly_more_than_have_to_be() {
     for smallest in [0.0, 6.0, 24.0] {
-        assert_eq!(least_of(smallest, 2000.0, |_| true), smallest);
-        assert_eq!(least_of(smallest, 2000.0, |_| false), 2000.0);
+        assert_eq!(least_of(smallest, 2000.0, &|_| true), smallest);
+        assert_eq!(least_of(smallest, 2000.0, &|_| false), 2000.0);
         for fitting in (1..190).map(|step| smallest + 0.1 + step as f32 * 10.0) {
-            let found = least_of(smallest, 2000.0, |least| least >= fitting);
+            let found = least_of(smallest, 2000.0, &|least| least >= fitting);
             assert!(found >= fitting && found <= (1.04 * fitting).max(1.5), "{found} where {fitting} fits");
         }
     }
