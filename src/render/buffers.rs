@@ -6,6 +6,9 @@ use glam::Vec3;
 
 use super::{Gpu, RenderError, upload};
 
+/// Buffers end with a whole row of so many vertices, since textures have them in rows when it is found out what each sees of the sky.
+pub(crate) const ROW: u32 = 512;
+
 /// A mesh in JavaScript's memory, which is read one slice at a time.
 pub(crate) struct Mesh<'a> {
     /// 3v coordinates.
@@ -67,15 +70,10 @@ impl VertexBuffers {
         if mesh.normals.length() != mesh.positions.length() {
             return Err(RenderError::Malformed("positions and normals disagree"));
         }
-        let make = |name, what, elements: u32| {
-            let label = ["rock-field/", kind, name].concat();
-            // They are copied to find out what each vertex sees of the sky.
-            let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_SRC;
-            upload::buffer(&gpu.device, &label, what, 4 * u64::from(elements), usage)
-        };
-        let positions = make("/positions", "vertices", 3 * count)?;
-        let normals = make("/normals", "normals", count)?;
-        let colors = make("/colors", "colours", count)?;
+        let make = |name, what, each| buffer(gpu, &["rock-field/", kind, name].concat(), what, count, each);
+        let positions = make("/positions", "vertices", 3)?;
+        let normals = make("/normals", "normals", 1)?;
+        let colors = make("/colors", "colours", 1)?;
         upload::write::<f32>(&gpu.queue, &positions, 3 * count, |start, slice| {
             mesh.positions.subarray(start, start + slice.len() as u32).copy_to(slice);
             for vertex in slice.chunks_exact_mut(3) {
@@ -160,16 +158,14 @@ impl MeshBuffers {
 
     /// Adds room for what each vertex sees of the sky.
     pub(crate) fn add_open(&mut self, gpu: &Gpu) -> Result<(), RenderError> {
-        let bytes = 4 * u64::from(self.vertices());
-        let usage = wgpu::BufferUsages::VERTEX;
-        self.open = Some(upload::buffer(&gpu.device, "rock-field/rock/open", "vertices", bytes, usage)?);
+        self.open = Some(buffer(gpu, "rock-field/rock/open", "vertices", self.vertices(), 1)?);
         Ok(())
     }
 
-    /// Positions, normals and colours of the vertices: 12, 4 and 4 bytes each.
-    pub(crate) fn each(&self) -> [&wgpu::Buffer; 3] {
+    /// Positions, normals and colours of the vertices, and how many times four bytes each has.
+    pub(crate) fn each(&self) -> [(&wgpu::Buffer, u32); 3] {
         let VertexBuffers { positions, normals, colors, .. } = &self.vertices;
-        [positions, normals, colors]
+        [(positions, 3), (normals, 1), (colors, 1)]
     }
 
     pub(crate) fn open(&self) -> Option<&wgpu::Buffer> {
@@ -221,7 +217,7 @@ impl MeshBuffers {
         if ranges.iter().all(Range::is_empty) {
             return;
         }
-        let [positions, normals, colors] = self.each();
+        let VertexBuffers { positions, normals, colors, .. } = &self.vertices;
         pass.set_pipeline(pipeline);
         pass.set_vertex_buffer(0, positions.slice(..));
         pass.set_vertex_buffer(1, colors.slice(..));
@@ -234,6 +230,13 @@ impl MeshBuffers {
             pass.draw_indexed(range.clone(), 0, 0..1);
         }
     }
+}
+
+/// A buffer with `each` times four bytes a vertex, for whole rows of vertices.
+fn buffer(gpu: &Gpu, label: &str, what: &'static str, count: u32, each: u32) -> Result<wgpu::Buffer, RenderError> {
+    let usage = wgpu::BufferUsages::VERTEX | wgpu::BufferUsages::COPY_SRC;
+    let bytes = 4 * u64::from(each) * u64::from(count).next_multiple_of(u64::from(ROW));
+    upload::buffer(&gpu.device, label, what, bytes, usage)
 }
 
 /// Uploads normals, each as two 16-bit numbers: the unfolded faces of an octahedron (Cigolle et al., *A survey of

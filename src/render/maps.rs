@@ -166,6 +166,17 @@ fn hills(device: &wgpu::Device, queue: &wgpu::Queue) -> wgpu::TextureView {
     map
 }
 
+/// A sampler that filters, or that compares and filters what comes of it.
+pub(crate) fn linear(device: &wgpu::Device, compare: Option<wgpu::CompareFunction>) -> wgpu::Sampler {
+    device.create_sampler(&wgpu::SamplerDescriptor {
+        label: Some("rock-field/maps/sampler"),
+        mag_filter: wgpu::FilterMode::Linear,
+        min_filter: wgpu::FilterMode::Linear,
+        compare,
+        ..Default::default()
+    })
+}
+
 /// `shadows` of the sun, and for a still of the sky and of the ground.
 pub(crate) fn group(
     device: &wgpu::Device,
@@ -173,17 +184,8 @@ pub(crate) fn group(
     [shadow, high, below]: [&wgpu::TextureView; 3],
     [height, sky, hills, open]: [&wgpu::TextureView; 4],
 ) -> wgpu::BindGroup {
-    let sampler = |label, compare| {
-        device.create_sampler(&wgpu::SamplerDescriptor {
-            label: Some(label),
-            mag_filter: wgpu::FilterMode::Linear,
-            min_filter: wgpu::FilterMode::Linear,
-            compare,
-            ..Default::default()
-        })
-    };
-    let compare = sampler("rock-field/shadow/sampler", Some(wgpu::CompareFunction::LessEqual));
-    let linear = sampler("rock-field/height/sampler", None);
+    let compare = linear(device, Some(wgpu::CompareFunction::LessEqual));
+    let linear = linear(device, None);
     // Reads the depths themselves, to find what casts a shadow.
     let nearest = device
         .create_sampler(&wgpu::SamplerDescriptor { label: Some("rock-field/shadow/depths"), ..Default::default() });

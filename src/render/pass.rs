@@ -131,7 +131,7 @@ fn pipeline(
         Reads::Uniforms => &[frame, field],
         Reads::Maps => &[frame, field, maps],
         Reads::Patterns => &[frame, field, maps, patterns],
-        Reads::Vertices => &[frame, field, maps, vertices],
+        Reads::Vertices => &[frame, field, vertices, patterns],
         Reads::Still => &[frame, field, still],
     };
     let groups: Vec<_> = groups.iter().copied().map(Some).collect();
@@ -177,7 +177,7 @@ fn pipeline(
         vertex: wgpu::VertexState {
             module,
             entry_point: Some("vs_main"),
-            compilation_options: Default::default(),
+            compilation_options: compilation.clone(),
             buffers: pass.buffers,
         },
         primitive: wgpu::PrimitiveState {

@@ -6,7 +6,7 @@
 //! | 1 `field` | field | 0 `FieldUniforms` |
 //! | 2 `maps` | field | 0 shadow map, 1 its comparison sampler, 2 height map, 3 its sampler, 4 shadow map, 5 its sampler, 6 sky, 7 its sampler, 8 and 9 more shadow maps of a still, 10 hills, 11 what the ground sees of the sky |
 //! | 3 `patterns` | device | 0 volume of noise, 1 plane of noise, 2 lattice of points, 3 the sampler of the first two |
-//! | 3 `vertices` | field | 0 positions, 1 normals, 2 colours of some vertices, as textures |
+//! | 2 `vertices` | field | 2 height map, 3 its sampler, 12 positions, 13 normals, 14 colours of some vertices, as textures |
 //! | 2 `still` | sample | 0 mean of the samples, 1 the newest one |
 
 use std::cell::{OnceCell, RefCell};
@@ -358,7 +358,7 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
         device,
         "rock-field/layout/maps",
         wgpu::ShaderStages::VERTEX_FRAGMENT,
-        &[
+        numbered(&[
             texture(Depth),
             sampler(wgpu::SamplerBindingType::Comparison),
             texture(Float { filterable: true }),
@@ -371,7 +371,7 @@ fn maps_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
             texture(Depth),
             texture(Float { filterable: true }),
             texture(Float { filterable: true }),
-        ],
+        ]),
     )
 }
 
@@ -388,17 +388,21 @@ fn texture(sample_type: wgpu::TextureSampleType, view_dimension: wgpu::TextureVi
 
 /// A layout of what fragment shaders read, in the order of its bindings.
 fn fragment_layout(device: &wgpu::Device, label: &str, types: &[wgpu::BindingType]) -> wgpu::BindGroupLayout {
-    layout(device, label, wgpu::ShaderStages::FRAGMENT, types)
+    layout(device, label, wgpu::ShaderStages::FRAGMENT, numbered(types))
+}
+
+fn numbered(types: &[wgpu::BindingType]) -> impl Iterator<Item = (u32, wgpu::BindingType)> {
+    (0..).zip(types.iter().copied())
 }
 
 fn layout(
     device: &wgpu::Device,
     label: &str,
     visibility: wgpu::ShaderStages,
-    types: &[wgpu::BindingType],
+    types: impl IntoIterator<Item = (u32, wgpu::BindingType)>,
 ) -> wgpu::BindGroupLayout {
-    let entry = |(binding, &ty)| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
-    let entries: Vec<_> = (0..).zip(types).map(entry).collect();
+    let entry = |(binding, ty)| wgpu::BindGroupLayoutEntry { binding, visibility, ty, count: None };
+    let entries: Vec<_> = types.into_iter().map(entry).collect();
     device.create_bind_group_layout(&wgpu::BindGroupLayoutDescriptor { label: Some(label), entries: &entries })
 }
 
@@ -410,6 +414,8 @@ fn still_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
 fn vertices_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     use wgpu::TextureSampleType::{Float, Uint};
     let texture = |sample_type| texture(sample_type, wgpu::TextureViewDimension::D2);
-    let float = texture(Float { filterable: false });
-    fragment_layout(device, "rock-field/layout/vertices", &[float, texture(Uint), float])
+    let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
+    let vertices = [12, 13, 14].map(|binding| (binding, texture(Uint)));
+    let types = [(2, texture(Float { filterable: true })), (3, sampler)].into_iter().chain(vertices);
+    layout(device, "rock-field/layout/vertices", wgpu::ShaderStages::FRAGMENT, types)
 }

@@ -385,13 +385,11 @@ impl View {
             ],
             tile: [x, y, own[0], own[1]],
             backdrop_low: palette::linear(theme.backdrop_low),
-            backdrop_high: Vec4::from(palette::linear(theme.backdrop_high))
-                .truncate()
-                .extend(self.look.water)
-                .to_array(),
+            backdrop_high: palette::linear(theme.backdrop_high),
             soil: Vec4::from(palette::linear(theme.soil)).truncate().extend(f32::from(self.backing)).to_array(),
-            dust: Vec4::from(palette::linear(theme.dust)).truncate().extend(self.look.snow).to_array(),
+            dust: palette::linear(theme.dust),
             weather: self.look.weather,
+            waters: [self.look.snow, self.look.water, 0.0, 0.0],
             scene: [self.look.ground, 0.0, if natural { 1.0 } else { 0.0 }, f32::from(self.look.debris)],
             flesh: self.look.flesh,
         }

@@ -395,12 +395,12 @@ mod tests {
     #[test]
     fn stones_too_small_for_a_mesh_are_mixed_like_the_others() {
         let shader = source("src/shading/shaders/stone.wgsl");
-        let (_, code) = shader.split_once("fn mixed_kind").expect("the function");
-        let (code, _) = code.split_once("return kind;").expect("its end");
+        let (_, code) = shader.split_once("fn mixed_albedo").expect("the function");
+        let (code, _) = code.split_once("return albedo;").expect("its end");
         // Each line has the next kind, and the share at which it begins.
         let mut steps = vec![(1, 0.0)];
-        for line in code.lines().filter_map(|line| line.trim().strip_prefix("kind = select(kind, ")) {
-            let (kind, from) = line.split_once(", share > ").expect("a kind and a share");
+        for line in code.lines().filter_map(|line| line.trim().strip_prefix("albedo = select(albedo, kind_albedo(")) {
+            let (kind, from) = line.split_once("), share > ").expect("a kind and a share");
             let kind: f64 = kind.parse().expect("a kind");
             steps.push((kind as usize, from.trim_end_matches(");").parse().expect("a share")));
         }

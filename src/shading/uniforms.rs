@@ -5,7 +5,7 @@ use glam::{Vec2, Vec3};
 
 use super::beam;
 
-/// Written once per frame and view. Size 272 B.
+/// Written once per frame and view. Size 288 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct Globals {
@@ -25,21 +25,23 @@ pub(crate) struct Globals {
     pub(crate) tile: [f32; 4],
     /// Linear colour; w is not used.
     pub(crate) backdrop_low: [f32; 4],
-    /// w: how high water stands, as a share of the height of the highest rock.
+    /// Linear colour; w is not used.
     pub(crate) backdrop_high: [f32; 4],
     /// w: 1 or 2 where black or white stands in for ground and backdrop, else 0.
     pub(crate) soil: [f32; 4],
-    /// w: how much snow has fallen, 0…1.
+    /// Linear colour; w is not used.
     pub(crate) dust: [f32; 4],
     /// Variation, wetness, moss, dust.
     pub(crate) weather: [f32; 4],
+    /// x how much snow has fallen, 0…1; y how high water stands, as a share of the height of the highest rock.
+    pub(crate) waters: [f32; 4],
     /// x ground, y 1 / the number of a still's sample, z 1 in natural colours, w kind of the debris (0 mixed).
     pub(crate) scene: [f32; 4],
     /// Moisture, variation, translucency and velvet of wood ears.
     pub(crate) flesh: [f32; 4],
 }
 
-/// Written once per field and for each of its copies, and for every sample of a still. Size 464 B.
+/// Written once per field and for each of its copies, and for every sample of a still. Size 480 B.
 #[repr(C)]
 #[derive(Clone, Copy, Pod, Zeroable)]
 pub(crate) struct FieldUniforms {
@@ -67,6 +69,9 @@ pub(crate) struct FieldUniforms {
     /// The same for the light from a point of the ground.
     pub(crate) below_from_world: [[f32; 4]; 4],
     pub(crate) below_way: [f32; 4],
+    /// Of the sun's shadow map: xy 1 / its sides, px; z half the width of a half-shadow whose caster is before it by a depth of 1, w of the
+    /// widest, px.
+    pub(crate) shadow: [f32; 4],
     /// xyz how far a copy of the field is moved, px; w a number of its own, 0 for the field itself.
     pub(crate) shift: [f32; 4],
     /// [`super::Bricks::uniform`]; w 1 if the maps are right for copies.
@@ -74,6 +79,9 @@ pub(crate) struct FieldUniforms {
 }
 
 impl FieldUniforms {
+    /// Width of a half-shadow for each px to its caster: the sun's disc and the bright sky round it.
+    const SPREAD: f32 = 0.035;
+
     /// Lower than anything is.
     pub(crate) const LOWEST: f32 = -1.0e9;
 
@@ -88,11 +96,16 @@ impl FieldUniforms {
         let texel = extent.max_element() / (side - 8.0);
         let corner = low.truncate() - Vec2::splat(4.0 * texel);
         let scale = (extent + Vec2::splat(8.0 * texel)).recip();
+        // Depth is 1 over so many px: the rows of the matrix are as long as the map is wide and deep.
+        let [across_x, across_y, deep] = [0, 1, 2].map(|row| sun_from_world.row(row).truncate().length());
+        let top = high.z.max(1.0);
+        let half = 0.5 * Self::SPREAD;
         Self {
             sun_from_world: sun_from_world.to_cols_array_2d(),
+            shadow: [0.5 * across_x, 0.5 * across_y, half / deep, half * top / sun.z.max(0.2)],
             sun: sun.extend(across).to_array(),
             map: [corner.x, corner.y, scale.x, scale.y],
-            size: [image[0], image[1], high.z.max(1.0), high.z.max(1.0)],
+            size: [image[0], image[1], top, top],
             ground: [0.36 * image[0].max(image[1]), texel, 0.0, Self::LOWEST],
             ..Self::zeroed()
         }

@@ -1,113 +1,94 @@
-//! What the rocks see of the sky: found once for each vertex, since all pictures of a field ask for it.
+//! What the rocks see of the sky, and where moss likes to grow: found once for each vertex, since all pictures of a field ask for it.
 //!
 //! WebGL2 computes for pixels only. So some vertices at a time are copied to textures, a texel is drawn for each of them, and these are copied back. Points
 //! for the vertices would do as well, and take a device without a GPU three times as long.
 
 use super::super::Gpu;
-use super::super::maps::Maps;
+use super::super::buffers::ROW;
+use super::super::maps::{Maps, linear};
 use super::super::pass::OPEN_FORMAT;
 use super::super::pipelines::Fixed;
 use super::super::surface::texture;
 use super::Scene;
 
-/// Texels of what is drawn on: so many vertices are looked at in a submission, which takes a device without a GPU some 15 ms.
-const COLUMNS: u32 = 512;
+/// Rows of vertices in a submission, which takes a device without a GPU some 15 ms.
 const ROWS: u32 = 128;
-
-/// The textures: of positions, with three texels for each vertex, normals, colours, and of what is drawn.
-const TEXTURES: [(&str, u32, wgpu::TextureFormat); 4] = [
-    ("rock-field/open/positions", 3, wgpu::TextureFormat::R32Float),
-    ("rock-field/open/normals", 1, wgpu::TextureFormat::R32Uint),
-    ("rock-field/open/colors", 1, wgpu::TextureFormat::Rgba8Unorm),
-    ("rock-field/open/rocks", 1, OPEN_FORMAT),
-];
 
 impl Scene {
     /// Finds what the rocks see of the sky, unless it is known. In natural colours, `frame_group` being that of a picture and `maps` drawn.
     pub(crate) fn open(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps) {
-        let Some(open) = self.buffers.open().filter(|_| self.opened.get() != self.drawn.heights) else {
+        if self.opened.replace(self.drawn.heights) == self.drawn.heights {
             return;
+        }
+        let make = |each, format, usage| {
+            texture(&gpu.device, "rock-field/open/vertices", (each * ROW, ROWS), 1, format, usage)
         };
-        self.opened.set(self.drawn.heights);
         let read = wgpu::TextureUsages::TEXTURE_BINDING | wgpu::TextureUsages::COPY_DST;
         let drawn = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::COPY_SRC;
-        let textures = TEXTURES.map(|(label, each, format)| {
-            let usage = if label == TEXTURES[3].0 { drawn } else { read };
-            texture(&gpu.device, label, (each * COLUMNS, ROWS), 1, format, usage)
-        });
-        let [positions, normals, colors, seen] = &textures;
-        let entry =
-            |(binding, view)| wgpu::BindGroupEntry { binding, resource: wgpu::BindingResource::TextureView(view) };
-        let entries: Vec<_> = (0..).zip([positions, normals, colors]).map(entry).collect();
-        let group = gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
-            label: Some("rock-field/open/group"),
-            layout: &gpu.pipelines.vertices_layout,
-            entries: &entries,
-        });
-        let count = self.vertices();
-        for start in (0..count).step_by((COLUMNS * ROWS) as usize) {
-            let some = count.min(start + COLUMNS * ROWS) - start;
+        let seen = make(1, OPEN_FORMAT, drawn);
+        let buffers = self.buffers.each();
+        // Positions, normals and colours.
+        let views = buffers.map(|(_, each)| make(each, wgpu::TextureFormat::R32Uint, read));
+        let group = group(gpu, maps, &views);
+        let patterns = gpu.pipelines.patterns(&gpu.device, &gpu.queue);
+        let pipeline = gpu.pipelines.fixed(&gpu.device, Fixed::OpenRocks);
+        let rows = self.vertices().div_ceil(ROW);
+        for start in (0..rows).step_by(ROWS as usize) {
+            let height = ROWS.min(rows - start);
+            let size = |each| wgpu::Extent3d { width: each * ROW, height, depth_or_array_layers: 1 };
+            let part = |buffer, each| {
+                let row = 4 * each * ROW;
+                let offset = u64::from(row) * u64::from(start);
+                let layout =
+                    wgpu::TexelCopyBufferLayout { offset, bytes_per_row: Some(row), rows_per_image: Some(height) };
+                wgpu::TexelCopyBufferInfo { buffer, layout }
+            };
             let mut encoder = gpu.device.create_command_encoder(&Default::default());
-            for ((buffer, view), (_, each, _)) in self.buffers.each().into_iter().zip(&textures).zip(TEXTURES) {
-                for (place, size) in rows(view, some, each) {
-                    encoder.copy_buffer_to_texture(slice(buffer, start, place, each), place, size);
-                }
+            for ((buffer, each), view) in buffers.into_iter().zip(&views) {
+                encoder.copy_buffer_to_texture(part(buffer, each), view.texture().as_image_copy(), size(each));
             }
             let mut pass = encoder.begin_render_pass(&wgpu::RenderPassDescriptor {
                 label: Some("rock-field/open/rocks"),
                 color_attachments: &[Some(wgpu::RenderPassColorAttachment {
-                    view: seen,
+                    view: &seen,
                     depth_slice: None,
                     resolve_target: None,
                     ops: wgpu::Operations {
-                        load: wgpu::LoadOp::Clear(wgpu::Color::WHITE),
+                        load: wgpu::LoadOp::Clear(wgpu::Color::BLACK),
                         store: wgpu::StoreOp::Store,
                     },
                 })],
                 ..Default::default()
             });
-            for (index, group) in (0..).zip([frame_group, &self.field_group, &maps.group, &group]) {
+            for (index, group) in (0..).zip([frame_group, &self.field_group, &group, patterns]) {
                 pass.set_bind_group(index, group, &[]);
             }
-            pass.set_pipeline(gpu.pipelines.fixed(&gpu.device, Fixed::OpenRocks));
-            pass.set_scissor_rect(0, 0, COLUMNS, some.div_ceil(COLUMNS));
+            pass.set_scissor_rect(0, 0, ROW, height);
+            pass.set_pipeline(pipeline);
             pass.draw(0..3, 0..1);
             drop(pass);
-            for (place, size) in rows(seen, some, 1) {
-                encoder.copy_texture_to_buffer(place, slice(open, start, place, 1), size);
+            if let Some(open) = self.buffers.open() {
+                encoder.copy_texture_to_buffer(seen.texture().as_image_copy(), part(open, 1), size(1));
             }
             gpu.queue.submit([encoder.finish()]);
         }
-        for view in &textures {
-            view.texture().destroy();
-        }
+        views.iter().chain([&seen]).for_each(|view| view.texture().destroy());
     }
 }
 
-/// Where so many vertices lie in a texture that has `each` texels for one: in whole rows, and in a part of the next.
-fn rows(
-    view: &wgpu::TextureView,
-    vertices: u32,
-    each: u32,
-) -> impl Iterator<Item = (wgpu::TexelCopyTextureInfo<'_>, wgpu::Extent3d)> {
-    let (whole, part) = (vertices / COLUMNS, vertices % COLUMNS);
-    let of = move |(y, columns, height)| {
-        let place =
-            wgpu::TexelCopyTextureInfo { origin: wgpu::Origin3d { x: 0, y, z: 0 }, ..view.texture().as_image_copy() };
-        (place, wgpu::Extent3d { width: each * columns, height, depth_or_array_layers: 1 })
-    };
-    [(0, COLUMNS, whole), (whole, part, 1)].into_iter().filter(|&(_, columns, height)| columns * height > 0).map(of)
-}
-
-/// Where a buffer, with `each` times four bytes a vertex, has what lies at `place` when the texture begins with the vertex `start`.
-fn slice<'a>(
-    buffer: &'a wgpu::Buffer,
-    start: u32,
-    place: wgpu::TexelCopyTextureInfo<'_>,
-    each: u32,
-) -> wgpu::TexelCopyBufferInfo<'a> {
-    let offset = 4 * u64::from(each) * u64::from(start + place.origin.y * COLUMNS);
-    let layout =
-        wgpu::TexelCopyBufferLayout { offset, bytes_per_row: Some(4 * each * COLUMNS), rows_per_image: Some(ROWS) };
-    wgpu::TexelCopyBufferInfo { buffer, layout }
+/// The group `vertices`.
+fn group(gpu: &Gpu, maps: &Maps, [positions, normals, colors]: &[wgpu::TextureView; 3]) -> wgpu::BindGroup {
+    let entry = |binding, resource| wgpu::BindGroupEntry { binding, resource };
+    let view = |binding, view| entry(binding, wgpu::BindingResource::TextureView(view));
+    gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
+        label: Some("rock-field/open/group"),
+        layout: &gpu.pipelines.vertices_layout,
+        entries: &[
+            view(2, &maps.height),
+            entry(3, wgpu::BindingResource::Sampler(&linear(&gpu.device, None))),
+            view(12, positions),
+            view(13, normals),
+            view(14, colors),
+        ],
+    })
 }

@@ -22,7 +22,7 @@ fn vs_main(
   out.clip = vec4f((place - globals.plan.xy) * globals.plan.zw, 0.5, 1.0);
   out.world = settled(position, color);
   out.own = vec4f(color.xyz, kind_of(color) / 255.0);
-  out.normal = unfolded(normal);
+  out.normal = normalize(unfolded(normal));
   out.tangent = tangent;
   return out;
 }
@@ -59,6 +59,10 @@ fn fs_main(
     spiral_start = 0.3 * f32(i);
     seen += 0.25 * sky_seen(world, base, 16);
   }
+  bare_soil = soil_albedo(globals.scene.x);
+  rock_albedo = albedo_of(own, seen);
+  rock_mossy = mossy(world);
+  rock_soiled = soiled(world);
   rock_surface(world, own, base, worn(across, down, turn_x, turn_y) * agree, seen, footprint_of(across, down));
 
   let right = normalize(tangent - smooth_normal * dot(tangent, smooth_normal));

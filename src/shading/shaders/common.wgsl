@@ -1,7 +1,7 @@
 // Prepended to every pass. World: x right, y up, z up, pixels of the image. Colour maths is linear.
 
 // Group 0, once per frame and view.
-// size 272 B, align 16; mirrored by Globals in uniforms.rs
+// size 288 B, align 16; mirrored by Globals in uniforms.rs
 struct Globals {
   // Takes positions relative to the eye: far from the origin an f32 keeps its digits that way.
   clip_from_eye: mat4x4f,
@@ -16,15 +16,17 @@ struct Globals {
   plan: vec4f,
   // The part of the picture that is drawn, px: xy its upper left corner, zw its size
   tile: vec4f,
-  // Linear; w unused, then how high water stands, as a share of the height of the highest rock
+  // Linear; w unused
   backdrop_low: vec4f,
   backdrop_high: vec4f,
   // Linear albedo of the ground under and round the rocks; w: 1 or 2 where black or white stands in for ground and backdrop
   soil: vec4f,
-  // w: how much snow has fallen, 0…1
+  // Linear; w unused
   dust: vec4f,
   // Natural colours: variation, wetness, moss, dust, 0…1
   weather: vec4f,
+  // x how much snow has fallen, 0…1; y how high water stands, as a share of the height of the highest rock
+  waters: vec4f,
   // x ground: 0 soil, 1 sand, 2 gravel; y 1 / the number of the sample; z 1 in natural colours; w the kind of the debris, 0: mixed
   scene: vec4f,
   // Wood ears: moisture, variation, translucency, velvet, 0…1
@@ -32,7 +34,7 @@ struct Globals {
 }
 
 // Group 1, once per field.
-// size 464 B, align 16; mirrored by FieldUniforms in uniforms.rs
+// size 480 B, align 16; mirrored by FieldUniforms in uniforms.rs
 struct FieldUniforms {
   // World to the sun's clip space, depth 0…1
   sun_from_world: mat4x4f,
@@ -59,6 +61,8 @@ struct FieldUniforms {
   sky_way: vec4f,
   below_from_world: mat4x4f,
   below_way: vec4f,
+  // Of the sun's shadow map: xy 1 / its sides, px; z half the width of a half-shadow whose caster is before it by a depth of 1, w of the widest, px
+  shadow: vec4f,
   // Of a copy of the field, how far it is moved; w a number of its own, 0 for the field itself
   shift: vec4f,
   // xy how far apart copies are, z how far each row is shifted, px; w 1 where the maps are right for copies
@@ -132,11 +136,11 @@ fn settled(position: vec3f, painted: vec4f) -> vec3f {
   return position + field.shift.xyz - vec3f(0.0, 0.0, steps / 31.0 * field.size.z * globals.scene.z);
 }
 
-// A normal that is folded to an octahedron, as buffers.rs does it.
+// A normal that is folded to an octahedron, as buffers.rs does it; not of length 1.
 fn unfolded(normal: vec2f) -> vec3f {
   let z = 1.0 - abs(normal.x) - abs(normal.y);
   let fold = max(-z, 0.0);
-  return normalize(vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z));
+  return vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z);
 }
 
 fn kind_of(painted: vec4f) -> f32 {

@@ -1,5 +1,8 @@
 // Prepended to the passes in natural colours: what lies on the ground and on the rocks.
 
+// What lies between the stones: `soil_albedo` of this ground, to be set first of all. What is the same everywhere is found at vertices.
+var<private> bare_soil: vec3f;
+
 // What `ground_cover` found.
 var<private> cover_albedo: vec3f;
 // Slope of the relief along x and y
@@ -73,7 +76,7 @@ fn scatter(at: vec2f, lean: vec2f, period: f32, axis: vec2f, here: f32, own: f32
     let b = dot(local, rising.xy);
     // Where the ray comes nearest to its middle; there its outline is bent a little off an ellipse.
     let nearest = local - (b / a) * rising.xy;
-    let bend = 0.3 * form.x * nearest.x * (nearest.x * nearest.x - 3.0 * nearest.y * nearest.y);
+    let bend = select(0.3, 0.0, quality < 0.5) * form.x * nearest.x * (nearest.x * nearest.x - 3.0 * nearest.y * nearest.y);
     let outside = dot(local, local) - 1.0;
     let inside = b * b - (outside + bend) * a;
     let high = (sqrt(max(inside, 0.0)) - b) / a;
@@ -121,17 +124,19 @@ fn stones_laid() {
     return;
   }
   let own = highest.xyz;
-  let crumb = soil_albedo(globals.scene.x) * (0.75 + 0.6 * own.x);
-  let stone = individual(kind_albedo(debris_kind(fract(own.x * 3.7 + own.y))), own);
+  var stone = individual(debris_albedo(fract(own.x * 3.7 + own.y)), own);
+  // All of gravel is coloured as river stones.
+  if ground_kind != 2.0 {
+    stone = mix(bare_soil * (0.75 + 0.6 * own.x), stone, highest_own);
+  }
   cover_slope = mix(cover_slope, highest_slope, highest_covers);
-  cover_albedo = mix(cover_albedo, mix(crumb, stone, highest_own), highest_covers);
+  cover_albedo = mix(cover_albedo, stone, highest_covers);
   cover_open = mix(cover_open, 0.45 + 0.55 * smoothstep(0.0, 0.6, highest.w), highest_covers);
 }
 
 // What light finds on the ground, between stones and under snow.
 fn ground_albedo() -> vec3f {
-  let bare = soil_albedo(globals.scene.x);
-  return select(bare, mix(bare, SNOW, min(2.0 * globals.dust.w, 0.9)), has_snow);
+  return select(bare_soil, mix(bare_soil, SNOW, min(2.0 * globals.waters.x, 0.9)), has_snow);
 }
 
 // A point as the log has it: x along its axis from its middle, y across and z up from the axis, px.
@@ -198,7 +203,7 @@ fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
   cover_open = 0.8;
   let warm = 0.05 * widest.y;
   let hue = vec3f(1.0 + warm, 1.0, 1.0 - warm);
-  cover_albedo = soil_albedo(ground_kind) * hue * (1.0 + 0.13 * patches);
+  cover_albedo = bare_soil * hue * (1.0 + 0.13 * patches);
   if ground_kind == 1.0 {
     // Wind ripples, and now and then a pebble.
     const ACROSS = vec2f(0.4, 0.29);
@@ -243,7 +248,11 @@ fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
     litter(at, 4.3, vec2f(-0.9165, 0.4), 0.8 * here, footprint);
     litter(at, 7.4, vec2f(0.2198, -0.9755), 0.8 * here, footprint);
   }
-  grain_ground(vec3f(at + lean * cover_top, cover_top), footprint);
+  var top = vec3f(at, 0.0);
+  if quality > 0.0 {
+    top += vec3f(lean, 1.0) * cover_top;
+  }
+  grain_ground(top, footprint);
 }
 
 // Grain upon grain on stones and between them, down to the pixel.
@@ -269,12 +278,14 @@ fn grain_ground(at: vec3f, footprint: f32) {
   let loose = select(vec2f(0.42, 0.26), vec2f(0.24, 0.09), ground_kind == 1.0);
   let strength = mix(loose, vec2f(0.36, 0.16), is_stone);
   cover_albedo *= max(1.0 + strength.x * value, 0.2);
-  cover_slope += strength.y * (slope * TURN).xy;
+  if quality > 0.0 {
+    cover_slope += strength.y * (slope * TURN).xy;
+  }
 }
 
 // How high water stands above the ground, px.
 fn water_level() -> f32 {
-  return globals.backdrop_high.w * field.size.z;
+  return globals.waters.y * field.size.z;
 }
 
 // How wet it is, 0…1: in patches that grow together, and what water reaches.
@@ -291,16 +302,20 @@ fn wet_cover(at: vec3f) -> f32 {
   return wet;
 }
 
-// How thick moss lies, 0…1: in patches of the world, more where it is low and faces up. `upward` 0…1, `height` px.
-fn moss_cover(at: vec3f, upward: f32, height: f32, sheltered: f32, footprint: f32) -> f32 {
+// What `moss_cover` found: noise whose patches are some px wide.
+var<private> moss_patch: vec4f;
+
+// How thick moss lies, 0…1: in patches of the world, more where it is low and faces up. `places` from `mossy`, `upward` 0…1, `height` px.
+fn moss_cover(at: vec3f, places: f32, upward: f32, height: f32, sheltered: f32, footprint: f32) -> f32 {
   if !has_moss {
     return 0.0;
   }
   let moss = globals.weather.z;
   let q = TURN * at;
-  var patches = 2.0 * noise3(q / 83.0 + 31.3).w + 1.1 * noise3(q / 29.0).w;
+  var patches = places;
   if quality > 0.0 {
-    patches += 0.6 * noise3(q / 9.0).w + 0.55 * noise3(q / 2.6).w * shown(2.6, footprint);
+    moss_patch = noise3(q / 9.0);
+    patches += 0.6 * moss_patch.w + 0.55 * noise3(q / 2.6).w * shown(2.6, footprint);
   }
   let want = patches + 0.4 * (upward - 0.7) + 0.6 * sheltered - 0.012 * height - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
   // Half the moss covers about a third.
@@ -319,7 +334,7 @@ fn snow_cover(at: vec3f, upward: f32, footprint: f32) -> f32 {
   if !has_snow {
     return 0.0;
   }
-  let snow = globals.dust.w;
+  let snow = globals.waters.x;
   let q = TURN * at;
   let drift = noise3(q / 47.0);
   let lump = noise3(q / 9.0 + 3.0);
@@ -349,17 +364,17 @@ var<private> moss_slope: vec3f;
 // How high it stands here among the rest, about -1…1
 var<private> moss_high: f32;
 
-// Olive to yellow-green; cushions of stems, dark between their tips.
+// Olive to yellow-green; cushions of stems, dark between their tips. To be called after `moss_cover`.
 fn moss_coat(at: vec3f, footprint: f32) {
-  let q = TURN * at;
-  let lump = noise3(q / 4.7 + 9.2);
   if quality < 0.5 {
-    moss_albedo = vec3f(0.084, 0.083, 0.028) * (1.0 + 1.1 * lump.w);
+    moss_albedo = vec3f(0.084, 0.083, 0.028);
     moss_slope = vec3f(0.0);
     moss_high = 0.0;
     return;
   }
-  let broad = noise3(q / 13.0 + 3.3);
+  let q = TURN * at;
+  let lump = noise3(q / 4.7 + 9.2);
+  let broad = moss_patch;
   var high = 0.5 * lump.w;
   var slope = 0.3 * lump.xyz;
   // Stems are drawn out upwards.

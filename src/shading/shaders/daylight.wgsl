@@ -62,16 +62,8 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
   if quality < 0.5 {
     return textureSampleCompareLevel(shadow_map, shadow_sampler, uv, depth);
   }
-  // Depth is 1 over so many px; the rows of the matrix are as long as the map is deep and wide.
-  let row = vec3f(field.sun_from_world[0].z, field.sun_from_world[1].z, field.sun_from_world[2].z);
-  let deep = inverseSqrt(dot(row, row));
-  let wide = vec2f(
-    length(vec3f(field.sun_from_world[0].x, field.sun_from_world[1].x, field.sun_from_world[2].x)),
-    length(vec3f(field.sun_from_world[0].y, field.sun_from_world[1].y, field.sun_from_world[2].y)),
-  ) * 0.5;
-  // Width of the half-shadow per px to its caster: the sun's disc and the bright sky round it.
-  const SPREAD = 0.035;
-  let most = 0.5 * SPREAD * field.size.w / max(field.sun.z, 0.2);
+  let wide = field.shadow.xy;
+  let most = field.shadow.w;
   var soft = 1.2 * texel * side;
   if quality > 1.5 {
     var found = 0.0;
@@ -89,7 +81,7 @@ fn sun_seen(world: vec3f, face: vec3f) -> f32 {
     if found == 0.0 {
       return 1.0;
     }
-    soft = clamp(SPREAD * deep * sum / found * 0.5, soft * 0.75, max(most, soft));
+    soft = clamp(field.shadow.z * sum / found, soft * 0.75, max(most, soft));
   }
   let taps = select(6, 10, quality > 1.5);
   var lit = 0.0;
@@ -118,14 +110,28 @@ fn glint(n_h: f32, n_v: f32, n_l: f32, v_h: f32, rough: f32) -> f32 {
 var<private> ground_light: vec3f;
 var<private> rock_light: vec3f;
 
+// `bare_soil` being set.
 fn light_nearby() {
+  finest_albedo = kind_albedo(globals.scene.w);
   let open_sky = sky_light(vec3f(0.0, 0.0, 1.0));
   ground_light = ground_albedo() * (sunshine() * field.sun.z * 0.8 + open_sky * 0.6);
-  rock_light = 0.85 * kind_albedo(globals.scene.w) * (0.38 * sunshine() * (0.5 + field.sun.z) + 0.5 * open_sky);
+  rock_light = 0.85 * finest_albedo * (0.38 * sunshine() * (0.5 + field.sun.z) + 0.5 * open_sky);
+}
+
+// Of the open sky, and of the ground below it. At low quality it is found at vertices, and to be set before `daylight` is called.
+var<private> all_around: vec3f;
+
+fn light_all_around(normal: vec3f) -> vec3f {
+  return sky_light(normal) + ground_light * (0.5 - 0.5 * normal.z);
 }
 
 // Share of the sun that reached the surface that `daylight` was asked for.
 var<private> direct: f32;
+
+// What is dry mirrors little, and of everything around: only high quality looks for it.
+fn is_matte() -> bool {
+  return quality < 0.5 || (quality < 1.5 && !is_wet && !has_water);
+}
 
 // Light from a surface to the eye. `face` without its relief, `normal` with it; `seen` from `sky_seen`.
 fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f {
@@ -140,18 +146,17 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
     direct = gathered * sun_seen(world, face) * facing * select(mix(0.8, 1.0, seen), 1.0, is_sampled);
   }
   // Towards where it is open; what is not sky is ground.
-  var open = normal;
   if quality > 0.0 {
-    open = normalize(normal + vec3f(0.7 * open_towards.xy, 0.0));
+    all_around = light_all_around(normalize(normal + vec3f(0.7 * open_towards.xy, 0.0)));
   }
-  var ambient = mix(rock_light, sky_light(open) + ground_light * (0.5 - 0.5 * open.z), seen * seen);
+  var ambient = mix(rock_light, all_around, seen * seen);
   if is_sampled {
     ambient = around(world, face, normal);
   }
-  let light = albedo * (sun_color * max(n_l, 0.0) * direct + ambient);
-  // What is matte mirrors little, and of everything around.
-  if quality < 0.5 {
-    return light + 0.04 * ambient;
+  let sunny = sun_color * max(n_l, 0.0) * direct;
+  let light = albedo * (sunny + ambient);
+  if is_matte() {
+    return light + 0.04 * ambient + select(0.0, 0.01, quality > 0.5) * sunny;
   }
   return light + mirrored_light(rough, normal, to_eye, seen);
 }
@@ -169,11 +174,11 @@ fn mirrored_light(rough: f32, normal: vec3f, to_eye: vec3f, seen: f32) -> vec3f 
   let a = min(r.x * r.x, exp2(-9.28 * n_v)) * r.x + r.y;
   let mirrored = reflect(-to_eye, normal);
   // What is rough shows so much of the sky at once that it is as the light on a matte surface.
-  var above = sky_light(mirrored);
+  var sky = all_around;
   if quality > 1.5 {
-    above = mix(sky_radiance(mirrored), above, smoothstep(0.15, 0.6, rough));
+    let above = mix(sky_radiance(mirrored), sky_light(mirrored), smoothstep(0.15, 0.6, rough));
+    sky = mix(ground_light, above, smoothstep(-0.3, 0.3, mirrored.z));
   }
-  let sky = mix(ground_light, above, smoothstep(-0.3, 0.3, mirrored.z));
   return shine + sky * (0.04 * (-1.04 * a + r.z) + 1.04 * a + r.w) * seen * seen;
 }
 

@@ -17,10 +17,7 @@ fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
   out.inside = out.from_eye;
   out.own = vec4f(painted.xyz, painted.w * 255.0);
-  // Octahedral, as scene.rs packs it.
-  let z = 1.0 - abs(normal.x) - abs(normal.y);
-  let fold = max(-z, 0.0);
-  out.normal = vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z);
+  out.normal = unfolded(normal);
   return out;
 }
 
@@ -125,9 +122,11 @@ fn fs_main(
   // What turns faster than the pixels can show scatters, as in natural_rock.wgsl: a rim is as wide as a pixel.
   let spread = min(0.5 * (dot(turn_x, turn_x) + dot(turn_y, turn_y)), 0.3);
   rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
+  bare_soil = soil_albedo(globals.scene.x);
   light_nearby();
+  all_around = light_all_around(towards);
   var light = daylight(albedo, rough, world, base, towards, to_eye, seen);
-  if quality < 0.5 {
+  if is_matte() {
     light += mirrored_light(rough, towards, to_eye, seen);
   }
   let film = wet * (1.0 - back);

@@ -16,10 +16,7 @@ fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
   out.inside = out.from_eye;
   out.kind = painted.w * 255.0;
-  // Octahedral, as scene.rs packs it.
-  let z = 1.0 - abs(normal.x) - abs(normal.y);
-  let fold = max(-z, 0.0);
-  out.normal = vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z);
+  out.normal = unfolded(normal);
   return out;
 }
 
@@ -163,14 +160,15 @@ fn fs_main(
   let seen = sky_seen(world, base, sky_taps());
 
   // Soil clings to what lies in the ground; moss as on the rocks, first in the fissures.
+  bare_soil = soil_albedo(globals.scene.x);
   let loose = noise2(world.xy / 6.3) * 0.5;
   let soiled = smoothstep(0.25, 1.0, 1.1 * exp(-max(world.z, 0.0) / 2.5) + 0.5 * loose) * (0.35 + 0.65 * globals.weather.w);
-  albedo = mix(albedo, soil_albedo(globals.scene.x), 0.8 * soiled);
+  albedo = mix(albedo, bare_soil, 0.8 * soiled);
   var bent = relief;
   // Algae where it stays damp.
   let damp = (1.0 - smoothstep(0.0, 1.6 * field.log.z, world.z)) * smoothstep(-0.3, 0.5, noise2(at.xy / 9.0) + 0.5 * noise2(at.xz / 2.1));
   albedo *= mix(vec3f(1.0), vec3f(0.5, 0.58, 0.42), damp);
-  var moss = moss_cover(world, base.z, 0.35 * world.z, 1.0 - seen + 0.35 + 0.25 * (1.0 - high), footprint) * (1.0 - 0.7 * bare);
+  var moss = moss_cover(world, mossy(world), base.z, 0.35 * world.z, 1.0 - seen + 0.35 + 0.25 * (1.0 - high), footprint) * (1.0 - 0.7 * bare);
   if moss > 0.0 {
     moss_coat(world, footprint);
     moss = smoothstep(0.25, 0.5, moss + 0.6 * moss_high);
@@ -183,6 +181,7 @@ fn fs_main(
   rough = mix(rough, 0.45, wet);
   let towards = normalize(bent + to_eye * max(0.0, 0.02 - dot(bent, to_eye)));
   light_nearby();
+  all_around = light_all_around(towards);
   let light = daylight(albedo, rough, world, base, towards, to_eye, seen * open);
   return developed(light, from_eye, pixel.xy);
 }

@@ -40,7 +40,7 @@ pub(crate) enum Reads {
     Maps,
     /// Also these and the patterns of natural colours.
     Patterns,
-    /// Also the vertices of rocks, as textures.
+    /// The patterns, and the map of heights with vertices of rocks as textures.
     Vertices,
     /// Of the uniforms, and the mean of a still and its newest sample.
     Still,
@@ -102,7 +102,7 @@ shaders! {
     SHADOW "shadow" after &[];
     HEIGHT "height" after &[];
     OPEN "open" after &[HEIGHTS];
-    OPEN_ROCK "open_rock" after &[HEIGHTS];
+    OPEN_ROCK "open_rock" after &[NOISE, HEIGHTS];
     GROUND "ground" after LIGHTING;
     FLOOR "floor" after &[];
     ROCK "rock" after LIGHTING;
@@ -122,5 +122,7 @@ shaders! {
 
 #[cfg(test)]
 mod complete;
+#[cfg(test)]
+mod film;
 #[cfg(test)]
 mod tests;

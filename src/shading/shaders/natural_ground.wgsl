@@ -8,6 +8,9 @@ struct Varyings {
   @location(0) is_ground: f32,
   @location(1) from_ground: vec3f,
   @location(2) from_rocks: vec3f,
+  // The colours of the ground and of the finest rocks
+  @location(3) soil: vec3f,
+  @location(4) finest: vec3f,
 }
 
 @vertex
@@ -15,9 +18,15 @@ fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
   let i = index % 3u;
   let at = vec2f(f32((i << 1u) & 2u), f32(i & 2u)) * 2.0 - 1.0;
   var out: Varyings;
+  bare_soil = soil_albedo(globals.scene.x);
   light_nearby();
   out.from_ground = ground_light;
+  if quality < 0.5 {
+    out.from_ground = light_all_around(vec3f(0.0, 0.0, 1.0));
+  }
   out.from_rocks = rock_light;
+  out.soil = bare_soil;
+  out.finest = finest_albedo;
   out.is_ground = select(0.0, 1.0, index >= 3u);
   out.clip = select(vec4f(at, 1.0, 1.0), ground_clip(at), index >= 3u);
   return out;
@@ -87,7 +96,7 @@ fn ground_surface(world: vec3f, to_eye: vec3f, seen: f32, footprint: f32) {
   let damp = 1.0 - smoothstep(0.35, 0.95, seen);
   let wet = max(0.35 * damp, wet_cover(world));
   var rough = mix(0.92, 0.4, globals.weather.y * wet);
-  var moss = moss_cover(world, 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3)
+  var moss = moss_cover(world, mossy(world), 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3)
     * (1.0 - cover_leaf);
   if moss > 0.0 {
     moss_coat(world, footprint);
@@ -100,8 +109,10 @@ fn ground_surface(world: vec3f, to_eye: vec3f, seen: f32, footprint: f32) {
   // Stones that rise higher than it is deep look out.
   let snow = snow_cover(vec3f(world.xy, cover_top), 0.4, footprint);
   cover_open = mix(cover_open, 1.0, snow);
-  let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
-  albedo *= 1.0 - 0.5 * shaded;
+  if quality > 1.5 || has_log {
+    let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
+    albedo *= 1.0 - 0.5 * shaded;
+  }
   albedo = mix(albedo, SNOW, snow);
   slope = mix(slope, vec3f(snow_slope.xy, 0.0), snow);
   rough = mix(rough, 0.9, snow);
@@ -118,9 +129,14 @@ fn fs_main(
   @location(0) is_ground: f32,
   @location(1) from_ground: vec3f,
   @location(2) from_rocks: vec3f,
+  @location(3) soil: vec3f,
+  @location(4) finest: vec3f,
 ) -> @location(0) vec4f {
   ground_light = from_ground;
+  all_around = from_ground;
   rock_light = from_rocks;
+  bare_soil = soil;
+  finest_albedo = finest;
   let at = place_of(pixel.xy);
   let ray = globals.ray_forward.xyz + at.x * globals.ray_right.xyz + at.y * globals.ray_up.xyz;
   if is_ground < 0.5 || ray.z > -0.0001 {
@@ -153,7 +169,7 @@ fn fs_main(
     rock_afar(home, to_eye, max(0.7 * across, field.ground.y), footprint);
     home = afar_at;
     up = afar_normal;
-    afar_albedo = kind_albedo(globals.scene.w) * (0.85 + 0.3 * noise2(world.xy / 11.0));
+    afar_albedo = finest_albedo * (0.85 + 0.3 * noise2(world.xy / 11.0));
     water_deep = select(water_deep, 0.0, afar_one > 0.5 && home.z > water_level());
   }
   let rock = afar_rock;

@@ -8,12 +8,15 @@ struct Varyings {
   @location(2) normal: vec3f,
   // As in rock.wgsl: the same point, but never outside the triangle
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
-  // Share of the sky that it sees, and towards where
-  @location(4) open: vec3f,
+  // Share of the sky that it sees, and towards where; `mossy`
+  @location(4) open: vec4f,
   // Light of the air in front of it, and how much of its own comes through
   @location(5) air: vec4f,
   @location(6) from_ground: vec3f,
   @location(7) from_rocks: vec3f,
+  // The colours of the rock and of the ground, and how much of this lies on it
+  @location(8) albedo: vec3f,
+  @location(9) soil: vec4f,
 }
 
 @vertex
@@ -30,14 +33,22 @@ fn vs_main(
   out.inside = out.from_eye;
   // The same rock of two copies has other colours.
   out.own = vec4f(fract(color.xyz + field.shift.w * vec3f(1.0, 1.7, 2.3)), kind_of(color) / 255.0);
-  out.normal = unfolded(normal);
-  out.open = vec3f(open.x, open.yz * 4.0 - 2.0);
+  out.normal = normalize(unfolded(normal));
+  // What grows on a copy is not as thick everywhere.
+  let thicker = select(0.0, fract(7.3 * field.shift.w) - 0.5, field.shift.w > 0.0);
+  out.open = vec4f(open.x, open.yz * 4.0 - 2.0, (open.w * 2.0 - 1.0) * MOSSIEST + thicker);
   // What changes slowly is found here, since there are several pixels for each vertex.
   let far = length(out.from_eye);
   out.air = air_before(out.from_eye / far, far);
+  bare_soil = soil_albedo(globals.scene.x);
   light_nearby();
   out.from_ground = ground_light;
+  if quality < 0.5 {
+    out.from_ground = light_all_around(out.normal);
+  }
   out.from_rocks = rock_light;
+  out.albedo = albedo_of(out.own, open.x);
+  out.soil = vec4f(bare_soil, soiled(out.from_eye + globals.eye.xyz - field.shift.xyz));
   return out;
 }
 
@@ -55,10 +66,12 @@ fn fs_main(
   @location(1) own: vec4f,
   @location(2) normal: vec3f,
   @location(3) @interpolate(perspective, centroid) inside: vec3f,
-  @location(4) open: vec3f,
+  @location(4) open: vec4f,
   @location(5) air: vec4f,
   @location(6) from_ground: vec3f,
   @location(7) from_rocks: vec3f,
+  @location(8) albedo: vec3f,
+  @location(9) soil: vec4f,
 ) -> @location(0) vec4f {
   let across = dpdx(from_eye);
   let down = dpdy(from_eye);
@@ -68,7 +81,10 @@ fn fs_main(
   let turn_x = dpdx(smooth_normal);
   let turn_y = dpdy(smooth_normal);
   let agree = agreement(smooth_normal, face);
-  let base = normalize(mix(face, smooth_normal, agree));
+  var base = mix(face, smooth_normal, agree);
+  if quality > 0.0 {
+    base = normalize(base);
+  }
 
   let world = inside + globals.eye.xyz;
   let far = length(from_eye);
@@ -78,9 +94,14 @@ fn fs_main(
   let seen = clamp(open.x, 0.0, 1.0);
   open_towards = vec3f(open.yz, 1.0);
   ground_light = from_ground;
+  all_around = from_ground;
   rock_light = from_rocks;
+  bare_soil = soil.xyz;
+  rock_soiled = soil.w;
+  rock_albedo = albedo;
+  rock_mossy = open.w;
   var wear = 0.0;
-  if quality > 0.0 {
+  if quality > 1.5 {
     wear = worn(across, down, turn_x, turn_y) * agree;
   }
   rock_surface(world, own, base, wear, seen, footprint);
@@ -89,7 +110,10 @@ fn fs_main(
   surface_rough = select(surface_rough, 0.95, water_deep > 0.0);
 
   // A rim turned away by less than its relief would be lit from behind.
-  let towards = normalize(surface_normal + to_eye * max(0.0, 0.02 - dot(surface_normal, to_eye)));
+  var towards = surface_normal;
+  if quality > 0.0 {
+    towards = normalize(towards + to_eye * max(0.0, 0.02 - dot(towards, to_eye)));
+  }
   var rough = surface_rough;
   // What turns faster than the pixels can show scatters (Kaplanyan et al., Filtering distributions of normals, 2016).
   if quality > 0.0 {
@@ -97,5 +121,5 @@ fn fs_main(
     rough = sqrt(sqrt(min(rough * rough * rough * rough + spread, 1.0)));
   }
   let light = daylight(surface_albedo, rough, home, base, towards, to_eye, seen);
-  return taken(through_water(light, to_eye) * air.w + air.rgb, pixel.xy);
+  return taken_of_surface(through_water(light, to_eye) * air.w + air.rgb, pixel.xy);
 }

@@ -18,6 +18,14 @@ fn noise3(at: vec3f) -> vec4f {
 // noise again. Slopes that belong to points turned by it are turned back by `slope * TURN`.
 const TURN = mat3x3f(0.5312, 0.3175, 0.7855, -0.829, 0.3863, 0.4044, -0.1751, -0.866, 0.4684);
 
+// Where moss likes to grow in the world, a number of no more than this.
+const MOSSIEST = 2.4;
+
+fn mossy(at: vec3f) -> f32 {
+  let q = TURN * at;
+  return 2.0 * noise3(q / 83.0 + 31.3).w + 1.1 * noise3(q / 29.0).w;
+}
+
 // Four value noises that have nothing to do with each other, each -1…1.
 fn noises2(at: vec2f) -> vec4f {
   let floored = floor(at);
@@ -49,23 +57,20 @@ var<private> grain_middle: vec3f;
 // The cell of a jittered grid that `at` lies in: x the distance to its middle, y, z, w three numbers of its own, which run
 // into the next cell's within `blur` of the edge. Eight candidates are enough for a jitter of a quarter.
 fn grains(at: vec3f, blur: f32) -> vec4f {
-  let base = vec3i(floor(at - 0.5));
+  let start = floor(at - 0.5);
+  let base = vec3i(start);
+  let least = start + 0.25 - at;
+  // The nearest and the next: how far, squared, and in the lowest three bits which corner.
   var first = vec2f(9.0);
-  var nearest = base;
-  var next = base;
   for (var i = 0; i < 8; i++) {
-    let cell = base + vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
-    let away = vec3f(cell) + 0.25 + 0.5 * point_of(cell).xyz - at;
-    let far = dot(away, away);
-    if far < first.x {
-      first = vec2f(far, first.x);
-      next = nearest;
-      nearest = cell;
-    } else if far < first.y {
-      first.y = far;
-      next = cell;
-    }
+    let corner = vec3i(i & 1, (i >> 1u) & 1, i >> 2u);
+    let away = least + vec3f(corner) + 0.5 * point_of(base + corner).xyz;
+    let far = bitcast<f32>((bitcast<u32>(dot(away, away)) & 0xfffffff8u) | u32(i));
+    first = vec2f(min(first.x, far), min(max(first.x, far), first.y));
   }
+  let which = bitcast<vec2u>(first);
+  let nearest = base + vec3i(vec3u(which.x, which.x >> 1u, which.x >> 2u) & vec3u(1u));
+  let next = base + vec3i(vec3u(which.y, which.y >> 1u, which.y >> 2u) & vec3u(1u));
   grain_middle = vec3f(nearest) + 0.25 + 0.5 * point_of(nearest).xyz - at;
   let reach = sqrt(first);
   let inside = 0.5 + 0.5 * min((reach.y - reach.x) / blur, 1.0);
@@ -77,12 +82,4 @@ fn grains(at: vec3f, blur: f32) -> vec4f {
 // How much of a pattern of this period is shown: none of it where it would be finer than the pixels, and shimmer.
 fn shown(period: f32, footprint: f32) -> f32 {
   return 1.0 - smoothstep(0.3, 0.75, footprint / period);
-}
-
-// px of the world under a pixel of a surface that goes on by `across` and `down` to the next pixels; not stretched all the way at
-// the rim, where nothing is seen anyway.
-fn footprint_of(across: vec3f, down: vec3f) -> f32 {
-  let step_x = dot(across, across);
-  let step_y = dot(down, down);
-  return sqrt(sqrt(step_x * step_y)) * 0.5 + sqrt(max(step_x, step_y)) * 0.5;
 }

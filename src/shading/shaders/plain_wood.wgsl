@@ -13,9 +13,7 @@ fn vs_main(@location(0) position: vec3f, @location(1) painted: vec4f, @location(
   out.from_eye = position - globals.eye.xyz;
   out.clip = globals.clip_from_eye * vec4f(out.from_eye, 1.0);
   out.color = wood_color(painted);
-  let z = 1.0 - abs(normal.x) - abs(normal.y);
-  let fold = max(-z, 0.0);
-  out.normal = vec3f(normal - fold * select(vec2f(-1.0), vec2f(1.0), normal >= vec2f(0.0)), z);
+  out.normal = unfolded(normal);
   return out;
 }
 

@@ -69,7 +69,7 @@ fn with_hills(sky: vec3f, direction: vec3f, pixel: f32) -> vec3f {
   let bare = smoothstep(0.15, 0.5, 1.0 - normal.z + 0.12 * patches);
   let grown = mix(vec3f(0.13, 0.12, 0.085), vec3f(0.07, 0.075, 0.04), clamp(0.5 + 0.5 * patches + globals.weather.z, 0.0, 1.0));
   let dry = mix(mix(grown, 0.8 * soil_albedo(globals.scene.x), 0.35), vec3f(0.17, 0.16, 0.145), bare) * (1.0 + 0.2 * patches);
-  let white = select(0.0, smoothstep(0.1, 0.4, 1.0 - bare + 2.0 * globals.dust.w + 0.4 * patches - 0.5), has_snow);
+  let white = select(0.0, smoothstep(0.1, 0.4, 1.0 - bare + 2.0 * globals.waters.x + 0.4 * patches - 0.5), has_snow);
   let albedo = mix(dry, 0.8 * SNOW, white);
   let light = albedo * (sunshine() * max(dot(normal, field.sun.xyz), 0.0) + 0.85 * sky_light(normal));
   let air = sky_radiance(vec3f(direction.xy, 0.03));
@@ -88,5 +88,5 @@ fn air_before(direction: vec3f, far: f32) -> vec4f {
 fn developed(light: vec3f, from_eye: vec3f, pixel: vec2f) -> vec4f {
   let far = length(from_eye);
   let air = air_before(from_eye / far, far);
-  return taken(light * air.w + air.rgb, pixel);
+  return taken_of_surface(light * air.w + air.rgb, pixel);
 }

@@ -22,21 +22,23 @@ fn kind_albedo(kind: f32) -> vec3f {
 }
 
 // As in palette.rs, for stones too small to have a mesh; `share` 0…1.
-fn mixed_kind(share: f32) -> f32 {
-  var kind = 1.0;
-  kind = select(kind, 2.0, share > 0.24);
-  kind = select(kind, 5.0, share > 0.42);
-  kind = select(kind, 3.0, share > 0.61);
-  kind = select(kind, 7.0, share > 0.81);
-  kind = select(kind, 4.0, share > 0.88);
-  kind = select(kind, 6.0, share > 0.94);
-  return kind;
+fn mixed_albedo(share: f32) -> vec3f {
+  var albedo = kind_albedo(1.0);
+  albedo = select(albedo, kind_albedo(2.0), share > 0.24);
+  albedo = select(albedo, kind_albedo(5.0), share > 0.42);
+  albedo = select(albedo, kind_albedo(3.0), share > 0.61);
+  albedo = select(albedo, kind_albedo(7.0), share > 0.81);
+  albedo = select(albedo, kind_albedo(4.0), share > 0.88);
+  albedo = select(albedo, kind_albedo(6.0), share > 0.94);
+  return albedo;
 }
 
+// The mean albedo of the finest rocks' kind, to be set where there is debris.
+var<private> finest_albedo: vec3f;
+
 // Of what lies about: mostly the finest rocks' own kind, where they have one.
-fn debris_kind(share: f32) -> f32 {
-  let kind = globals.scene.w;
-  return select(kind, mixed_kind(fract(share * 7.3)), kind < 0.5 || share > 0.88);
+fn debris_albedo(share: f32) -> vec3f {
+  return select(finest_albedo, mixed_albedo(fract(share * 7.3)), globals.scene.w < 0.5 || share > 0.88);
 }
 
 // Value and hue of one stone among its like; `own` three numbers of 0…1.
@@ -121,8 +123,8 @@ fn bubbles(at: vec3f, coarse: f32, share: f32, footprint: f32) -> vec4f {
   return all;
 }
 
-// `own` three random numbers of the rock, `at` in its own space, footprint px of the world under a pixel.
-fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
+// `own` three random numbers of the rock, `mean` its own mean albedo, `at` in its own space, footprint px of the world under a pixel.
+fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
   let coarse = 0.75 + 0.6 * own.z;
   let turned_at = TURN * at;
 
@@ -142,7 +144,7 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
     slope += 0.25 * rugged * fine.xyz;
   }
 
-  var albedo = kind_albedo(kind);
+  var albedo = mean;
   var rough = 0.82;
   if kind == 1.0 {
     if quality > 0.0 {
@@ -183,12 +185,12 @@ fn stone(kind: f32, own: vec3f, at: vec3f, footprint: f32) {
     slope *= 0.9;
   } else if kind == 6.0 {
     let rust = smoothstep(0.05, 0.45, broad.w + 0.5 * mid.w);
-    albedo = mix(albedo, vec3f(0.34, 0.235, 0.135), 0.5 * rust);
+    albedo *= mix(vec3f(1.0), vec3f(0.83, 0.595, 0.375), 0.5 * rust);
     value *= 0.6;
     slope *= 0.7;
     rough = 0.55;
   }
-  albedo = mix(individual(albedo, own), vec3f(0.45, 0.44, 0.41), max(pale, 0.75 * veins(kind, own, at, broad.w, mid.w) * mid_seen));
+  albedo = mix(albedo, vec3f(0.45, 0.44, 0.41), max(pale, 0.75 * veins(kind, own, at, broad.w, mid.w) * mid_seen));
   stone_albedo = max(albedo * max(1.0 + value, 0.2) * vec3f(1.0 + warm, 1.0, 1.0 - warm), vec3f(0.01));
   stone_slope = slope * TURN;
   stone_rough = rough;

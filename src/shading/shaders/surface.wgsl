@@ -1,5 +1,22 @@
 // Prepended to the passes that draw rocks in natural colours: what their surface is like, whatever light falls on it.
 
+// What changes slowly over a rock or not at all, to be set before `rock_surface` is called: its own mean albedo, and `mossy` there.
+var<private> rock_albedo: vec3f;
+var<private> rock_mossy: f32;
+// How much soil is splashed there
+var<private> rock_soiled: f32;
+
+// The mean albedo of one rock, darker where it sees little of the sky; `own` and `seen` as for `rock_surface`.
+fn albedo_of(own: vec4f, seen: f32) -> vec3f {
+  let random = floor(own * 255.0 + 0.5);
+  return individual(kind_albedo(random.w), random.xyz / 255.0) * mix(0.8, 1.0, smoothstep(0.3, 0.9, seen));
+}
+
+// Near the ground most.
+fn soiled(world: vec3f) -> f32 {
+  return exp(-max(world.z, 0.0) / (2.0 + 0.1 * field.size.z)) * 1.1;
+}
+
 // What `rock_surface` found.
 var<private> surface_albedo: vec3f;
 var<private> surface_rough: f32;
@@ -24,22 +41,21 @@ fn worn(across: vec3f, down: vec3f, turn_x: vec3f, turn_y: vec3f) -> f32 {
 fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, footprint: f32) {
   let random = floor(own * 255.0 + 0.5);
   let numbers = random.xyz / 255.0;
-  stone(random.w, numbers, world + random.zxy * vec3f(3.7, 2.9, 4.3), footprint);
+  stone(random.w, numbers, rock_albedo, world + random.zxy * vec3f(3.7, 2.9, 4.3), footprint);
   let relief = bumped(base, stone_slope);
 
-  var albedo = stone_albedo * (1.0 + 0.16 * wear) * mix(0.8, 1.0, smoothstep(0.3, 0.9, seen));
+  var albedo = stone_albedo * (1.0 + 0.16 * wear);
   var rough = stone_rough;
   var bent = relief;
 
   // Dust and splashed soil: near the ground, and where it can lie.
   let dust = globals.weather.w;
-  let low = exp(-max(world.z, 0.0) / (2.0 + 0.1 * field.size.z)) * 1.1;
-  let lies = smoothstep(0.45, 1.0, relief.z) * 0.55 + low;
+  let lies = smoothstep(0.45, 1.0, relief.z) * 0.55 + rock_soiled;
   let dusty = dust * smoothstep(0.25, 1.0, lies + 0.6 * stone_patch + 0.4 * dust - 0.2 * wear);
-  albedo = mix(albedo, soil_albedo(globals.scene.x) * 1.15, 0.7 * dusty);
+  albedo = mix(albedo, bare_soil * 1.15, 0.7 * dusty);
   rough = mix(rough, 0.95, dusty);
 
-  var moss = moss_cover(world, base.z, world.z, 1.0 - seen, footprint);
+  var moss = moss_cover(world, rock_mossy, base.z, world.z, 1.0 - seen, footprint);
   if moss > 0.0 {
     moss_coat(world, footprint);
     // Each cushion ends where it ends.

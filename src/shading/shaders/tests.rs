@@ -129,9 +129,9 @@ fn uniform_blocks_match_rust() {
         };
     }
     offsets_match!(Globals: clip_from_eye, eye, ray_right, ray_up, ray_forward, plan, tile, backdrop_low, backdrop_high, soil,
-        dust, weather, scene, flesh);
+        dust, weather, waters, scene, flesh);
     offsets_match!(FieldUniforms: sun_from_world, sun, map, size, ground, log, bow, sunshine, sky, sky_from_world, sky_way,
-        below_from_world, below_way, shift, bricks);
+        below_from_world, below_way, shadow, shift, bricks);
 }
 
 /// WebGL2's std140 pads everything to 16 bytes: members that fill 16-byte groups lie the same in both.
