@@ -117,24 +117,32 @@ impl Maker {
     }
 }
 
-/// Makes the pipeline of a pass, whose shader is `module`, with the groups that the pass reads.
-fn pipeline(
-    device: &wgpu::Device,
-    module: &wgpu::ShaderModule,
+/// The layouts of the groups that a pass reads, of all `layouts`.
+fn groups_of(
+    reads: Reads,
     [frame, field, maps, patterns, still, vertices]: &[wgpu::BindGroupLayout; 6],
-    Kind { format, samples }: Kind,
-    pass: Pass<'_>,
-) -> wgpu::RenderPipeline {
-    let label = pass.shader.label();
-    let label = Some(label.as_str());
-    let groups: &[_] = match pass.shader.reads() {
+) -> Vec<Option<&wgpu::BindGroupLayout>> {
+    let groups: &[_] = match reads {
         Reads::Uniforms => &[frame, field],
         Reads::Maps => &[frame, field, maps],
         Reads::Patterns => &[frame, field, maps, patterns],
         Reads::Vertices => &[frame, field, vertices, patterns],
         Reads::Still => &[frame, field, still],
     };
-    let groups: Vec<_> = groups.iter().copied().map(Some).collect();
+    groups.iter().copied().map(Some).collect()
+}
+
+/// Makes the pipeline of a pass, whose shader is `module`, with the groups that the pass reads.
+fn pipeline(
+    device: &wgpu::Device,
+    module: &wgpu::ShaderModule,
+    layouts: &[wgpu::BindGroupLayout; 6],
+    Kind { format, samples }: Kind,
+    pass: Pass<'_>,
+) -> wgpu::RenderPipeline {
+    let label = pass.shader.label();
+    let label = Some(label.as_str());
+    let groups = groups_of(pass.shader.reads(), layouts);
     let layout = device.create_pipeline_layout(&wgpu::PipelineLayoutDescriptor {
         label,
         bind_group_layouts: &groups,
