@@ -10,7 +10,7 @@ mod spec;
 pub mod wood_ear;
 
 pub use rocks::{
-    Border, Darts, Ground, Layer, Look, MAX_LAYERS, Material, PARAMS, PRESETS, ParamSpec, Params, Preset, Scope, Stage,
-    Swing, TEXTS, preset,
+    Border, Crossing, Darts, Ground, Layer, Look, MAX_LAYERS, Material, PARAMS, PRESETS, ParamSpec, Params, Preset,
+    Scope, Stage, Swing, TEXTS, preset,
 };
 pub use spec::{Kind, Notation, Range, Slider, Text};

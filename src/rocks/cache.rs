@@ -65,6 +65,18 @@ pub(super) struct Results {
     /// The results of the layers, in input order.
     pub(super) layers: Vec<LayerCache>,
     pub(super) mesh: Mesh,
+    pub(super) separation: Separation,
+}
+
+/// Whether the rocks in the buffers have been drawn apart.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum Separation {
+    #[default]
+    None,
+    /// Some of them have been: the buffers are of no use.
+    Begun,
+    /// They have been; there are so many of them.
+    Done(Extent),
 }
 
 impl Results {
@@ -172,6 +184,8 @@ impl SitesKey {
             border: _,
             // In the key of the mesh.
             swing: _,
+            // Decides what becomes of the finished mesh.
+            crossing: _,
             look: _,
             layers: _,
         } = *params;

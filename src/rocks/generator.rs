@@ -5,9 +5,10 @@
 //! affects, a run that is replaced leaves its finished stages behind, and a cached result always equals a newly
 //! computed one.
 
+use super::apart::Separator;
 use super::bitmap::Bitmap;
 use super::budget::{Budget, Known};
-use super::cache::{LayerCache, LayerView, MeshKey, Results, SelectionKey, SitesKey};
+use super::cache::{LayerCache, LayerView, MeshKey, Results, SelectionKey, Separation, SitesKey};
 use super::field::Field;
 use super::footprint::Footprint;
 use super::memory::{check_before, coarsest_first, expected_sites};
@@ -18,10 +19,10 @@ use super::shape::Shaper;
 use super::sites::DartThrower;
 use super::voronoi::VoronoiBuilder;
 use super::wear::Wear;
-use super::work::{Taken, Work};
+use super::work::{Taken, VERTICES_PER_STEP, Work};
 use crate::cached::Cached;
 use crate::error::Error;
-use crate::params::{Border, Darts, Params, Stage};
+use crate::params::{Border, Crossing, Darts, Params, Stage};
 
 /// Grows fields. The results of the last run are kept and re-used as far as they are still valid.
 #[derive(Debug, Default)]
@@ -350,16 +351,38 @@ impl Generator {
             at.triangles += triangles;
         }
         self.results.make_room(at);
-        let stale = self.results.layers.iter().position(|cache| cache.mesh.is_none())?;
+        let apart = self.params.as_ref()?.crossing == Crossing::Apart;
+        let is_stale = |cache: &LayerCache| cache.mesh.is_none();
+        // Rocks are drawn apart from those of all layers, so that none can be kept when one changes.
+        let keeps =
+            apart && self.results.separation == Separation::Done(at) && !self.results.layers.iter().any(is_stale);
+        if self.results.separation != Separation::None && !keeps {
+            self.results.layers.iter_mut().for_each(|cache| cache.mesh = None);
+            self.results.separation = Separation::None;
+        }
+        let Some(stale) = self.results.layers.iter().position(is_stale) else {
+            return (apart && !keeps && at.rocks > 0).then(|| self.new_separation(at));
+        };
         let key = keys.swap_remove(stale);
         let cache = &self.results.layers[stale];
         let mesher = Mesher::new(key, &cache.selection.value.selected, cache.cells.value.len());
         Some(Task { layer: stale, work: Work::Mesh(Box::new(mesher)) })
     }
 
+    /// The task that draws the finished rocks apart.
+    fn new_separation(&mut self, of: Extent) -> Task {
+        let Results { layers, separation, .. } = &mut self.results;
+        *separation = Separation::Begun;
+        let longer = self.params.as_ref().map_or(0, |params| params.image_width.max(params.image_height));
+        Task { layer: layers.len().saturating_sub(1), work: Work::Apart(Box::new(Separator::new(layers, of, longer))) }
+    }
+
     /// Works on a task for a while. Returns true when it is done.
     fn advance(&mut self, task: &mut Task) -> bool {
-        let Results { layers, mesh } = &mut self.results;
+        let Results { layers, mesh, .. } = &mut self.results;
+        if let Work::Apart(separator) = &mut task.work {
+            return separator.advance(layers, mesh, VERTICES_PER_STEP);
+        }
         let (Some(cache), Some(params)) = (layers.get(task.layer), &self.params) else { return true };
         task.work.advance(cache, params, &mut self.taken, mesh)
     }
@@ -398,6 +421,7 @@ impl Generator {
                 cache.shapes = Cached { key: Some(cache.selection.version), version, value: shaper.finish() };
             }
             Work::Mesh(mesher) => cache.mesh = Some(mesher.key),
+            Work::Apart(separator) => self.results.separation = Separation::Done(separator.of),
         }
     }
 }

@@ -74,12 +74,10 @@ impl Mesh {
         self.rock_starts[at.rocks] = 3 * at.triangles as u32;
         self.vertex_starts[at.rocks] = at.vertices as u32;
         let range = 3 * at.vertices..3 * (at.vertices + count);
-        for (slot, point) in self.positions[range.clone()].chunks_exact_mut(3).zip(&rock.points) {
+        for (slot, point) in self.positions[range].chunks_exact_mut(3).zip(&rock.points) {
             slot.copy_from_slice(&point.as_vec3().to_array());
         }
-        for (slot, normal) in self.normals[range].chunks_exact_mut(3).zip(&rock.normals) {
-            slot.copy_from_slice(&normal.normalize_or(DVec3::Z).as_vec3().to_array());
-        }
+        self.write_normals(at.vertices, rock);
         let base = at.vertices as u32;
         let range = 3 * at.triangles..3 * (at.triangles + triangles.len());
         for (slot, triangle) in self.indices[range].chunks_exact_mut(3).zip(triangles) {
@@ -88,6 +86,14 @@ impl Mesh {
         at.rocks += 1;
         at.vertices += count;
         at.triangles += triangles.len();
+    }
+
+    /// Writes the normals of a rock whose vertices begin with number `first`.
+    pub(crate) fn write_normals(&mut self, first: usize, rock: &RockBuilder) {
+        let range = 3 * first..3 * (first + rock.normals.len());
+        for (slot, normal) in self.normals[range].chunks_exact_mut(3).zip(&rock.normals) {
+            slot.copy_from_slice(&normal.normalize_or(DVec3::Z).as_vec3().to_array());
+        }
     }
 }
 

@@ -1,5 +1,6 @@
 //! The rock method: sites → cells → selection → shape → mesh. Numbers such as A9 refer to docs/decisions.md.
 
+mod apart;
 mod bitmap;
 mod body;
 mod budget;

@@ -1,5 +1,6 @@
 //! The pieces of work that a run consists of.
 
+use super::apart::Separator;
 use super::bitmap::Bitmap;
 use super::cache::{LayerCache, SelectionKey, SitesKey};
 use super::mesh::Mesh;
@@ -14,6 +15,8 @@ use crate::params::{Params, Stage};
 const PICKS_PER_STEP: u32 = 1 << 15;
 const CELLS_PER_STEP: usize = 1 << 11;
 const ROCKS_PER_STEP: usize = 1 << 10;
+/// Number of vertices that one step draws apart.
+pub(super) const VERTICES_PER_STEP: usize = 1 << 15;
 
 /// The pixels that coarser layers have taken.
 #[derive(Debug)]
@@ -33,6 +36,8 @@ pub(super) enum Work {
     Selection(SelectionKey, Box<Selector>),
     Shapes(Box<Shaper>),
     Mesh(Box<Mesher>),
+    /// Draws the rocks of all layers apart.
+    Apart(Box<Separator>),
 }
 
 impl Work {
@@ -43,7 +48,7 @@ impl Work {
             Work::Cells(..) => Stage::Cells,
             Work::Flag(..) | Work::Selection(..) => Stage::Selection,
             Work::Shapes(..) => Stage::Shape,
-            Work::Mesh(..) => Stage::Mesh,
+            Work::Mesh(..) | Work::Apart(..) => Stage::Mesh,
         }
     }
 
@@ -56,6 +61,7 @@ impl Work {
             Work::Selection(_, selector) => selector.progress(),
             Work::Shapes(shaper) => shaper.progress(),
             Work::Mesh(mesher) => mesher.progress(&cache.shapes.value),
+            Work::Apart(separator) => separator.progress(),
         }
     }
 
@@ -84,7 +90,7 @@ impl Work {
             (Work::Selection(_, selector), Some(taken)) => {
                 selector.advance(sites, cells, &taken.bitmap, CELLS_PER_STEP)
             }
-            (Work::Flag(_) | Work::Selection(..), None) => true,
+            (Work::Flag(_) | Work::Selection(..), None) | (Work::Apart(_), _) => true,
             (Work::Shapes(shaper), _) => shaper.advance(cells, selected, ROCKS_PER_STEP),
             (Work::Mesh(mesher), _) => {
                 let Some(layer) = &cache.layer else { return true };

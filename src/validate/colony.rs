@@ -2,9 +2,8 @@
 //! and which individuals cross.
 
 use glam::{DVec3, Vec3};
-use robust::{Coord3D, orient3d};
 
-use super::{Violation, ensure};
+use super::{Violation, crossing_pairs, ensure};
 use crate::params::wood_ear::Params;
 use crate::wood_ear::{ColonyMesh, Generator, Layout};
 
@@ -123,88 +122,4 @@ fn check_buffers(mesh: &ColonyMesh, layout: &Layout) -> Result<(), Violation> {
         ensure((length - 1.0).abs() < 1.0e-5, || format!("normal {v} has length {length}"))?;
     }
     Ok(())
-}
-
-/// Returns the pairs of individuals in which an edge of one passes through the inside of a triangle of the other,
-/// decided by exact predicates.
-///
-/// Cost: O(n²) boxes and, for boxes that overlap, all edges against all triangles. This is slow, and completely
-/// different from what the generator does.
-pub fn crossing_pairs(mesh: &ColonyMesh) -> Vec<[usize; 2]> {
-    let bodies: Vec<Body> = (0..mesh.individuals()).map(|k| Body::new(mesh, k)).collect();
-    let mut pairs = Vec::new();
-    for (j, b) in bodies.iter().enumerate() {
-        for (i, a) in bodies[..j].iter().enumerate() {
-            if meet(&a.around, &b.around) && (a.pierces(b) || b.pierces(a)) {
-                pairs.push([i, j]);
-            }
-        }
-    }
-    pairs
-}
-
-type Box3 = [[f64; 3]; 2];
-
-struct Body {
-    around: Box3,
-    /// Every edge once, together with the box around it.
-    edges: Vec<([DVec3; 2], Box3)>,
-    triangles: Vec<([DVec3; 3], Box3)>,
-}
-
-fn around(points: &[DVec3]) -> Box3 {
-    points.iter().fold([[f64::INFINITY; 3], [f64::NEG_INFINITY; 3]], |[low, high], p| {
-        let p = p.to_array();
-        [[0, 1, 2].map(|k| low[k].min(p[k])), [0, 1, 2].map(|k| high[k].max(p[k]))]
-    })
-}
-
-fn meet(a: &Box3, b: &Box3) -> bool {
-    (0..3).all(|k| a[0][k] <= b[1][k] && b[0][k] <= a[1][k])
-}
-
-impl Body {
-    fn new(mesh: &ColonyMesh, k: usize) -> Self {
-        let at = |v: u32| Vec3::from_slice(&mesh.positions[3 * v as usize..]).as_dvec3();
-        let indices = &mesh.indices[mesh.individual_starts[k] as usize..mesh.individual_starts[k + 1] as usize];
-        let mut sides: Vec<[u32; 2]> = Vec::new();
-        let mut triangles = Vec::new();
-        for corners in indices.chunks_exact(3) {
-            let points = [corners[0], corners[1], corners[2]].map(at);
-            triangles.push((points, around(&points)));
-            for c in 0..3 {
-                let [s, t] = [corners[c], corners[(c + 1) % 3]];
-                sides.push([s.min(t), s.max(t)]);
-            }
-        }
-        sides.sort_unstable();
-        sides.dedup();
-        let edges: Vec<_> = sides.iter().map(|side| side.map(at)).map(|ends| (ends, around(&ends))).collect();
-        let all: Vec<DVec3> = edges.iter().flat_map(|(ends, _)| *ends).collect();
-        Body { around: around(&all), edges, triangles }
-    }
-
-    fn pierces(&self, other: &Body) -> bool {
-        let near = |b: &&([DVec3; 3], Box3)| meet(&b.1, &self.around);
-        let triangles: Vec<_> = other.triangles.iter().filter(near).collect();
-        self.edges
-            .iter()
-            .filter(|(_, b)| meet(b, &other.around))
-            .any(|([p, q], b)| triangles.iter().any(|(t, around)| meet(b, around) && edge_pierces(*p, *q, *t)))
-    }
-}
-
-fn edge_pierces(p: DVec3, q: DVec3, [a, b, c]: [DVec3; 3]) -> bool {
-    let volume = |a: DVec3, b: DVec3, c: DVec3, d: DVec3| {
-        let [a, b, c, d] = [a, b, c, d].map(|p| Coord3D { x: p.x, y: p.y, z: p.z });
-        orient3d(a, b, c, d).partial_cmp(&0.0)
-    };
-    use std::cmp::Ordering::{Equal, Greater};
-    let (above, below) = (volume(a, b, c, p), volume(a, b, c, q));
-    let turns = [volume(p, q, a, b), volume(p, q, b, c), volume(p, q, c, a)];
-    above != Some(Equal)
-        && below != Some(Equal)
-        && above != below
-        && turns[0] != Some(Equal)
-        && turns.iter().all(|turn| (*turn == Some(Greater)) == (turns[0] == Some(Greater)) && *turn != Some(Equal))
 }

@@ -14,7 +14,7 @@ use crate::rocks::{Field, Wear};
 /// Rocks have to be in the order of the layers, and within a layer in the order of the selection. The offsets must
 /// grow, and every index must lie within the range of its rock. The rim must be at z = 0 and the top where Eqs 2 and 3
 /// put it. Normals must have unit length and be the area-weighted means of their faces, and all numbers must be finite.
-/// For worn rocks, `worn.rs` says what must hold.
+/// For worn rocks, `worn.rs` says what must hold. Rocks that stay apart are checked by `apart.rs`.
 ///
 /// # Errors
 /// Returns the first violation.

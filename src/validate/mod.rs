@@ -5,9 +5,11 @@
 //! Eqs 2 and 3. The first error found is returned as a [`Violation`] that holds all the numbers. Tests and debug builds
 //! use these functions; they cost about as much as the stages themselves.
 
+mod apart;
 mod buckets;
 mod cells;
 mod colony;
+mod crossing;
 mod mesh;
 mod selection;
 mod shapes;
@@ -17,13 +19,14 @@ mod worn;
 use std::fmt;
 
 pub use cells::{check_cells, check_ownership};
-pub use colony::{check_closed, check_colony, crossing_pairs};
+pub use colony::{check_closed, check_colony};
+pub use crossing::crossing_pairs;
 pub use mesh::check_mesh;
 pub use selection::check_selection;
 pub use shapes::check_shapes;
 pub use sites::check_sites;
 
-use crate::params::{Darts, Params};
+use crate::params::{Crossing, Darts, Params};
 use crate::rocks::{Field, target_sites};
 
 /// A property that the output of a stage should have and does not have.
@@ -85,5 +88,6 @@ pub fn check_field(params: &Params, field: &Field) -> Result<(), Violation> {
         owners.push(check().map_err(|violation: Violation| violation.within(place))?);
     }
     check_selection(params.border, &field.layers, &owners).map_err(|violation| violation.within("selection"))?;
-    check_mesh(params, field).map_err(|violation| violation.within("mesh"))
+    let check = if params.crossing == Crossing::Apart { apart::check_apart } else { check_mesh };
+    check(params, field).map_err(|violation| violation.within("mesh"))
 }

@@ -147,7 +147,12 @@ fn check_flat(
     Ok(())
 }
 
-fn check_normals(vertices: &[Vec3], normals: &[f32], faces: &[[usize; 3]], buried: usize) -> Result<(), Violation> {
+pub(super) fn check_normals(
+    vertices: &[Vec3],
+    normals: &[f32],
+    faces: &[[usize; 3]],
+    buried: usize,
+) -> Result<(), Violation> {
     let mut sums = vec![(DVec3::ZERO, 0.0); vertices.len()];
     for face in faces {
         let [a, b, c] = face.map(|v| vertices[v].as_dvec3());

@@ -7,7 +7,7 @@ pub mod memory;
 pub mod wood_ear;
 
 use rock_field::params::{
-    Border, Darts, Kind, Layer, Notation, PARAMS, ParamSpec, Params, Range, Scope, Stage, Swing, TEXTS,
+    Border, Crossing, Darts, Kind, Layer, Notation, PARAMS, ParamSpec, Params, Range, Scope, Stage, Swing, TEXTS,
 };
 use rock_field::rocks::{Field, Pixel, Sites, generate, voronoi};
 use rock_field::validate::check_field;
@@ -180,6 +180,7 @@ pub fn random_params(random: &mut Random, side: f64) -> Params {
         swing: random.pick(&[Swing::Shared, Swing::Separate]),
         ..Params::with_defaults()
     };
+    params.crossing = if params.seed.is_multiple_of(4) { Crossing::Apart } else { Crossing::Free };
     for _ in 0..random.below(9) {
         add_random_layer(random, &mut params);
     }

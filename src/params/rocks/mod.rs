@@ -49,6 +49,16 @@ pub enum Swing {
     Separate,
 }
 
+/// Whether rocks may pass through each other.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Crossing {
+    /// They may, as in the papers: tops lean out of their cells (decision A14).
+    #[default]
+    Free,
+    /// No two of them do.
+    Apart,
+}
+
 /// What a layer's rocks are made of. It affects only how they are drawn.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Material {
@@ -121,6 +131,8 @@ pub struct Params {
     pub border: Border,
     /// Whether Eqs 2 and 3 share j1 and j2.
     pub swing: Swing,
+    /// Whether rocks may pass through each other.
+    pub crossing: Crossing,
     /// How the field is drawn.
     pub look: Look,
     /// The layers in input order, at most [`MAX_LAYERS`] of them.

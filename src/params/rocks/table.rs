@@ -1,7 +1,7 @@
 //! The rocks' parameter table. To add a parameter, add a row here and use it in a stage.
 
 use super::super::spec::{Kind, Notation, Value, table};
-use super::{Border, Darts, Ground, Look, Material, ParamSpec, Params, Scope, Swing};
+use super::{Border, Crossing, Darts, Ground, Look, Material, ParamSpec, Params, Scope, Swing};
 
 /// The stages of the generator. A row names the first one that has to run again after an edit.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -91,6 +91,15 @@ table! {
         en "Taper and height share their random numbers (wide rocks are the tall ones), or draw their own.",
         ja "幅と高さで同じ乱数を使う（幅広の岩ほど高い）か、別々の乱数を使うか。",
         choices &[["Shared", "共有"], ["Separate", "別々"]]
+    }
+    {
+        "crossing", url "cross", Scope::Field(|p| p.crossing as u8 as f64, |p, v| p.crossing = if v == 0.0 { Crossing::Free } else { Crossing::Apart }),
+        Kind::Choice(&["free", "apart"]), Mesh,
+        range [0.0, 1.0] step 1.0 default 0.0, slider [0.0, 1.0] linear,
+        unit NONE, label ["Neighbours", "隣の岩"],
+        en "Rocks may pass through their neighbours, as in the papers, or each keeps to its own side.",
+        ja "論文どおり隣の岩に食い込んでもよいか、岩どうしが交わらないようにするか。",
+        choices &[["May cross", "交わってよい"], ["Stay apart", "交わらない"]]
     }
     {
         "variation", url "var", Scope::Field(|p| p.look.variation, |p, v| p.look.variation = v), Kind::Real, Look,
@@ -329,6 +338,7 @@ impl Params {
         darts: Darts::Saturate,
         border: Border::Clip,
         swing: Swing::Shared,
+        crossing: Crossing::Free,
         look: Look {
             variation: 0.0,
             wetness: 0.0,

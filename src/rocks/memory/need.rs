@@ -1,6 +1,6 @@
 //! Computes the bytes that a run needs from the sizes of its results.
 
-use crate::params::Params;
+use crate::params::{Crossing, Params};
 
 /// Bytes of a wasm instance before its first run: stack and static data.
 const INSTANCE: f64 = 1.2e6;
@@ -84,6 +84,7 @@ pub(in crate::rocks) struct Need {
 /// | a rock of c corners: p_add and 3c − 2 triangles | 12 + c·16 + (3c − 2)·6 | 4, and 4 per site |
 /// | its 2c vertices and 3c − 2 triangles in the buffers, more of them with detail | 24 per vertex, 12 per triangle, 9 per rock | what a buffer had before it grew |
 /// | a vertex of the largest rock that is cut | – | 120, as it is worn |
+/// | a rock in the buffers, while rocks are drawn apart | – | 72, and 5.5 per vertex |
 /// | copies for the caller | 8 + 4 + c·8 per site, 4 + its buffers per rock | c·8 per site |
 impl Need {
     /// Computes what is needed. `held` bytes are in the cache already; `buffers` holds how many of them positions,
@@ -128,7 +129,9 @@ impl Need {
             }
         }
         kept += sum(|counts| counts.rocks) * 9.0;
-        peak = peak.max(kept + 120.0 * most(|counts| counts.largest));
+        let apart =
+            if params.crossing == Crossing::Apart { 5.5 * vertices + 72.0 * sum(|counts| counts.rocks) } else { 0.0 };
+        peak = peak.max(kept + apart + 120.0 * most(|counts| counts.largest));
         peak = peak.max(kept + most(|counts| counts.sites)).max(kept + 8.0 * most(|counts| counts.corners));
         let copies = sum(|counts| 12.0 * counts.sites + 8.0 * counts.corners + 13.0 * counts.rocks);
         Need { peak, until_selection, copies: copies + 24.0 * vertices + 12.0 * triangles }
