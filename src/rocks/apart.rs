@@ -185,6 +185,8 @@ impl Separator {
                 if away.length_squared() > most * most {
                     at = (axis + away.clamp_length_max(most)).extend(at.z);
                     mesh.positions[3 * vertex..3 * vertex + 3].copy_from_slice(&at.as_vec3().to_array());
+                    // So that the rock's normals are computed again.
+                    self.kept[vertex] = 1.0_f32.next_down();
                 }
                 around.min = around.min.min(at.as_vec3());
                 around.max = around.max.max(at.as_vec3());

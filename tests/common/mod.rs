@@ -180,7 +180,7 @@ pub fn random_params(random: &mut Random, side: f64) -> Params {
         swing: random.pick(&[Swing::Shared, Swing::Separate]),
         ..Params::with_defaults()
     };
-    params.crossing = if params.seed.is_multiple_of(4) { Crossing::Apart } else { Crossing::Free };
+    params.crossing = if params.seed.is_multiple_of(16) { Crossing::Apart } else { Crossing::Free };
     for _ in 0..random.below(9) {
         add_random_layer(random, &mut params);
     }

@@ -12,6 +12,7 @@ export const PARAM_DOCS: Readonly<Record<string, Words>> = {
   darts: { en: "Throw until nothing is free, or exactly N_p times as Fig. 4 is written.", ja: "空きがなくなるまで投げるか、図4の記述どおり N_p 回だけ投げるか。" },
   border: { en: "Cells at the border are clipped to the image and kept, or dropped.", ja: "画像の縁にかかるセルを切り取って残すか、除外するか。" },
   swing: { en: "Taper and height share their random numbers (wide rocks are the tall ones), or draw their own.", ja: "幅と高さで同じ乱数を使う（幅広の岩ほど高い）か、別々の乱数を使うか。" },
+  cross: { en: "Rocks may pass through their neighbours, as in the papers, or each keeps to its own side.", ja: "論文どおり隣の岩に食い込んでもよいか、岩どうしが交わらないようにするか。" },
   var: { en: "How far the rocks differ from each other in colour and value, in natural colours.", ja: "自然な配色での、岩ごとの色と明るさの違いの大きさ。" },
   wet: { en: "Wet stone is darker and glossy.", ja: "濡れた石は暗く、つやが出ます。" },
   moss: { en: "Moss grows in patches, where the rocks are low and face up.", ja: "低い所や上を向いた面に、まだらに苔が生えます。" },

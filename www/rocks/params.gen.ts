@@ -71,6 +71,14 @@ export const PARAMS = [
     choices: [{ value: "shared", label: "Shared" }, { value: "separate", label: "Separate" }],
   },
   {
+    key: "crossing", component: null, url: "cross", scope: 'field', kind: 'choice', stage: 'mesh',
+    min: 0, max: 1, step: 1, default: 0, slider: { min: 0, max: 1, logarithmic: false },
+    relative: null,
+    unit: { px: "", relative: "" },
+    label: "Neighbours",
+    choices: [{ value: "free", label: "May cross" }, { value: "apart", label: "Stay apart" }],
+  },
+  {
     key: "variation", component: null, url: "var", scope: 'field', kind: 'real', stage: 'look',
     min: 0, max: 1, step: 0.01, default: 0.5, slider: { min: 0, max: 1, logarithmic: false },
     relative: null,
@@ -325,6 +333,7 @@ export interface Params {
   darts: 'saturate' | 'attempts';
   border: 'clip' | 'drop';
   swing: 'shared' | 'separate';
+  crossing: 'free' | 'apart';
   variation: number;
   wetness: number;
   moss: number;
