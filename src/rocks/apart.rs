@@ -183,7 +183,7 @@ impl Separator {
                 let mut at = position(mesh, vertex);
                 let away = at.truncate() - axis;
                 if away.length_squared() > most * most {
-                    at = (axis + away.clamp_length_max(most)).extend(at.z);
+                    at = (axis + away * (most / away.length())).extend(at.z);
                     mesh.positions[3 * vertex..3 * vertex + 3].copy_from_slice(&at.as_vec3().to_array());
                     // So that the rock's normals are computed again.
                     self.kept[vertex] = 1.0_f32.next_down();
@@ -250,7 +250,7 @@ impl Separator {
         let smaller = usize::from(a.vertices.len() > b.vertices.len());
         for side in [smaller, 1 - smaller] {
             let (rock, sign) = if side == 0 { (&a, 1.0) } else { (&b, -1.0) };
-            let over = wanted[1 - side].clamp(-most[1 - side], most[side]);
+            let over = wanted[1 - side].max(-most[1 - side]).min(most[side]);
             wanted[side] =
                 self.look_beyond(mesh, [pair[side], side], rock, (sign * normal, sign * distance), [foot, over]);
         }
@@ -259,7 +259,7 @@ impl Separator {
             1.0 / (of.vertices.len() as f64 * height[side] * room[side])
         });
         // Over the first rock the lean is negative, over the second it is positive.
-        let lean = self.best_lean([-wanted[1], wanted[0]].map(|lean| lean.clamp(-most[0], most[1])), weight);
+        let lean = self.best_lean([-wanted[1], wanted[0]].map(|lean| lean.max(-most[0]).min(most[1])), weight);
         for side in [0, 1] {
             let lean = if side == 0 { lean } else { -lean };
             for beyond in &self.beyond[side] {
@@ -277,6 +277,7 @@ impl Separator {
 
     /// Lists what of a rock is beyond the plane that stands on the line and leans over it by `over` per px above its foot. Returns the least lean over the other rock that leaves all
     /// of it as it is.
+    #[inline(never)]
     fn look_beyond(
         &mut self,
         mesh: &Mesh,
@@ -341,7 +342,7 @@ impl Separator {
             if bend == 0.0 {
                 break;
             }
-            lean = (lean + slope / bend).clamp(least, most);
+            lean = (lean + slope / bend).max(least).min(most);
         }
         lean
     }
@@ -379,6 +380,7 @@ impl Separator {
     }
 
     /// The cell and the axis of a rock.
+    #[inline(never)]
     fn place<'a>(&self, layers: &'a [LayerCache], layer: usize, rock: usize) -> (&'a [DVec2], DVec2) {
         let cache = &layers[layer];
         let site = cache.selection.value.selected[rock - self.grounds[layer].first] as usize;
@@ -405,6 +407,7 @@ fn position(mesh: &Mesh, vertex: usize) -> DVec3 {
 ///
 /// Cells of layers whose radii are about a pixel overlap, since cells exclude each other by pixels (decision A9). Where that
 /// leaves no room beside an axis, the line stands half way between the axes.
+#[inline(never)]
 fn line_between(a: &Rock<'_>, b: &Rock<'_>) -> (DVec2, f64) {
     let between = b.axis - a.axis;
     if a.layer == b.layer {

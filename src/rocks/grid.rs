@@ -15,6 +15,7 @@ pub(crate) struct Grid {
 
 impl Grid {
     /// Sorts the sites into buckets of `side` px. The side is raised where there would be more buckets than sites.
+    #[inline(never)]
     pub(crate) fn new(width: u32, height: u32, side: u32, pixels: &[Pixel]) -> Self {
         // More buckets than sites would only cost memory and visits to empty buckets.
         let roomy = (2.0 * f64::from(width) * f64::from(height) / pixels.len().max(1) as f64).sqrt() as u32;

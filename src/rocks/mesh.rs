@@ -89,6 +89,7 @@ impl Mesh {
     }
 
     /// Writes the normals of a rock whose vertices begin with number `first`.
+    #[inline(never)]
     pub(crate) fn write_normals(&mut self, first: usize, rock: &RockBuilder) {
         let range = 3 * first..3 * (first + rock.normals.len());
         for (slot, normal) in self.normals[range].chunks_exact_mut(3).zip(&rock.normals) {
@@ -115,6 +116,7 @@ impl RockBuilder {
     ///
     /// A face at the rim of a worn rock lies below the ground and is not visible. Its normal counts only at the first
     /// `buried` vertices.
+    #[inline(never)]
     pub(crate) fn finish(&mut self, triangles: &[[u16; 3]], buried: usize) {
         self.normals.clear();
         self.normals.resize(self.points.len(), DVec3::ZERO);

@@ -27,6 +27,7 @@ impl Fineness {
     }
 
     /// The number of segments, a power of two, into which every edge of the rock on this cell is cut.
+    #[inline(never)]
     pub(super) fn segments(self, cell: &[DVec2]) -> usize {
         if self.density == 0.0 {
             return 1;

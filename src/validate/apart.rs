@@ -17,7 +17,7 @@ use crate::rocks::{Field, generate};
 ///
 /// # Errors
 /// Returns the first violation.
-pub(super) fn check_apart(params: &Params, field: &Field) -> Result<(), Violation> {
+pub fn check_apart(params: &Params, field: &Field) -> Result<(), Violation> {
     let params = Params { crossing: Crossing::Free, ..params.clone() };
     let free = generate(&params).map_err(|error| Violation(error.to_string()))?;
     check_mesh(&params, &free)?;

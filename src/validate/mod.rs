@@ -18,6 +18,7 @@ mod worn;
 
 use std::fmt;
 
+pub use apart::check_apart;
 pub use cells::{check_cells, check_ownership};
 pub use colony::{check_closed, check_colony};
 pub use crossing::crossing_pairs;
@@ -88,6 +89,6 @@ pub fn check_field(params: &Params, field: &Field) -> Result<(), Violation> {
         owners.push(check().map_err(|violation: Violation| violation.within(place))?);
     }
     check_selection(params.border, &field.layers, &owners).map_err(|violation| violation.within("selection"))?;
-    let check = if params.crossing == Crossing::Apart { apart::check_apart } else { check_mesh };
+    let check = if params.crossing == Crossing::Apart { check_apart } else { check_mesh };
     check(params, field).map_err(|violation| violation.within("mesh"))
 }
