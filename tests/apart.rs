@@ -3,7 +3,9 @@
 
 mod common;
 
-use common::{Random, field_test, layer, link, params, random_params};
+#[cfg(not(target_arch = "wasm32"))]
+use common::{Random, random_params};
+use common::{field_test, layer, link, params};
 use glam::DVec3;
 use rock_field::Mesh;
 use rock_field::params::{Crossing, Layer, PRESETS, Params};
