@@ -113,7 +113,7 @@ impl Renderer {
         })
     }
 
-    /// Uploads a field's mesh, which replaces the present one. `rock_layers` and `rock_sites` hold, per rock, the id of
+    /// Takes a field's mesh, which replaces the present one. It is read, slice by slice, until the first picture is drawn, and must not change. `rock_layers` and `rock_sites` hold, per rock, the id of
     /// its layer and the index of its site.
     #[wasm_bindgen(js_name = setField)]
     #[allow(clippy::too_many_arguments, reason = "one flat buffer each")]
@@ -241,8 +241,9 @@ impl Renderer {
     }
 
     /// Draws one frame.
-    pub fn render(&mut self) {
+    pub fn render(&mut self) -> Result<(), js_sys::Error> {
         self.view.render(&self.gpu, self.scene.as_mut(), &self.props, self.plan.as_ref());
+        self.checked(())
     }
 
     /// Begins a still of what the view shows, of the size and through the camera that are set, in place of another. It needs natural
@@ -256,16 +257,17 @@ impl Renderer {
         Ok(())
     }
 
-    /// Makes one of the things that the next picture lacks, each of which takes tens of milliseconds. `sort`: 0 for a picture, 1 for a rough one, 2
+    /// Makes one of the things that the next picture lacks, none of which takes long. `sort`: 0 for a picture, 1 for a rough one, 2
     /// for the samples of a still. False where nothing was lacking.
     #[wasm_bindgen(js_name = makeNext)]
-    pub fn make_next(&self, sort: u8) -> bool {
+    pub fn make_next(&mut self, sort: u8) -> Result<bool, js_sys::Error> {
         let sort = match sort {
             0 => Sort::Frame,
             1 => Sort::Rough,
             _ => Sort::Sample,
         };
-        self.view.make_next(&self.gpu, self.scene.as_ref(), &self.props, sort)
+        let is_made = self.view.make_next(&self.gpu, self.scene.as_mut(), &self.props, sort);
+        self.checked(is_made)
     }
 
     /// Draws the next part of a sample of the still, out of sight: a part of a shadow map, or a piece of about `pixels`. False when the sample is whole.
@@ -318,6 +320,13 @@ impl Renderer {
         self.picture = Some(Picture::new(&self.gpu, &self.view, width, height, is_rough));
     }
 
+    /// Draws the next part of what gives light to the picture, out of sight: its shadows and heights. False where nothing is lacking.
+    #[wasm_bindgen(js_name = lightPicture)]
+    pub fn light_picture(&mut self) -> bool {
+        let Self { gpu, view, scene, props, picture, .. } = self;
+        picture.as_mut().zip(scene.as_mut()).is_some_and(|(picture, scene)| picture.light(gpu, view, scene, props))
+    }
+
     /// Draws the next piece of the picture, of about so many pixels. False when the picture is whole.
     #[wasm_bindgen(js_name = drawPiece)]
     pub fn draw_piece(&mut self, pixels: u32) -> bool {
@@ -355,5 +364,15 @@ impl Renderer {
     /// Frees what other renderers of the device may use. Call it before `free`.
     pub fn close(&self) {
         self.view.release(&self.gpu);
+    }
+}
+
+impl Renderer {
+    /// What was made, unless it was found out meanwhile that the field cannot be drawn.
+    fn checked<T>(&self, made: T) -> Result<T, js_sys::Error> {
+        match self.scene.as_ref().and_then(Scene::fault) {
+            Some(fault) => Err(to_js(fault)),
+            None => Ok(made),
+        }
     }
 }

@@ -1,6 +1,7 @@
 //! The copies of a field that lie round it.
 
 use std::cell::OnceCell;
+use std::ops::Range;
 
 use glam::Vec3;
 
@@ -125,26 +126,24 @@ impl Around {
         keys.into_iter().filter_map(|key| seen.get(key as u32 as usize).copied()).collect()
     }
 
-    /// Draws into a map what the nearest copies throw into the field, by triangles of at most `most` px². `sun` is the direction of the sun.
-    pub(crate) fn draw_neighbours(
+    /// Adds to `all` what the nearest copies throw into the field, by triangles of at most `most` px², each with the number of its copy. `sun` is the
+    /// direction of the sun.
+    pub(crate) fn add_neighbours(
         &self,
-        pass: &mut wgpu::RenderPass<'_>,
-        gpu: &Gpu,
-        pipeline: &wgpu::RenderPipeline,
-        field: &Field<'_>,
+        all: &mut Vec<(Option<usize>, Range<u32>)>,
+        arrangement: &Arrangement,
         sun: Vec3,
         most: f32,
     ) {
         for (number, copy) in self.copies.iter().enumerate().take(NEIGHBOURS) {
-            let ranges = field.arrangement.reaching(*copy, sun, self.image, most);
-            if !ranges.is_empty() {
-                self.bind(pass, gpu, number);
-                field.buffers.draw_ranges(pass, pipeline, &ranges);
+            for range in arrangement.reaching(*copy, sun, self.image, most) {
+                all.push((Some(number), range));
             }
         }
     }
 
-    fn bind(&self, pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, number: usize) {
+    /// Binds the uniforms of a copy as the field's.
+    pub(crate) fn bind(&self, pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, number: usize) {
         let make = || {
             gpu.device.create_bind_group(&wgpu::BindGroupDescriptor {
                 label: Some("rock-field/around/group"),

@@ -23,23 +23,6 @@ impl Mesh<'_> {
     pub(crate) fn vertices(&self) -> u32 {
         self.positions.length() / 3
     }
-
-    /// Calls `see` with the position and the normal of every vertex, in their order.
-    pub(crate) fn each_vertex(&self, mut see: impl FnMut(Vec3, Vec3)) {
-        const SLICE: u32 = 3 * 4096;
-        let [mut positions, mut normals] = [(); 2].map(|()| vec![0.0; SLICE as usize]);
-        let length = 3 * self.vertices();
-        for start in (0..length).step_by(SLICE as usize) {
-            let count = SLICE.min(length - start);
-            for (all, slice) in [(self.positions, &mut positions), (self.normals, &mut normals)] {
-                slice.truncate(count as usize);
-                all.subarray(start, start + count).copy_to(slice);
-            }
-            for (position, normal) in positions.chunks_exact(3).zip(normals.chunks_exact(3)) {
-                see(Vec3::from_slice(position), Vec3::from_slice(normal));
-            }
-        }
-    }
 }
 
 /// The vertices of a [`Mesh`], with four bytes of colour or paint for each.
@@ -66,6 +49,13 @@ impl VertexBuffers {
         mesh: &Mesh<'_>,
         mut place: impl FnMut(Vec3) -> Vec3,
     ) -> Result<Self, RenderError> {
+        let buffers = Self::empty(gpu, kind, mesh)?;
+        buffers.fill(gpu, mesh, 0..buffers.count, &mut |position, _| place(position));
+        Ok(buffers)
+    }
+
+    /// Makes room for the vertices of `mesh`, which [`VertexBuffers::fill`] uploads.
+    pub(crate) fn empty(gpu: &Gpu, kind: &str, mesh: &Mesh<'_>) -> Result<Self, RenderError> {
         let count = mesh.vertices();
         if mesh.normals.length() != mesh.positions.length() {
             return Err(RenderError::Malformed("positions and normals disagree"));
@@ -74,15 +64,37 @@ impl VertexBuffers {
         let positions = make("/positions", "vertices", 3)?;
         let normals = make("/normals", "normals", 1)?;
         let colors = make("/colors", "colours", 1)?;
-        upload::write::<f32>(&gpu.queue, &positions, 3 * count, |start, slice| {
-            mesh.positions.subarray(start, start + slice.len() as u32).copy_to(slice);
-            for vertex in slice.chunks_exact_mut(3) {
-                let at = place(Vec3::from_slice(vertex));
+        Ok(Self { positions, normals, colors, count })
+    }
+
+    /// Uploads some of the vertices of `mesh`, in their order, each to where `place` moves what it is given: the position, and the normal.
+    pub(crate) fn fill(
+        &self,
+        gpu: &Gpu,
+        mesh: &Mesh<'_>,
+        Range { start, end }: Range<u32>,
+        place: &mut dyn FnMut(Vec3, Vec3) -> Vec3,
+    ) {
+        let mut normals = Vec::new();
+        upload::write_part::<f32>(&gpu.queue, &self.positions, 3 * start..3 * end, &mut |start, slice| {
+            normals.resize(slice.len(), 0.0);
+            for (all, part) in [(mesh.positions, &mut *slice), (mesh.normals, normals.as_mut_slice())] {
+                all.subarray(start, start + part.len() as u32).copy_to(part);
+            }
+            for (vertex, normal) in slice.chunks_exact_mut(3).zip(normals.chunks_exact(3)) {
+                let at = place(Vec3::from_slice(vertex), Vec3::from_slice(normal));
                 vertex.copy_from_slice(&at.to_array());
             }
+            upload::write_part::<u32>(
+                &gpu.queue,
+                &self.normals,
+                start / 3..(start + slice.len() as u32) / 3,
+                &mut |from, out| {
+                    let normals = normals.chunks_exact(3).skip((from - start / 3) as usize);
+                    normals.zip(out).for_each(|(normal, out)| *out = octahedral(Vec3::from_slice(normal)));
+                },
+            );
         });
-        upload_normals(gpu, &normals, count, mesh.normals);
-        Ok(Self { positions, normals, colors, count })
     }
 }
 
@@ -149,6 +161,16 @@ impl MeshBuffers {
 
     pub(crate) fn vertices(&self) -> u32 {
         self.vertices.count
+    }
+
+    /// The buffers of the vertices.
+    pub(crate) fn vertex_buffers(&self) -> &VertexBuffers {
+        &self.vertices
+    }
+
+    /// The buffer of the indices.
+    pub(crate) fn indices(&self) -> &wgpu::Buffer {
+        &self.indices
     }
 
     /// Whether there is nothing to draw.
@@ -239,22 +261,8 @@ fn buffer(gpu: &Gpu, label: &str, what: &'static str, count: u32, each: u32) -> 
     upload::buffer(&gpu.device, label, what, bytes, usage)
 }
 
-/// Uploads normals, each as two 16-bit numbers: the unfolded faces of an octahedron (Cigolle et al., *A survey of
-/// efficient representations for independent unit vectors*, 2014). With 8 bits each, bands would show on a smooth
-/// boulder.
-fn upload_normals(gpu: &Gpu, buffer: &wgpu::Buffer, count: u32, normals: &js_sys::Float32Array) {
-    let mut scratch = Vec::new();
-    upload::write::<u32>(&gpu.queue, buffer, count, |start, slice| {
-        scratch.resize(slice.len() * 3, 0.0);
-        normals.subarray(3 * start, 3 * (start + slice.len() as u32)).copy_to(&mut scratch);
-        for (normal, out) in scratch.chunks_exact(3).zip(slice) {
-            if let &[x, y, z] = normal {
-                *out = octahedral(Vec3::new(x, y, z));
-            }
-        }
-    });
-}
-
+/// A normal as two 16-bit numbers: the unfolded faces of an octahedron (Cigolle et al., *A survey of efficient representations for independent unit
+/// vectors*, 2014). With 8 bits each, bands would show on a smooth boulder.
 fn octahedral(normal: Vec3) -> u32 {
     let flat = normal / normal.abs().element_sum();
     let sign = |value: f32| if value < 0.0 { -1.0 } else { 1.0 };

@@ -1,46 +1,70 @@
 //! The index buffer of rocks: all levels of detail, in the order of an [`Arrangement`].
 
-use super::buffers::MeshBuffers;
+use super::Gpu;
 use super::upload::SLICE;
-use super::{Gpu, RenderError};
 use crate::shading::{Arrangement, Body, LEVELS, coarser};
 
-/// Makes the buffer, and returns it with the highest index in it. `starts` holds rocks + 1 offsets into `indices`, which
-/// are those of the mesh.
-pub(crate) fn arranged(
-    gpu: &Gpu,
-    indices: &js_sys::Uint32Array,
-    starts: &[u32],
-    bodies: &[Body],
-    arrangement: &Arrangement,
-) -> Result<(wgpu::Buffer, u32), RenderError> {
-    let buffer = MeshBuffers::index_buffer(gpu, "rock", arrangement.length)?;
-    let mut source = Source { indices, ahead: arrangement.order.is_sorted(), slice: Vec::new(), start: 0 };
-    let mut levels: [Level; LEVELS] =
-        std::array::from_fn(|level| Level { at: arrangement.level_start(level), slice: Vec::new() });
-    let mut highest = 0;
-    for rock in arrangement.order.iter().map(|&rock| rock as usize) {
-        let (Some(body), Some(&[start, end])) =
-            (bodies.get(rock), starts.get(rock..rock + 2).and_then(|two| two.first_chunk()))
-        else {
-            continue;
-        };
-        let triangles = source.read(start, end);
-        highest = triangles.iter().fold(highest, |most, &index| most.max(index));
-        for (number, level) in levels.iter_mut().enumerate() {
-            coarser(body, number, triangles, &mut level.slice);
-            if level.slice.len() >= SLICE as usize {
-                level.flush(gpu, &buffer);
+/// Puts the levels into the buffer, a few rocks at a time.
+pub(crate) struct Arranging {
+    source: Source,
+    levels: [Level; LEVELS],
+    /// How many rocks are done.
+    rocks: usize,
+    highest: u32,
+}
+
+impl Arranging {
+    /// `indices` are those of the mesh.
+    pub(crate) fn new(indices: js_sys::Uint32Array, arrangement: &Arrangement) -> Self {
+        let ahead = arrangement.order.is_sorted();
+        let level = |level| Level { at: arrangement.level_start(level), slice: Vec::new() };
+        let source = Source { indices, ahead, slice: Vec::new(), start: 0 };
+        Self { source, levels: std::array::from_fn(level), rocks: 0, highest: 0 }
+    }
+
+    /// The highest index that there was until now.
+    pub(crate) fn highest(&self) -> u32 {
+        self.highest
+    }
+
+    /// Goes on with about [`SLICE`] indices of the mesh. `starts` holds rocks + 1 offsets into these. True while there is more to come.
+    pub(crate) fn advance(
+        &mut self,
+        gpu: &Gpu,
+        buffer: &wgpu::Buffer,
+        starts: &[u32],
+        bodies: &[Body],
+        arrangement: &Arrangement,
+    ) -> bool {
+        let mut room = SLICE as usize;
+        for rock in arrangement.order.iter().skip(self.rocks).map(|&rock| rock as usize) {
+            self.rocks += 1;
+            let (Some(body), Some(&[start, end])) =
+                (bodies.get(rock), starts.get(rock..rock + 2).and_then(|two| two.first_chunk()))
+            else {
+                continue;
+            };
+            let triangles = self.source.read(start, end);
+            self.highest = triangles.iter().fold(self.highest, |most, &index| most.max(index));
+            for (number, level) in self.levels.iter_mut().enumerate() {
+                coarser(body, number, triangles, &mut level.slice);
+                if level.slice.len() >= SLICE as usize {
+                    level.flush(gpu, buffer);
+                }
+            }
+            room = room.saturating_sub(triangles.len());
+            if room == 0 {
+                return true;
             }
         }
+        self.levels.iter_mut().for_each(|level| level.flush(gpu, buffer));
+        false
     }
-    levels.iter_mut().for_each(|level| level.flush(gpu, &buffer));
-    Ok((buffer, highest))
 }
 
 /// The indices in JavaScript's memory.
-struct Source<'a> {
-    indices: &'a js_sys::Uint32Array,
+struct Source {
+    indices: js_sys::Uint32Array,
     /// Whether they are asked for from the beginning to the end, so that many are fetched at once.
     ahead: bool,
     slice: Vec<u32>,
@@ -48,7 +72,7 @@ struct Source<'a> {
     start: u32,
 }
 
-impl Source<'_> {
+impl Source {
     fn read(&mut self, start: u32, end: u32) -> &[u32] {
         if start < self.start || end > self.start + self.slice.len() as u32 {
             let ahead = if self.ahead { (start + SLICE).min(self.indices.length()) } else { end };

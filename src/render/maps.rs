@@ -2,15 +2,37 @@
 //!
 //! A set takes 29 MB, and a page may show dozens of fields of which one is being moved. A canvas therefore keeps the
 //! set it drew last as long as there are enough sets, and otherwise draws its maps again.
+//!
+//! Where a device takes long for them, pictures that are soon replaced do with a set of smaller maps, which show fewer and larger triangles.
 
 use super::pass::{HEIGHT_FORMAT, OPEN_FORMAT, SHADOW_FORMAT};
 use super::surface::texture;
 use crate::shading::{SKY_COLUMNS, SKY_ROWS, Sky, hills};
 
-/// Side of the shadow map and of the height map, texels. For the papers' fields of 1024 px, a texel is 0.7 px.
-const MAP_SIDE: u32 = 2048;
+/// How fine the maps of a set are.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Grade {
+    /// For pictures smaller than the stage.
+    Draft,
+    /// For those with a sample a pixel, which are soon replaced.
+    Rough,
+    Whole,
+}
 
-/// Largest number of sets: 116 MB, for the few fields that move at the same time.
+impl Grade {
+    /// Side of the shadow map and of the height map, texels, where textures can have sides of `max_side`. For the papers' fields of 1024 px, a texel of
+    /// the whole ones is 0.7 px.
+    pub(crate) fn side(self, max_side: u32) -> u32 {
+        let side = match self {
+            Self::Draft => 512,
+            Self::Rough => 1024,
+            Self::Whole => 2048,
+        };
+        side.min(max_side)
+    }
+}
+
+/// Largest number of sets of either kind: 116 MB, for the few fields that move at the same time.
 const MAX_SETS: usize = 4;
 
 /// The textures that lighting reads. They are handles, so a clone refers to the same textures.
@@ -49,7 +71,7 @@ pub(crate) struct Drawn {
 }
 
 /// Which maps have to be drawn.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, Default)]
 pub(crate) struct Stale {
     pub(crate) shadows: bool,
     pub(crate) heights: bool,
@@ -57,9 +79,13 @@ pub(crate) struct Stale {
 
 struct Set {
     maps: Maps,
-    /// The number of the view that the maps are lent to, and what is drawn in them.
+    side: u32,
+    /// The number of the view that the maps are lent to, and what is drawn in them, or is to be.
     view: u64,
     drawn: Drawn,
+    /// What of that is still to be drawn, and how many parts of it are.
+    stale: Stale,
+    parts: usize,
     /// When the maps were last asked for.
     used: u64,
 }
@@ -68,45 +94,67 @@ struct Set {
 #[derive(Default)]
 pub(crate) struct MapSets {
     sets: Vec<Set>,
-    height_depth: Option<wgpu::TextureView>,
+    /// For sets of each side.
+    height_depths: Vec<wgpu::TextureView>,
     /// The same for all sets.
     hills: Option<wgpu::TextureView>,
     now: u64,
 }
 
 impl MapSets {
-    /// Side of every map, texels, where textures can have sides of `max_side`.
-    pub(crate) fn side(max_side: u32) -> u32 {
-        MAP_SIDE.min(max_side)
+    /// The side of the finest maps of `view` in which all of this is drawn; 0 if there are none.
+    pub(crate) fn finest(&self, view: u64, drawn: Drawn) -> u32 {
+        let mut finest = 0;
+        for set in &self.sets {
+            if set.view == view && set.drawn == drawn && !set.stale.shadows && !set.stale.heights {
+                finest = set.side.max(finest);
+            }
+        }
+        finest
     }
 
-    /// Returns maps for `view`, as a group of this `layout`, and which of them do not yet have what is to be `drawn` in them.
+    /// Another part is drawn of what was stale in the maps of `view` that have this side; the last one if `is_last`.
+    pub(crate) fn drew(&mut self, side: u32, view: u64, is_last: bool) {
+        if let Some(set) = self.sets.iter_mut().find(|set| (set.side, set.view) == (side, view)) {
+            set.parts += 1;
+            if is_last {
+                (set.stale, set.parts) = (Stale::default(), 0);
+            }
+        }
+    }
+
+    /// Returns maps of this side for `view`, as a group of this `layout`, which of them do not yet have what is to be `drawn` in them, and how many parts
+    /// of that are drawn.
     pub(crate) fn lend(
         &mut self,
         device: &wgpu::Device,
         queue: &wgpu::Queue,
         layout: &wgpu::BindGroupLayout,
+        side: u32,
         view: u64,
         drawn: Drawn,
-    ) -> (Maps, Stale) {
+    ) -> (Maps, Stale, usize) {
         self.now += 1;
-        let own = self.sets.iter().position(|set| set.view == view);
-        let place = own.or_else(|| {
-            let oldest = self.sets.iter().enumerate().min_by_key(|(_, set)| set.used);
-            oldest.map(|(place, _)| place).filter(|_| self.sets.len() >= MAX_SETS)
-        });
+        let alike = || self.sets.iter().enumerate().filter(|(_, set)| set.side == side);
+        let own = alike().find(|(_, set)| set.view == view);
+        let oldest = || alike().min_by_key(|(_, set)| set.used).filter(|_| alike().count() >= MAX_SETS);
+        let place = own.or_else(oldest).map(|(place, _)| place);
         match place.and_then(|place| self.sets.get_mut(place)) {
             Some(set) => {
-                let is_other = set.view != view;
-                let shadows = is_other || set.drawn.shadows != drawn.shadows;
-                let heights = is_other || set.drawn.heights != drawn.heights;
+                if (set.view, set.drawn) != (view, drawn) {
+                    let is_other = set.view != view;
+                    set.stale.shadows |= is_other || set.drawn.shadows != drawn.shadows;
+                    set.stale.heights |= is_other || set.drawn.heights != drawn.heights;
+                    set.parts = 0;
+                }
                 (set.view, set.drawn, set.used) = (view, drawn, self.now);
-                (set.maps.clone(), Stale { shadows, heights })
+                (set.maps.clone(), set.stale, set.parts)
             }
             None => {
-                let maps = self.make(device, queue, layout);
-                self.sets.push(Set { maps: maps.clone(), view, drawn, used: self.now });
-                (maps, Stale { shadows: true, heights: true })
+                let maps = self.make(device, queue, layout, side);
+                let stale = Stale { shadows: true, heights: true };
+                self.sets.push(Set { maps: maps.clone(), side, view, drawn, stale, parts: 0, used: self.now });
+                (maps, stale, 0)
             }
         }
     }
@@ -118,21 +166,21 @@ impl MapSets {
         is_new
     }
 
-    /// Frees the set of `view`.
-    pub(crate) fn release(&mut self, view: u64) {
+    /// Frees the sets of `view` that are smaller than this side.
+    pub(crate) fn release(&mut self, view: u64, side: u32) {
+        let is_free = |set: &Set| set.view == view && set.side < side;
         self.sets.retain(|set| {
-            if set.view == view {
+            if is_free(set) {
                 set.maps.shadow.texture().destroy();
                 set.maps.height.texture().destroy();
                 set.maps.sky.texture().destroy();
                 set.maps.open.texture().destroy();
             }
-            set.view != view
+            !is_free(set)
         });
     }
 
-    fn make(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, layout: &wgpu::BindGroupLayout) -> Maps {
-        let side = Self::side(device.limits().max_texture_dimension_2d);
+    fn make(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, layout: &wgpu::BindGroupLayout, side: u32) -> Maps {
         let map_of = |side, label, format| {
             let usage = wgpu::TextureUsages::RENDER_ATTACHMENT | wgpu::TextureUsages::TEXTURE_BINDING;
             texture(device, label, (side, side), 1, format, usage)
@@ -141,8 +189,12 @@ impl MapSets {
         let shadow = map("rock-field/shadow/map", SHADOW_FORMAT);
         let height = map("rock-field/height/map", HEIGHT_FORMAT);
         let open = map_of(side / 2, "rock-field/open/map", OPEN_FORMAT);
-        let height_depth =
-            self.height_depth.get_or_insert_with(|| map("rock-field/height/depth", SHADOW_FORMAT)).clone();
+        let known = self.height_depths.iter().find(|map| map.texture().width() == side).cloned();
+        let height_depth = known.unwrap_or_else(|| {
+            let made = map("rock-field/height/depth", SHADOW_FORMAT);
+            self.height_depths.push(made.clone());
+            made
+        });
         let usage = wgpu::TextureUsages::COPY_DST | wgpu::TextureUsages::TEXTURE_BINDING;
         let size = (SKY_COLUMNS as u32, SKY_ROWS as u32);
         let sky = texture(device, "rock-field/sky/map", size, 1, wgpu::TextureFormat::Rgba16Float, usage);

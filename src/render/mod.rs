@@ -35,6 +35,7 @@ mod buffers;
 mod camera;
 mod easel;
 mod error;
+mod fill;
 mod gpu;
 mod indices;
 mod maps;

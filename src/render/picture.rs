@@ -8,6 +8,7 @@ use std::sync::Arc;
 use std::sync::atomic::{AtomicU32, Ordering};
 
 use super::easel::Easel;
+use super::maps::Grade;
 use super::present::Present;
 use super::surface::texture;
 use super::view::Shot;
@@ -54,7 +55,37 @@ impl Picture {
         Self { shot, is_rough, pieces: Pieces::new(width, height), image, group, given: 0, done: Arc::default() }
     }
 
-    /// Draws the next piece, of about `pixels`; with 0 nothing but the light and the colours that all pieces need. True while there is more to come. Between the pieces nothing that the view shows may change.
+    /// Draws the next part of the maps that all pieces need. False where nothing is lacking.
+    pub(crate) fn light(&mut self, gpu: &Gpu, view: &View, scene: &mut Scene, props: &Props) -> bool {
+        let side = view.map_side(gpu, scene, props, self.grade(view));
+        let is_lacking = view.prepare_next(gpu, scene, props, side);
+        if is_lacking {
+            self.sent(gpu);
+        }
+        is_lacking
+    }
+
+    /// Of the maps that are fine enough for it.
+    fn grade(&self, view: &View) -> Grade {
+        if self.shot.width < view.shot.width && self.shot.height < view.shot.height {
+            Grade::Draft
+        } else if self.is_rough {
+            Grade::Rough
+        } else {
+            Grade::Whole
+        }
+    }
+
+    /// The device was given something to draw.
+    fn sent(&mut self, gpu: &Gpu) {
+        self.given += 1;
+        let done = self.done.clone();
+        gpu.queue.on_submitted_work_done(move || {
+            done.fetch_add(1, Ordering::Relaxed);
+        });
+    }
+
+    /// Draws the next piece, of about `pixels`. True while there is more to come. Between the pieces nothing that the view shows may change.
     pub(crate) fn draw_piece(
         &mut self,
         gpu: &Gpu,
@@ -64,15 +95,12 @@ impl Picture {
         plan: Option<&Plan>,
         pixels: u32,
     ) -> bool {
-        if pixels == 0 {
-            scene.into_iter().for_each(|scene| view.dress(gpu, scene, props));
-            return true;
-        }
         let Some(piece) = self.pieces.next(pixels, MOST_SIDE) else {
             return false;
         };
         let scene = scene.map(|scene| {
-            let maps = view.prepare(gpu, scene, props);
+            let side = view.map_side(gpu, scene, props, self.grade(view));
+            let maps = view.prepare_for(gpu, scene, props, side);
             (&*scene, maps)
         });
         let samples = if self.is_rough { 1 } else { gpu.kind.samples };
@@ -104,11 +132,7 @@ impl Picture {
             wgpu::Extent3d { width, height, depth_or_array_layers: 1 },
         );
         gpu.queue.submit([encoder.finish()]);
-        self.given += 1;
-        let done = self.done.clone();
-        gpu.queue.on_submitted_work_done(move || {
-            done.fetch_add(1, Ordering::Relaxed);
-        });
+        self.sent(gpu);
         !self.pieces.is_whole()
     }
 
@@ -138,7 +162,8 @@ impl Picture {
         let Some(present) = gpu.present.get() else {
             return;
         };
-        let (width, height) = if gpu.shared.is_some() {
+        let (width, height) = if let Some(screen) = &gpu.shared {
+            screen.borrow_mut().fit(&gpu.device, gpu.kind, self.shot.width, self.shot.height);
             (self.shot.width, self.shot.height)
         } else {
             (view.shot.width, view.shot.height)

@@ -1,5 +1,6 @@
 //! One field on the device: its buffers, and the functions that draw it.
 
+mod fill;
 mod maps;
 mod open;
 
@@ -11,12 +12,10 @@ use glam::Vec3;
 
 use super::around::{Around, Field};
 use super::buffers::{Mesh, MeshBuffers, VertexBuffers};
-use super::indices::arranged;
-use super::maps::{Drawn, MapSets};
+use super::fill::Fill;
+use super::maps::Drawn;
 use super::{Gpu, Props, RenderError, upload};
-use crate::shading::{
-    Arrangement, Body, Bounds, ColorMode, FieldUniforms, Look, Sample, Sight, Stands, Turned, beam, palette,
-};
+use crate::shading::{Arrangement, Body, Bounds, ColorMode, FieldUniforms, Look, Sample, Sight, Stands, beam, palette};
 
 /// What distinguishes the rocks from each other. It is small, and kept so that they can be coloured again.
 pub(crate) struct Rocks {
@@ -43,6 +42,7 @@ impl Rocks {
             high: Vec3::NEG_INFINITY,
             vertices,
             triangles: indices / 3,
+            is_hidden: false,
         };
         self.layers.iter().zip(counts).map(of).collect()
     }
@@ -53,12 +53,16 @@ pub(crate) struct Scene {
     /// Identifies the contents of the shadow and height maps by numbers that are unique on the device, each renewed whenever its maps have to be
     /// redrawn.
     pub(crate) drawn: Drawn,
-    /// The heights for which it was found what the rocks see of the sky.
-    opened: Cell<u64>,
+    /// The heights for which it was found what the rocks see of the sky, and the side of the map that had them.
+    opened: Cell<(u64, u32)>,
     buffers: MeshBuffers,
     arrangement: Arrangement,
     rocks: Rocks,
     stands: Stands,
+    /// What is still to be put into the buffers.
+    fill: Option<Fill>,
+    /// What was found out then, and why it cannot be drawn.
+    fault: Option<RenderError>,
     painted: Option<ColorMode>,
     stale: bool,
     /// The direction of the sun with which the uniforms were written.
@@ -71,7 +75,8 @@ pub(crate) struct Scene {
     is_repeated: bool,
     /// Whether the copies are lit as in a still's sample.
     is_sampled: bool,
-    /// One texel of the height map, px.
+    /// Side of the maps that the uniforms are for, and one texel of the height map, px.
+    side: u32,
     texel: f32,
     low: Vec3,
     high: Vec3,
@@ -99,8 +104,8 @@ impl Drop for Scene {
 }
 
 impl Scene {
-    /// Uploads the mesh of `rocks`, which were grown on an image of `image` px. Their colours follow with
-    /// [`Scene::paint`], the maps with [`Scene::draw_maps`].
+    /// Makes room for the mesh of `rocks`, which were grown on an image of `image` px. What is in it, and what is known by it, follows with
+    /// [`Scene::fill`], their colours with [`Scene::paint`], the maps with [`Scene::draw_maps`].
     pub(crate) fn new(gpu: &Gpu, image: [f32; 2], mesh: &Mesh<'_>, rocks: Rocks) -> Result<Self, RenderError> {
         if rocks.layers.len() != rocks.sites.len()
             || rocks.layers.len() + 1 != rocks.vertex_starts.len()
@@ -111,38 +116,12 @@ impl Scene {
         {
             return Err(RenderError::Malformed("rockStarts, vertexStarts, rockLayer and selected disagree"));
         }
-        let mut stands = Stands::default();
-        let mut bodies = rocks.bodies();
-        let mut ends = rocks.vertex_starts.iter().skip(1).peekable();
-        let mut rock = 0;
-        let mut count = 0;
-        let vertices = VertexBuffers::new(gpu, "rock", mesh, |vertex| {
-            if let Some(body) = bodies.get_mut(rock) {
-                // NaN does not change these.
-                body.low = vertex.min(body.low);
-                body.high = vertex.max(body.high);
-            }
-            stands.add(vertex.to_array());
-            count += 1;
-            if ends.next_if_eq(&&count).is_some() {
-                stands.close();
-                rock += 1;
-            }
-            vertex
-        })?;
-        let (low, high) = bodies.iter().fold((Vec3::ZERO, Vec3::new(image[0], image[1], 1.0)), |(low, high), body| {
-            (low.min(body.low), high.max(body.high))
-        });
-        let arrangement = Arrangement::of(&bodies, image);
-        let (indices, highest) = arranged(gpu, mesh.indices, &rocks.index_starts, &bodies, &arrangement)?;
-        let mut buffers = MeshBuffers::with_indices(vertices, mesh, indices, highest)?;
+        let bodies = rocks.bodies();
+        let vertices = VertexBuffers::empty(gpu, "rock", mesh)?;
+        let indices = MeshBuffers::index_buffer(gpu, "rock", Arrangement::length_of(&bodies))?;
+        let mut buffers = MeshBuffers::with_indices(vertices, mesh, indices, 0)?;
         buffers.add_open(gpu)?;
-        let mut turned = Turned::new(&rocks.vertex_starts);
-        mesh.each_vertex(|position, normal| turned.add(position, normal));
-        let is_turned = turned.found();
-        if !(high - low).is_finite() {
-            return Err(RenderError::Malformed("a coordinate is infinite"));
-        }
+        let (low, high) = (Vec3::ZERO, Vec3::new(image[0], image[1], 1.0));
 
         let uniforms = upload::buffer(
             &gpu.device,
@@ -158,11 +137,14 @@ impl Scene {
         });
         Ok(Self {
             drawn: Drawn { shadows: gpu.next_number(), heights: gpu.next_number() },
-            opened: Cell::new(0),
+            opened: Cell::new((0, 0)),
+            side: 0,
             buffers,
-            arrangement,
+            arrangement: Arrangement::of(&[], image),
             rocks,
-            stands,
+            stands: Stands::default(),
+            fill: Some(Fill::new(mesh, bodies)),
+            fault: None,
             painted: None,
             stale: false,
             sun: Vec3::ZERO,
@@ -177,8 +159,8 @@ impl Scene {
             bounds: [low, high],
             center: (low + high) * 0.5,
             radius: (high - low).length() * 0.5,
-            is_turned,
-            is_buried: low.z < 0.0,
+            is_turned: false,
+            is_buried: false,
             image,
             uniforms,
             lit: FieldUniforms::zeroed(),
@@ -186,15 +168,21 @@ impl Scene {
         })
     }
 
-    /// Sets the sun's direction, the props, and whether the ground goes on beyond the field, from now on.
-    pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3, props: &Props, is_surrounded: bool) {
-        if (sun, Some(props.number), is_surrounded) == (self.sun, self.props, self.is_surrounded) {
+    /// Sets the sun's direction, the props, whether the ground goes on beyond the field, and the side of the maps, from now on. False where they were
+    /// so.
+    pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3, props: &Props, is_surrounded: bool, side: u32) -> bool {
+        while self.fill(gpu) {}
+        let is_same = (sun, Some(props.number), is_surrounded) == (self.sun, self.props, self.is_surrounded);
+        if is_same && side == self.side {
             if self.is_sampled {
                 self.light_around(gpu, &self.lit.clone(), false);
             }
-            return;
+            return false;
         }
-        self.drawn.shadows = gpu.next_number();
+        self.side = side;
+        if !is_same {
+            self.drawn.shadows = gpu.next_number();
+        }
         if (self.props, self.is_surrounded) != (Some(props.number), is_surrounded) {
             self.drawn.heights = gpu.next_number();
         }
@@ -203,7 +191,7 @@ impl Scene {
         self.center = (low + high) * 0.5;
         self.radius = (high - low).length() * 0.5;
         self.is_buried = low.z < 0.0;
-        let mut uniforms = FieldUniforms::fitted(sun, self.image, low, high, MapSets::side(gpu.max_side()) as f32);
+        let mut uniforms = FieldUniforms::fitted(sun, self.image, low, high, side as f32);
         uniforms.ground[2] = if self.is_buried { 1.0 } else { 0.0 };
         uniforms.size[2] = self.high.z.max(1.0);
         let sky = gpu.sky(sun);
@@ -223,6 +211,7 @@ impl Scene {
         self.lit = uniforms;
         self.bounds = [low, high];
         self.light_around(gpu, &uniforms, false);
+        true
     }
 
     /// Cosine and sine of how far the hills are turned: by what stays the same while most parameters change.
@@ -265,10 +254,10 @@ impl Scene {
         self.stale = true;
     }
 
-    /// Gives every rock its colour in `mode`. Does nothing if the rocks have it already.
-    pub(crate) fn paint(&mut self, gpu: &Gpu, mode: ColorMode, look: &Look) {
+    /// Gives every rock its colour in `mode`. False if the rocks have it already.
+    pub(crate) fn paint(&mut self, gpu: &Gpu, mode: ColorMode, look: &Look) -> bool {
         if self.painted == Some(mode) && !(self.stale && mode == ColorMode::Natural) {
-            return;
+            return false;
         }
         self.stale = false;
         // In natural colours some rocks are lowered.
@@ -298,6 +287,17 @@ impl Scene {
             }
             color
         });
+        true
+    }
+
+    /// Why it cannot be drawn, if that was found out after it was made.
+    pub(crate) fn fault(&self) -> Option<&RenderError> {
+        self.fault.as_ref()
+    }
+
+    /// Side of the maps that it is lit for; 0 before it is.
+    pub(crate) fn side(&self) -> u32 {
+        self.side
     }
 
     pub(crate) fn has_edges(&self) -> bool {
@@ -353,7 +353,7 @@ impl Scene {
 
     /// All rocks, with all of their triangles.
     pub(crate) fn whole(&self) -> Vec<Range<u32>> {
-        self.arrangement.all(0.0)
+        self.arrangement.all(0.0, false)
     }
 
     /// Draws what `ranges` tell of the rocks.

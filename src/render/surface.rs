@@ -1,5 +1,7 @@
 //! A canvas's surface, and the multisampled targets behind it.
 
+use std::cell::OnceCell;
+
 use super::RenderError;
 
 /// Depth format of the view. Near and far are fitted to the scene, so 24 bits are enough.
@@ -34,9 +36,9 @@ pub(crate) struct Screen {
     surface: wgpu::Surface<'static>,
     width: u32,
     height: u32,
-    /// `None` with a single sample: the surface's texture is then drawn to directly.
-    color: Option<wgpu::TextureView>,
-    depth: wgpu::TextureView,
+    /// Colour and depth, made when the first frame is drawn: pictures in pieces are drawn elsewhere. The colour is `None` with a single sample: the
+    /// surface's texture is then drawn to directly.
+    targets: OnceCell<(Option<wgpu::TextureView>, wgpu::TextureView)>,
 }
 
 impl Drop for Screen {
@@ -49,8 +51,7 @@ impl Drop for Screen {
 impl Screen {
     pub(crate) fn new(device: &wgpu::Device, kind: Kind, surface: wgpu::Surface<'static>) -> Self {
         let (width, height) = (1, 1);
-        let (color, depth) = attachments(device, kind, width, height);
-        let screen = Self { surface, width, height, color, depth };
+        let screen = Self { surface, width, height, targets: OnceCell::new() };
         screen.configure(device, kind);
         screen
     }
@@ -62,7 +63,7 @@ impl Screen {
         }
         (self.width, self.height) = (width, height);
         self.destroy_attachments();
-        (self.color, self.depth) = attachments(device, kind, width, height);
+        self.targets.take();
         self.configure(device, kind);
     }
 
@@ -71,9 +72,17 @@ impl Screen {
         self.resize(device, kind, self.width.max(width), self.height.max(height));
     }
 
+    /// Makes it so large, unless it is already and not much larger: what is copied from it is copied with all that is around it.
+    pub(crate) fn fit(&mut self, device: &wgpu::Device, kind: Kind, width: u32, height: u32) {
+        let is_enough = self.width >= width && self.height >= height;
+        if !is_enough || self.width * self.height > 2 * width * height {
+            self.resize(device, kind, width, height);
+        }
+    }
+
     fn destroy_attachments(&self) {
-        for view in self.color.iter().chain([&self.depth]) {
-            view.texture().destroy();
+        if let Some((color, depth)) = self.targets.get() {
+            color.iter().chain([depth]).for_each(|view| view.texture().destroy());
         }
     }
 
@@ -111,10 +120,13 @@ impl Screen {
     /// The colour and depth attachments for drawing into `frame`, cleared.
     pub(crate) fn attachments<'a>(
         &'a self,
+        device: &wgpu::Device,
+        kind: Kind,
         frame: &'a wgpu::TextureView,
         clear: wgpu::Color,
     ) -> (wgpu::RenderPassColorAttachment<'a>, wgpu::RenderPassDepthStencilAttachment<'a>) {
-        let (view, resolve_target, store) = match &self.color {
+        let (color, depth) = self.targets.get_or_init(|| attachments(device, kind, self.width, self.height));
+        let (view, resolve_target, store) = match color {
             Some(color) => (color, Some(frame), wgpu::StoreOp::Discard),
             None => (frame, None, wgpu::StoreOp::Store),
         };
@@ -124,7 +136,7 @@ impl Screen {
             resolve_target,
             ops: wgpu::Operations { load: wgpu::LoadOp::Clear(clear), store },
         };
-        (color, depth_attachment(&self.depth, wgpu::StoreOp::Discard))
+        (color, depth_attachment(depth, wgpu::StoreOp::Discard))
     }
 }
 

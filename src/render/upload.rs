@@ -1,5 +1,7 @@
 //! Copies typed arrays to GPU buffers one slice at a time, so that wasm memory never holds a whole field.
 
+use std::ops::Range;
+
 use super::{Gpu, RenderError};
 
 /// Number of 4-byte elements per slice: 384 KiB of scratch memory. It is a multiple of 6, so that no vertex and no
@@ -35,8 +37,17 @@ pub(crate) fn write<T: bytemuck::Pod>(
     length: u32,
     mut fill: impl FnMut(u32, &mut [T]),
 ) {
-    let mut scratch = vec![T::zeroed(); length.min(SLICE) as usize];
-    let mut start = 0;
+    write_part(queue, buffer, 0..length, &mut fill);
+}
+
+/// The same with those of the elements that are in `part`.
+pub(crate) fn write_part<T: bytemuck::Pod>(
+    queue: &wgpu::Queue,
+    buffer: &wgpu::Buffer,
+    Range { mut start, end: length }: Range<u32>,
+    fill: &mut dyn FnMut(u32, &mut [T]),
+) {
+    let mut scratch = vec![T::zeroed(); (length - start).min(SLICE) as usize];
     while start < length {
         let count = (length - start).min(SLICE);
         if let Some(slice) = scratch.get_mut(..count as usize) {

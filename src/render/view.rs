@@ -5,7 +5,7 @@ mod natural;
 
 use glam::{Mat4, Vec3, Vec4};
 
-use super::maps::{Maps, Stale};
+use super::maps::{Grade, Maps, Stale};
 use super::pipelines::Fixed;
 use super::surface::Screen;
 use super::{Camera, Gpu, Layer, Plan, Props, RenderError, Scene, upload};
@@ -110,7 +110,7 @@ impl View {
 
     /// Frees what other views can use.
     pub(crate) fn release(&self, gpu: &Gpu) {
-        gpu.maps.borrow_mut().release(self.number);
+        gpu.maps.borrow_mut().release(self.number, u32::MAX);
         self.globals.destroy();
     }
 
@@ -145,14 +145,14 @@ impl View {
     /// Draws one frame, which shows only the backdrop if `scene` is `None`. If the screen is shared, the frame is in
     /// its top left corner until another view is drawn.
     pub(crate) fn render(&self, gpu: &Gpu, scene: Option<&mut Scene>, props: &Props, plan: Option<&Plan>) {
-        self.show(gpu, |encoder, screen, frame| self.encode(gpu, encoder, screen, frame, scene, props, plan));
-    }
-
-    /// Shows what `encode` draws on the screen's next texture.
-    pub(super) fn show(&self, gpu: &Gpu, encode: impl FnOnce(&mut wgpu::CommandEncoder, &Screen, &wgpu::TextureView)) {
         if let Some(screen) = &gpu.shared {
             screen.borrow_mut().grow(&gpu.device, gpu.kind, self.shot.width, self.shot.height);
         }
+        self.show(gpu, |encoder, screen, frame| self.encode(gpu, encoder, screen, frame, scene, props, plan));
+    }
+
+    /// Shows what `encode` draws on the screen's next texture. One that is shared has to be large enough.
+    pub(super) fn show(&self, gpu: &Gpu, encode: impl FnOnce(&mut wgpu::CommandEncoder, &Screen, &wgpu::TextureView)) {
         let shared = gpu.shared.as_ref().map(|screen| screen.borrow());
         let Some(screen) = self.own.as_ref().or(shared.as_deref()) else {
             return;
@@ -166,36 +166,66 @@ impl View {
         gpu.queue.present(texture);
     }
 
-    /// Lights and paints the scene, if it is not yet so.
-    pub(super) fn dress(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) {
-        scene.light(gpu, self.look.sun, props, self.is_surrounded());
-        if self.is_solid() {
-            scene.paint(gpu, self.shown_color(), &self.look);
-        }
+    /// Does the next thing that takes some milliseconds before the scene is painted, and lit for maps of this side. False if it is so.
+    pub(super) fn dress_next(&self, gpu: &Gpu, scene: &mut Scene, props: &Props, side: u32) -> bool {
+        scene.fill(gpu)
+            || self.is_solid() && scene.paint(gpu, self.shown_color(), &self.look)
+            || scene.light(gpu, self.look.sun, props, self.is_surrounded(), side)
     }
 
-    /// Makes the scene ready to be drawn, with its maps, which are submitted on their own: none of them takes long.
+    fn dress(&self, gpu: &Gpu, scene: &mut Scene, props: &Props, side: u32) {
+        while self.dress_next(gpu, scene, props, side) {}
+    }
+
+    /// The side of the maps for a picture of the scene that needs them of this grade: of better ones, if they are drawn already.
+    pub(super) fn map_side(&self, gpu: &Gpu, scene: &mut Scene, props: &Props, grade: Grade) -> u32 {
+        let least = if self.is_natural() { grade } else { Grade::Whole }.side(gpu.max_side());
+        // What changes its light makes its maps stale, whatever their side.
+        let lit = if scene.side() == 0 { least } else { scene.side() };
+        self.dress(gpu, scene, props, lit);
+        gpu.maps.borrow().finest(self.number, scene.drawn).max(least)
+    }
+
+    /// Makes the scene ready to be drawn, with its maps.
     pub(super) fn prepare(&self, gpu: &Gpu, scene: &mut Scene, props: &Props) -> Option<Maps> {
-        self.dress(gpu, scene, props);
-        let draw = |scene: &Scene, maps: &Maps, stale| {
-            // Before the uniforms of the picture are written: rocks sink by these.
-            self.write(gpu, &self.globals(&self.shot, Some(scene)));
-            scene.draw_maps(gpu, &self.frame_group, maps, stale, props);
-            if self.is_natural() {
-                scene.open(gpu, &self.frame_group, maps);
-            }
-        };
-        self.is_solid().then(|| self.maps(gpu, scene, draw))
+        let side = self.map_side(gpu, scene, props, Grade::Whole);
+        self.prepare_for(gpu, scene, props, side)
     }
 
-    /// The maps of a scene that is dressed, which `draw` draws if they are stale.
-    fn maps(&self, gpu: &Gpu, scene: &Scene, draw: impl FnOnce(&Scene, &Maps, Stale)) -> Maps {
-        let (maps, stale) =
-            gpu.maps.borrow_mut().lend(&gpu.device, &gpu.queue, &gpu.pipelines.maps_layout, self.number, scene.drawn);
-        if stale.shadows || stale.heights {
-            draw(scene, &maps, stale);
+    /// The same with maps of this side.
+    pub(super) fn prepare_for(&self, gpu: &Gpu, scene: &mut Scene, props: &Props, side: u32) -> Option<Maps> {
+        while self.prepare_next(gpu, scene, props, side) {}
+        self.is_solid().then(|| self.maps(gpu, scene, side).0)
+    }
+
+    /// Does the next thing before the scene is ready to be drawn with maps of this side: of the maps, a part is submitted. False if it is ready.
+    pub(super) fn prepare_next(&self, gpu: &Gpu, scene: &mut Scene, props: &Props, side: u32) -> bool {
+        self.dress(gpu, scene, props, side);
+        // Before the uniforms of the picture are written: rocks sink by these.
+        let globals = || self.write(gpu, &self.globals(&self.shot, Some(scene)));
+        let goes_on = self.is_solid() && self.draw_maps(gpu, scene, props, side, globals);
+        if !goes_on {
+            gpu.maps.borrow_mut().release(self.number, side);
         }
-        maps
+        goes_on
+    }
+
+    /// The maps of a scene, which of them are stale, and how many parts of these are drawn.
+    fn maps(&self, gpu: &Gpu, scene: &Scene, side: u32) -> (Maps, Stale, usize) {
+        let layout = &gpu.pipelines.maps_layout;
+        gpu.maps.borrow_mut().lend(&gpu.device, &gpu.queue, layout, side, self.number, scene.drawn)
+    }
+
+    /// Draws the next part of the maps of a scene that is dressed, after `write` has written the uniforms. False where none is stale.
+    fn draw_maps(&self, gpu: &Gpu, scene: &Scene, props: &Props, side: u32, write: impl FnOnce()) -> bool {
+        let (maps, stale, part) = self.maps(gpu, scene, side);
+        if !stale.shadows && !stale.heights {
+            return false;
+        }
+        write();
+        let goes_on = scene.draw_maps(gpu, &self.frame_group, &maps, stale, props, self.is_natural(), part);
+        gpu.maps.borrow_mut().drew(side, self.number, !goes_on);
+        true
     }
 
     #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
@@ -213,7 +243,7 @@ impl View {
             let maps = self.prepare(gpu, scene, props);
             (&*scene, maps)
         });
-        let attachments = screen.attachments(frame, self.clear_color(gpu));
+        let attachments = screen.attachments(&gpu.device, gpu.kind, frame, self.clear_color(gpu));
         self.paint(gpu, encoder, attachments, &self.shot, scene, props, plan, Sort::Frame);
     }
 
@@ -310,6 +340,7 @@ impl View {
             most: if natural { self.quality.triangle() } else { 0.0 },
             // Smaller ones are left to the ground's shader, which finds them in the map of heights.
             least: if scene.is_repeated() { SMALLEST } else { 0.0 },
+            is_part: globals.tile[2] < globals.ray_right[3] || globals.tile[3] < globals.ray_up[3],
         }
     }
 

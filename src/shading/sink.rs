@@ -31,6 +31,11 @@ impl Stands {
         (self.sum, self.count, self.top) = ([0.0; 2], 0.0, 0.0);
     }
 
+    /// Whether nothing of `rock` is left above the ground; the other arguments are those of [`Stands::sinks`].
+    pub(crate) fn hides(&self, rock: usize, image: [f32; 2], highest: f32, hash: u32) -> bool {
+        self.sinks(rock, image, highest, hash) == STEPS as u32
+    }
+
     /// How far `rock` sinks, in steps of 1/31 of `highest`. It sinks deeper the nearer it is to the border of `image`;
     /// the depth varies from rock to rock with its `hash`, and the border is wavy.
     pub(crate) fn sinks(&self, rock: usize, image: [f32; 2], highest: f32, hash: u32) -> u32 {

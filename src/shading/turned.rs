@@ -6,30 +6,25 @@ use glam::Vec3;
 const ONE_IN: u32 = 5000;
 
 /// Looks at the vertices of all rocks, in their order.
-pub(crate) struct Turned<'a> {
-    /// Of the rock at hand and of those after it, the offset behind the last vertex.
-    ends: &'a [u32],
+#[derive(Default)]
+pub(crate) struct Turned {
+    /// How many rocks are whole.
+    rocks: usize,
     /// Positions and normals of the rock at hand, as far as they came.
     rock: Vec<[Vec3; 2]>,
     seen: u32,
     turned: u32,
 }
 
-impl<'a> Turned<'a> {
-    /// `starts`: rocks + 1 offsets into the vertices.
-    pub(crate) fn new(starts: &'a [u32]) -> Self {
-        Self { ends: starts.get(1..).unwrap_or_default(), rock: Vec::new(), seen: 0, turned: 0 }
-    }
-
-    pub(crate) fn add(&mut self, position: Vec3, normal: Vec3) {
+impl Turned {
+    /// The next vertex. `starts`: rocks + 1 offsets into the vertices.
+    pub(crate) fn add(&mut self, starts: &[u32], position: Vec3, normal: Vec3) {
         self.rock.push([position, normal]);
         self.seen += 1;
-        while let [end, rest @ ..] = self.ends
-            && *end <= self.seen
-        {
+        while starts.get(self.rocks + 1).is_some_and(|end| *end <= self.seen) {
             self.turned += turned(&self.rock);
             self.rock.clear();
-            self.ends = rest;
+            self.rocks += 1;
         }
     }
 
@@ -63,8 +58,8 @@ mod tests {
 
     fn found(rocks: &[Vec<[Vec3; 2]>]) -> bool {
         let starts: Vec<u32> = (0..=rocks.len() as u32).map(|rock| 5 * rock).collect();
-        let mut turned = Turned::new(&starts);
-        rocks.iter().flatten().for_each(|[position, normal]| turned.add(*position, *normal));
+        let mut turned = Turned::default();
+        rocks.iter().flatten().for_each(|[position, normal]| turned.add(&starts, *position, *normal));
         turned.found()
     }
 
@@ -91,9 +86,9 @@ mod tests {
 
     #[test]
     fn rocks_without_vertices_are_not_turned() {
-        assert!(!Turned::new(&[]).found());
-        let mut turned = Turned::new(&[0, 0, 1]);
-        turned.add(Vec3::Z, Vec3::NEG_Z);
+        assert!(!Turned::default().found());
+        let mut turned = Turned::default();
+        turned.add(&[0, 0, 1], Vec3::Z, Vec3::NEG_Z);
         assert!(!turned.found());
     }
 }

@@ -3,16 +3,11 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { meanDifference, readPicture } from '../../scripts/lib/pixels.mjs';
 import { launch, pageOf } from './browser.mjs';
-import { quiet } from './element-page.mjs';
+import { pageWith, quiet } from './element-page.mjs';
 
-const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>quality</title><link rel="icon" href="data:,"><style>rock-field { width: 160px; height: 100px }</style>
-<script>
-  globalThis.counts = { frames: 0 };
-  const request = requestAnimationFrame;
-  globalThis.frame = () => new Promise((resolve) => request(resolve));
-  globalThis.requestAnimationFrame = (callback) => (counts.frames += 1, request(callback));
-</script>
-<script type="module" src="/rock-field.js"></script><rock-field preset="riverbed" image-width="200" image-height="200" color="natural" samples="0"></rock-field>`;
+const html = pageWith(
+  '<rock-field style="width: 160px; height: 100px" preset="riverbed" image-width="200" image-height="200" color="natural" samples="0"></rock-field>',
+);
 
 test('a still of auto is one of high, also after a motion, and nothing is drawn after it', async () => {
   // From afar, levels look alike.

@@ -3,18 +3,13 @@ import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { meanDifference, readPicture } from '../../scripts/lib/pixels.mjs';
 import { launch, pageOf } from './browser.mjs';
+import { pageWith } from './element-page.mjs';
 
 const SAMPLES = 16;
 
-const html = `<!doctype html><html lang="en"><meta charset="utf-8"><title>refine</title><link rel="icon" href="data:,"><style>rock-field { width: 72px; height: 48px }</style>
-<script>
-  globalThis.counts = { frames: 0 };
-  const request = requestAnimationFrame;
-  globalThis.frame = () => new Promise((resolve) => request(resolve));
-  globalThis.requestAnimationFrame = (callback) => (counts.frames += 1, request(callback));
-</script>
-<script type="module" src="/rock-field.js"></script>
-<rock-field preset="riverbed" image-width="96" image-height="96" color="natural" quality="high" samples="${SAMPLES}"></rock-field>`;
+const html = pageWith(
+  `<rock-field style="width: 72px; height: 48px" preset="riverbed" image-width="96" image-height="96" color="natural" quality="high" samples="${SAMPLES}"></rock-field>`,
+);
 
 /** Until samples are drawn (true), which ask for no frame, or nothing is (false), for so long that nothing follows. */
 const drawing = (page, isUnderWay) =>

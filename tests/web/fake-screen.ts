@@ -71,6 +71,11 @@ export class Device implements Pieces {
   /** What was shown, one line each: its size, and `rough` if it was so. */
   readonly shown: string[] = [];
   readonly pieces: number[] = [];
+  /** How many parts of what gives light are still to be drawn, each as long as so many pixels. */
+  lights = 0;
+  readonly lightPixels = 20_000;
+  /** The most parts and pieces that were under way at once. */
+  most = 0;
   begun = 0;
   width = 0;
   #picture = '';
@@ -94,12 +99,23 @@ export class Device implements Pieces {
     this.#under = [];
   }
 
+  light(): boolean {
+    if (this.lights === 0) return false;
+    this.lights -= 1;
+    this.#give(this.lightPixels);
+    return true;
+  }
+
+  #give(pixels: number): void {
+    this.#under.push({ pixels });
+    this.most = Math.max(this.most, this.#under.length);
+  }
+
   draw(pixels: number): boolean {
-    if (pixels === 0) return true;
     const size = Math.min(pixels, this.#left);
     this.#left -= size;
     this.pieces.push(size);
-    this.#under.push({ pixels: size });
+    this.#give(size);
     return this.#left > 0;
   }
 

@@ -175,6 +175,24 @@ test('a picture that cannot be drawn in pieces is told, and not tried again and 
   assert.deepEqual([device.begun, screen.frames.length], [3, 0], 'one of a motion and two stills');
 });
 
+test('what gives light to a still is drawn before its pieces, and as they are: no more than two at a time', async ({ mock }) => {
+  const device = new Device(1000);
+  device.lights = 9;
+  let piecesWithoutLight = 0;
+  const { draw } = device;
+  mock.method(device, 'draw', (pixels: number) => {
+    if (device.lights > 0) piecesWithoutLight += 1;
+    return draw.call(device, pixels);
+  });
+  const view = globalThis as unknown as Window;
+  const cut = new CutPictures(0);
+  const picture = { pieces: device, view, size: STAGE, isMoving: false, isRough: true, prepare: () => {}, isOver: () => false };
+  let isDone = false;
+  void cut.draw(picture, 'low').then((isWhole) => (isDone = isWhole));
+  for (let k = 0; k < 200 && !isDone; k += 1) await pass(mock, device, 16);
+  assert.deepEqual([isDone, device.lights, piecesWithoutLight, device.most], [true, 0, 0, 2]);
+});
+
 async function motion(cut: CutPictures, device: Device, mock: Mock, pictures: number): Promise<void> {
   for (let k = 0; k < pictures; k += 1) {
     const picture = { pieces: device, view: globalThis as unknown as Window, size: STAGE, isMoving: true, isRough: false };

@@ -20,6 +20,8 @@ export interface Actions<K extends Kind> {
   openFiles?: (files: readonly File[]) => void;
   /** Lists the page's keys. */
   help?: () => void;
+  /** Resolves when the first picture is there, or takes too long to wait for it: its controls come after it. The page's alone. */
+  pictured?: Promise<unknown>;
   /** An element's panel alone is closed, and cancels in itself: on the page, `<stage-overlay>` has that. */
   close?: () => void;
   cancel?: () => void;

@@ -37,6 +37,8 @@ export abstract class Panel<K extends Kind> extends LitElement {
   declare isOpen: boolean;
 
   #unsubscribe: (() => void) | undefined;
+  /** The picture is there, or a hand is: so should the controls be. */
+  #isDue = false;
   #seenProblem: Problem | null = null;
   /** The file that brings what comes later. */
   protected abstract readonly deferred: Deferred<Later>;
@@ -50,6 +52,7 @@ export abstract class Panel<K extends Kind> extends LitElement {
     this.addEventListener('pointerover', (event) => event.pointerType !== 'touch' && this.#explain(event));
     this.addEventListener('pointerleave', () => this.#explain(null));
     this.addEventListener('focusin', (event) => this.#explain(event));
+    for (const type of ['pointerover', 'focusin']) this.addEventListener(type, this.#complete);
   }
 
   /** In the tree it stands in, whose styles it has; labels and descriptions are found by id there. */
@@ -60,9 +63,17 @@ export abstract class Panel<K extends Kind> extends LitElement {
   override connectedCallback(): void {
     super.connectedCallback();
     this.#unsubscribe = this.store.subscribe(() => this.requestUpdate());
+    void this.actions.pictured?.then(() => this.#complete());
+    if (!this.actions.pictured) this.#complete();
+  }
+
+  /** Fetches what comes later, now that nothing is in its way. */
+  #complete = (): void => {
+    if (this.#isDue) return;
+    this.#isDue = true;
     void this.store.loadDocs();
     this.loadLater().catch((thrown: unknown) => console.warn(thrown));
-  }
+  };
 
   override disconnectedCallback(): void {
     super.disconnectedCallback();
@@ -75,7 +86,7 @@ export abstract class Panel<K extends Kind> extends LitElement {
     const { problem } = this.store;
     if (problem && problem !== this.#seenProblem) this.#reveal();
     this.#seenProblem = problem;
-    if ((this.store.result || this.store.messages.length > 0) && !this.later)
+    if (((this.#isDue && this.store.result) || this.store.messages.length > 0) && !this.later)
       this.loadLater().catch((thrown: unknown) => console.warn(thrown));
   }
 

@@ -34,7 +34,7 @@ export function messageLine<K extends Kind>(store: Store<K>): TemplateResult | t
 export function progressLine<K extends Kind>(store: Store<K>, cancel: () => void): TemplateResult | typeof nothing {
   const { progress, offer } = store;
   if (!progress) return nothing;
-  const share = percent(store, progress.fraction).replace(/[.,]\d/, '');
+  const share = percent(progress.fraction).replace(/\.\d/, '');
   const label = store.text('working', { stage: store.stageName(progress.stage), percent: share });
   return html`
     <div class="progress">

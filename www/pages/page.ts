@@ -18,6 +18,9 @@ import type { FileParts } from './bring-back.ts';
 import type { Links } from './address.ts';
 import type { StringKey } from '../controls/strings.en.ts';
 
+/** So long the panel waits for the first picture, ms. */
+const PATIENCE_MS = 4000;
+
 /** What the page is made of. */
 export interface Page<K extends Kind> extends Links<K> {
   newStore: (link: OpenedLink<K>, preferences: Preferences, history: History<Edition<K>>) => Store<K>;
@@ -139,6 +142,7 @@ function show<K extends Kind>({ element, panel, random, actions }: Page<K>, stor
     },
     embed: act('embed'),
     help,
+    pictured: Promise.race([element.ready, new Promise((resolve) => setTimeout(resolve, PATIENCE_MS))]),
   };
   panel.className = 'panel';
   panel.id = 'controls';

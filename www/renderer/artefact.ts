@@ -63,6 +63,7 @@ export interface RawRenderer {
   endStill(): void;
   makeNext(sort: number): boolean;
   beginPicture(width: number, height: number, isRough: boolean): void;
+  lightPicture(): boolean;
   drawPiece(pixels: number): boolean;
   piecesUnderWay(): number;
   showPicture(): boolean;

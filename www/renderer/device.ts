@@ -180,6 +180,24 @@ async function probeWebGpu(): Promise<string> {
   return [vendor, architecture, description, isFallbackAdapter && 'fallback'].filter(Boolean).join(' ');
 }
 
+/**
+ * Browsers compile shaders beside the page, and have it wait when it asks how that went, which wgpu does at once. Whether the program links, which it
+ * asks later, tells the same, and then also why it does not.
+ */
+function waitForPrograms(context: WebGL2RenderingContext): void {
+  const shaderParameter = context.getShaderParameter.bind(context);
+  const shaderLog = context.getShaderInfoLog.bind(context);
+  const programLog = context.getProgramInfoLog.bind(context);
+  context.getShaderParameter = (shader, name) => name === context.COMPILE_STATUS || shaderParameter(shader, name);
+  context.getShaderInfoLog = () => '';
+  context.getProgramInfoLog = (program) => {
+    const logs = [programLog(program)];
+    if (!context.getProgramParameter(program, context.LINK_STATUS))
+      logs.push(...(context.getAttachedShaders(program) ?? []).map(shaderLog));
+    return logs.join(' ');
+  };
+}
+
 /** The little of WebGPU that the probe uses; TypeScript's DOM library has none of it. */
 interface ProbedGpu {
   requestAdapter(options: { powerPreference: 'high-performance' }): Promise<{
@@ -196,6 +214,7 @@ interface ProbedGpu {
 function probeWebGl(canvas: HTMLCanvasElement): string {
   const context = canvas.getContext('webgl2', { antialias: false });
   if (!context) throw new Error('no WebGL2 context');
+  waitForPrograms(context);
   const names = context.getExtension('WEBGL_debug_renderer_info');
   return String(context.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER));
 }

@@ -209,6 +209,7 @@ export class GpuRenderer implements SceneRenderer {
       this.#begun = [width, height];
       this.#guard(() => this.#raw.beginPicture(width, height, isRough));
     },
+    light: () => this.#guard(() => this.#raw.lightPicture()) === true,
     draw: (pixels) => {
       const goesOn = this.#guard(() => this.#raw.drawPiece(pixels));
       if (!goesOn) this.#whole = this.#begun;

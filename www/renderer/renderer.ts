@@ -64,14 +64,16 @@ export interface Stills {
 
 /** Pictures that are drawn in pieces, out of sight: none of them takes a device long, and the page goes on between them. */
 export interface Pieces {
-  /** Makes one of the things that such a picture lacks, each of which takes tens of milliseconds. False: nothing was lacking. */
+  /** Makes one of the things that such a picture lacks, none of which takes long. False: nothing was lacking. */
   make(isRough: boolean): boolean;
   /**
    * Begins a picture of what is drawn now, through the camera of now; device pixels, whatever the size on the screen is. A rough one has one
    * sample a pixel. What it shows must not change until it is whole, but for the camera.
    */
   begin(width: number, height: number, isRough: boolean): void;
-  /** Draws the next piece, of about so many pixels; with 0 only what they all need. False: that was the last. */
+  /** Draws a part of what gives it light, which all pieces need, as a piece is drawn. False: nothing was lacking. */
+  light(): boolean;
+  /** Draws the next piece, of about so many pixels. False: that was the last. */
   draw(pixels: number): boolean;
   /** How many pieces the device has not drawn yet. */
   underWay(): number;

@@ -134,20 +134,17 @@ export class CutPictures {
 
   /** True when the picture is whole; it is still to be shown. `kind` is what its pipelines depend on. */
   async draw(picture: CutPicture, kind: string): Promise<boolean> {
-    const { pieces, size, isMoving, prepare, isOver } = picture;
+    const { pieces, size, isMoving, isOver } = picture;
     const scale = isMoving ? this.#scaleFor(size) : 1;
     const [width, height] = size.map((side) => Math.max(1, Math.round(side * scale))) as [number, number];
     const isRough = isMoving ? scale < 1 : picture.isRough;
     if (!(await this.#make(picture, isRough))) return false;
-    const start = performance.now();
     pieces.begin(width, height, isRough);
-    pieces.draw(0);
-    if (performance.now() - start > LONG_MS) {
-      await nextTask();
-      if (isOver()) return false;
-      prepare();
+    const start = performance.now();
+    if (isMoving) {
+      if (!(await this.#light(picture))) return false;
+      while (pieces.draw(this.#piece));
     }
-    if (isMoving) while (pieces.draw(this.#piece));
     const isDone = isMoving ? await this.#wait(picture) : await this.#drawn(picture);
     const of = `${kind} ${isRough}`;
     if (isDone && isMoving && this.#seen.has(of)) this.#took(performance.now() - start, size, scale);
@@ -155,14 +152,28 @@ export class CutPictures {
     return isDone && !isOver();
   }
 
-  /** Makes what such pictures lack, in tasks of their own; the renderer is ready after it. False when nobody wants one any more. */
+  /** Makes what such pictures lack, in short tasks; the renderer is ready after it. False when nobody wants one any more. */
   async #make({ pieces, prepare, isOver }: Pick<CutPicture, 'pieces' | 'prepare' | 'isOver'>, isRough: boolean): Promise<boolean> {
     for (;;) {
+      const start = performance.now();
       prepare();
-      if (!pieces.make(isRough)) return true;
+      do if (!pieces.make(isRough)) return true;
+      while (performance.now() - start < LONG_MS);
       await nextTask();
       if (isOver()) return false;
     }
+  }
+
+  /** Has all drawn that gives light to a picture of a motion, in short tasks. False when nobody wants it any more. */
+  async #light({ pieces, prepare, isOver }: CutPicture): Promise<boolean> {
+    for (let since = performance.now(); pieces.light(); ) {
+      if (performance.now() - since < LONG_MS) continue;
+      await nextTask();
+      if (isOver()) return false;
+      prepare();
+      since = performance.now();
+    }
+    return true;
   }
 
   async #wait({ pieces, isOver }: CutPicture): Promise<boolean> {
@@ -174,6 +185,7 @@ export class CutPictures {
   }
 
   async #drawn({ pieces, view, prepare, isOver }: CutPicture): Promise<boolean> {
+    let isLit = false;
     let goesOn = true;
     let given = 0;
     let last = performance.now();
@@ -185,6 +197,8 @@ export class CutPictures {
       last = now;
       prepare();
       for (let k = under; goesOn && k < UNDER_WAY; k += 1) {
+        isLit ||= !pieces.light();
+        if (!isLit) continue;
         goesOn = pieces.draw(this.#piece);
         given += 1;
       }

@@ -25,29 +25,73 @@ enum Map {
     Height,
 }
 
+/// Indices of rocks: of the field, or of the copy of this number.
+type Rocks = (Option<usize>, Range<u32>);
+
 impl Scene {
-    /// Draws those of the maps that are stale, in submissions each of a few of the rocks: the shadows with the sky, the heights with what the ground
-    /// sees of the sky. They change only with the field, the props and, but for the heights, the sun.
-    pub(crate) fn draw_maps(&self, gpu: &Gpu, frame_group: &wgpu::BindGroup, maps: &Maps, stale: Stale, props: &Props) {
-        maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
-        let rocks = parts(&self.arrangement.all(TEXELS * self.texel * self.texel));
-        let none = Props::default();
-        for (which, is_stale) in [(Map::Shadow, stale.shadows), (Map::Height, stale.heights)] {
-            for (part, rocks) in rocks.iter().enumerate().filter(|_| is_stale) {
-                let mut encoder = gpu.device.create_command_encoder(&Default::default());
-                let props = if part == 0 { props } else { &none };
-                self.draw_map(gpu, &mut encoder, frame_group, (which, maps), props, rocks, part == 0);
-                gpu.queue.submit([encoder.finish()]);
-            }
+    /// Draws a part of those of the maps that are stale, from number 0, in a submission of its own that takes no device long: of the shadows, with the
+    /// sky; of the heights; and, if `is_natural`, of what the ground and then the rocks see of the sky. True while there is another part. The maps
+    /// change only with the field, the props and, but for the heights, the sun.
+    #[allow(clippy::too_many_arguments, reason = "what is drawn, and on what")]
+    pub(crate) fn draw_maps(
+        &self,
+        gpu: &Gpu,
+        frame_group: &wgpu::BindGroup,
+        maps: &Maps,
+        stale: Stale,
+        props: &Props,
+        is_natural: bool,
+        part: usize,
+    ) -> bool {
+        if part == 0 {
+            maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
         }
-        for part in if stale.heights { 0..OPEN_PARTS } else { 0..0 } {
-            let mut encoder = gpu.device.create_command_encoder(&Default::default());
-            self.draw_open(gpu, &mut encoder, frame_group, maps, part);
-            gpu.queue.submit([encoder.finish()]);
+        // Of the heights only what stands on the field: they know no sun.
+        let shadows = if stale.shadows { self.rocks(self.sun) } else { Vec::new() };
+        let heights = if stale.heights { self.rocks(Vec3::Z) } else { Vec::new() };
+        let ground = if stale.heights && is_natural { OPEN_PARTS } else { 0 };
+        let vertices = if is_natural { self.closed(maps) } else { 0 };
+        let of_rocks = shadows.len() + heights.len();
+        let of_ground = of_rocks + ground as usize;
+        let last = (of_ground + vertices as usize).saturating_sub(1);
+        let mut encoder = gpu.device.create_command_encoder(&Default::default());
+        let mut used = None;
+        if let Some(rocks) = shadows.iter().chain(&heights).nth(part) {
+            let which = if part < shadows.len() { Map::Shadow } else { Map::Height };
+            let is_first = part == 0 || part == shadows.len();
+            let none = Props::default();
+            let props = if is_first { props } else { &none };
+            self.draw_map(gpu, &mut encoder, frame_group, (which, maps), props, rocks, is_first);
+        } else if part < of_ground {
+            self.draw_open(gpu, &mut encoder, frame_group, maps, (part - of_rocks) as u32);
+        } else if part <= last {
+            used = Some(self.open(gpu, &mut encoder, frame_group, maps, (part - of_ground) as u32, part == last));
         }
+        gpu.queue.submit([encoder.finish()]);
+        used.iter().flatten().for_each(|view| view.texture().destroy());
+        part < last
     }
 
-    /// Finds what the ground sees of the sky, in one of [`OPEN_PARTS`] strips of the map. The other styles do not ask for it.
+    /// What is drawn into the field's own maps, in parts of at most [`PART`] indices: the field, and what its copies throw into it in the light of `sun`.
+    fn rocks(&self, sun: Vec3) -> Vec<Vec<Rocks>> {
+        let most = TEXELS * self.texel * self.texel;
+        let mut all = self.own(most);
+        if self.is_surrounded {
+            self.around.add_neighbours(&mut all, &self.arrangement, sun, most);
+        }
+        parts(all)
+    }
+
+    fn own(&self, most: f32) -> Vec<Rocks> {
+        self.arrangement.all(most, self.has_sunk()).into_iter().map(|range| (None, range)).collect()
+    }
+
+    /// Whether the rocks near the field's border have sunk.
+    fn has_sunk(&self) -> bool {
+        self.painted == Some(ColorMode::Natural)
+    }
+
+    /// Finds what the ground sees of the sky, in one of [`OPEN_PARTS`] strips of the map.
     fn draw_open(
         &self,
         gpu: &Gpu,
@@ -56,9 +100,6 @@ impl Scene {
         maps: &Maps,
         part: u32,
     ) {
-        if self.painted != Some(ColorMode::Natural) {
-            return;
-        }
         let side = maps.open.texture().width();
         let rows = side / OPEN_PARTS;
         let load = if part == 0 { wgpu::LoadOp::Clear(wgpu::Color::BLACK) } else { wgpu::LoadOp::Load };
@@ -92,7 +133,7 @@ impl Scene {
         frame_group: &wgpu::BindGroup,
         (which, maps): (Map, &Maps),
         props: &Props,
-        rocks: &[Range<u32>],
+        rocks: &[Rocks],
         is_first: bool,
     ) {
         let (label, pipeline, depth) = match which {
@@ -121,15 +162,25 @@ impl Scene {
         });
         pass.set_bind_group(0, frame_group, &[]);
         pass.set_bind_group(1, &self.field_group, &[]);
-        self.draw_rocks(&mut pass, pipeline, rocks);
-        if is_first && self.is_surrounded {
-            let most = TEXELS * self.texel * self.texel;
-            // For the heights only what stands on the field: they know no sun.
-            let sun = if which == Map::Shadow { self.sun } else { Vec3::Z };
-            self.around.draw_neighbours(&mut pass, gpu, pipeline, &self.field(), sun, most);
-            pass.set_bind_group(1, &self.field_group, &[]);
-        }
         props.draw(&mut pass, [pipeline; 2]);
+        self.draw_some(&mut pass, gpu, pipeline, rocks);
+    }
+
+    /// Draws rocks of the field and then of its copies.
+    fn draw_some(&self, pass: &mut wgpu::RenderPass<'_>, gpu: &Gpu, pipeline: &wgpu::RenderPipeline, rocks: &[Rocks]) {
+        let mut ranges = Vec::new();
+        let mut rocks = rocks.iter().peekable();
+        while let Some((copy, range)) = rocks.next() {
+            ranges.push(range.clone());
+            if rocks.peek().is_some_and(|(next, _)| next == copy) {
+                continue;
+            }
+            if let Some(copy) = copy {
+                self.around.bind(pass, gpu, *copy);
+            }
+            self.draw_rocks(pass, pipeline, &ranges);
+            ranges.clear();
+        }
     }
 
     /// Draws a part of the shadow map of a light whose uniforms are in `light`, from number 0; a texel of it is so many px wide. Whether there is another
@@ -143,7 +194,7 @@ impl Scene {
         props: &Props,
         part: usize,
     ) -> bool {
-        let parts = parts(&self.arrangement.all(TEXELS * texel * texel));
+        let parts = parts(self.own(TEXELS * texel * texel));
         let mut depth = depth_attachment(map, wgpu::StoreOp::Store);
         if part > 0 {
             depth.depth_ops = Some(kept());
@@ -157,7 +208,7 @@ impl Scene {
         pass.set_bind_group(0, frame, &[]);
         pass.set_bind_group(1, light, &[]);
         let pipeline = gpu.pipelines.fixed(&gpu.device, Fixed::Shadow);
-        self.draw_rocks(&mut pass, pipeline, parts.get(part).map_or(&[], Vec::as_slice));
+        self.draw_some(&mut pass, gpu, pipeline, parts.get(part).map_or(&[], Vec::as_slice));
         if part == 0 {
             props.draw(&mut pass, [pipeline; 2]);
         }
@@ -168,10 +219,10 @@ impl Scene {
 }
 
 /// Cuts ranges of indices into parts of at most [`PART`] indices; there is at least one.
-fn parts(ranges: &[Range<u32>]) -> Vec<Vec<Range<u32>>> {
+fn parts(ranges: Vec<Rocks>) -> Vec<Vec<Rocks>> {
     let mut parts = vec![Vec::new()];
     let mut room = PART;
-    for range in ranges {
+    for (copy, range) in ranges {
         let mut start = range.start;
         while start < range.end {
             if room == 0 {
@@ -179,7 +230,7 @@ fn parts(ranges: &[Range<u32>]) -> Vec<Vec<Range<u32>>> {
                 room = PART;
             }
             let end = range.end.min(start + room);
-            parts.last_mut().into_iter().for_each(|part| part.push(start..end));
+            parts.last_mut().into_iter().for_each(|part| part.push((copy, start..end)));
             room -= end - start;
             start = end;
         }

@@ -1,6 +1,7 @@
 //! Drawing the atlas of a field that is exported.
 
 use super::super::bake::{Bake, SIDE as BAKE_SIDE};
+use super::super::maps::Grade;
 use super::super::pipelines::Natural;
 use super::super::{Gpu, Props, Scene};
 use super::View;
@@ -11,7 +12,8 @@ impl View {
     /// field has them, and the quality is the highest.
     pub(crate) fn bake(&self, gpu: &Gpu, scene: &mut Scene, bake: &Bake, corner: [f32; 2]) {
         let props = Props::default();
-        scene.light(gpu, self.look.sun, &props, false);
+        let side = Grade::Whole.side(gpu.max_side());
+        scene.light(gpu, self.look.sun, &props, false, side);
         let mut globals = self.globals(&self.shot, None);
         let half = 0.5 * BAKE_SIDE as f32;
         globals.plan = [corner[0] + half, corner[1] + half, 1.0 / half, -1.0 / half];
@@ -20,9 +22,8 @@ impl View {
         globals.scene[2] = 0.0;
         self.write(gpu, &globals);
         scene.paint(gpu, ColorMode::Natural, &self.look);
-        let maps = self.maps(gpu, scene, |scene, maps, stale| {
-            scene.draw_maps(gpu, &self.frame_group, maps, stale, &props);
-        });
+        while self.draw_maps(gpu, scene, &props, side, || {}) {}
+        let maps = self.maps(gpu, scene, side).0;
         let encoder = gpu.device.create_command_encoder(&Default::default());
         let pipeline = gpu.pipelines.natural(&gpu.device, Natural::Bake, Recipe::of_bodies(Quality::High, &self.look));
         let patterns = gpu.pipelines.patterns(&gpu.device, &gpu.queue);

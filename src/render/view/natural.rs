@@ -1,6 +1,8 @@
 //! How a view is drawn in natural colours, and what has to be made before.
 
+use super::super::maps::Grade;
 use super::super::pipelines::{Fixed, Natural};
+use super::super::present::Present;
 use super::super::{Gpu, Props, Scene};
 use super::View;
 use crate::shading::{Recipe, Sight, Sort};
@@ -54,9 +56,26 @@ impl View {
         gpu.pipelines.natural(&gpu.device, what, recipe.of(sort))
     }
 
-    /// Makes one of the things that pictures of this sort still lack, each of which takes tens of milliseconds; `scene` if it is there already. False
-    /// where nothing was lacking.
-    pub(crate) fn make_next(&self, gpu: &Gpu, scene: Option<&Scene>, props: &Props, sort: Sort) -> bool {
+    /// Dresses a scene that no picture was drawn of yet.
+    fn dress_first(&self, gpu: &Gpu, scene: &mut Scene, props: &Props, sort: Sort) -> bool {
+        let grade = if sort == Sort::Rough { Grade::Draft } else { Grade::Whole };
+        let side = if scene.side() > 0 { scene.side() } else { grade.side(gpu.max_side()) };
+        self.dress_next(gpu, scene, props, side)
+    }
+
+    /// Makes one of the things that pictures of this sort still lack, none of which takes long; `scene` if it is there already. False where nothing
+    /// was lacking.
+    pub(crate) fn make_next(&self, gpu: &Gpu, scene: Option<&mut Scene>, props: &Props, sort: Sort) -> bool {
+        if sort != Sort::Sample && gpu.present.get().is_none() {
+            gpu.present.get_or_init(|| Present::new(&gpu.device, gpu.kind));
+            return true;
+        }
+        // Pipelines first: the device is asked whether they compile, and answers when it has been given all that comes before.
+        self.make_next_pipeline(gpu, scene.as_deref(), props, sort)
+            || scene.is_some_and(|scene| self.dress_first(gpu, scene, props, sort))
+    }
+
+    fn make_next_pipeline(&self, gpu: &Gpu, scene: Option<&Scene>, props: &Props, sort: Sort) -> bool {
         if !self.is_solid() {
             return false;
         }

@@ -3,8 +3,11 @@
 //! A rock that is subdivided has the triangles of the papers' mesh in blocks, each cut into m² parts. Every second vertex of a
 //! block's lattice is one of the block cut into (m/2)² parts: coarser levels share the vertices of the finest, and have no cracks.
 
+mod clusters;
+
 use std::ops::Range;
 
+use clusters::{Cluster, FINE, morton};
 use glam::{Mat4, Vec3};
 
 /// Levels that a rock can have. At the coarsest each triangle stands for 256 of the finest.
@@ -12,6 +15,9 @@ pub(crate) const LEVELS: usize = 5;
 
 /// Rocks are drawn in groups: those of a layer in a cell of a grid over the field, so many cells on a side.
 const CELLS: usize = 5;
+
+/// In a part of a picture, what has more indices of a group is drawn by clusters.
+const LEAST_CUT: u32 = 3 * 200;
 
 /// Fields of more rocks are drawn layer by layer: sorting them into cells would take longer than it saves.
 const MOST_SORTED: usize = 20_000;
@@ -24,6 +30,8 @@ pub(crate) struct Body {
     pub(crate) high: Vec3,
     pub(crate) vertices: u32,
     pub(crate) triangles: u32,
+    /// Whether it sinks so deep into the ground in natural colours that nothing of it is left.
+    pub(crate) is_hidden: bool,
 }
 
 impl Body {
@@ -110,6 +118,10 @@ pub(crate) struct Group {
     rocks: f32,
     /// Where the triangles of each level are in the index buffer.
     ranges: [Range<u32>; LEVELS],
+    /// Its clusters, in their order.
+    clusters: Range<usize>,
+    /// Whether nothing is left of its rocks in natural colours.
+    is_hidden: bool,
 }
 
 impl Group {
@@ -119,6 +131,8 @@ impl Group {
         surface: 0.0,
         rocks: 0.0,
         ranges: [const { 0..0 }; LEVELS],
+        clusters: 0..0,
+        is_hidden: false,
     };
 
     /// Adds a rock; the ranges begin with 0 until all groups are there.
@@ -139,6 +153,13 @@ impl Group {
         let is_fine = |range: &&Range<u32>| self.surface <= most * range.len() as f32 / 3.0;
         self.ranges.iter().rev().find(is_fine).unwrap_or(&self.ranges[0]).clone()
     }
+
+    /// Where a level whose triangles of the group are in `level` has those of one of its clusters.
+    fn part(&self, level: &Range<u32>, cluster: &Cluster) -> Range<u32> {
+        // All rocks of a group are cut alike.
+        let step = (self.ranges[0].len() / level.len().max(1)).max(1) as u32;
+        level.start + cluster.range.start / step..level.start + cluster.range.end / step
+    }
 }
 
 /// The rocks of a field in the order in which the index buffer has them, level after level.
@@ -147,6 +168,7 @@ pub(crate) struct Arrangement {
     /// The numbers of the rocks.
     pub(crate) order: Vec<u32>,
     pub(crate) groups: Vec<Group>,
+    clusters: Vec<Cluster>,
     /// Indices in all.
     pub(crate) length: u32,
     low: Vec3,
@@ -157,27 +179,43 @@ impl Arrangement {
     /// `image` is the size of the field, px.
     pub(crate) fn of(bodies: &[Body], image: [f32; 2]) -> Self {
         let cells = if bodies.len() > MOST_SORTED { 1 } else { CELLS };
-        let cell = |low: f32, high: f32, size: f32| {
+        let fine = if cells == 1 { 1 } else { FINE };
+        // Which cell, of so many on a side.
+        let place = |low: f32, high: f32, size: f32, cells: usize| {
             ((0.5 * (low + high) / size.max(1.0) * cells as f32) as usize).min(cells - 1)
         };
-        // What rocks of a group have in common, and in the lower half their numbers. Of a layer's id the lowest 16 bits must do: layers that
-        // agree in them may share groups, and are drawn as well.
+        // What rocks of a group have in common, below that their places in its cell, and in the lower half their numbers. Of a layer's id the
+        // lowest 15 bits must do: layers that agree in them may share groups, and are drawn as well.
         let key = |(rock, body): (usize, &Body)| {
-            let [column, row] = [cell(body.low.x, body.high.x, image[0]), cell(body.low.y, body.high.y, image[1])];
-            let place = (row * cells + column) as u64 | u64::from(body.segments()) << 8;
-            u64::from(body.layer) << 48 | place << 32 | rock as u64
+            let place = |cells| [0, 1].map(|axis: usize| place(body.low[axis], body.high[axis], image[axis], cells));
+            let [column, row] = place(cells);
+            let group = u64::from(body.segments().ilog2()) << 5 | (row * cells + column) as u64;
+            let within = u64::from(morton(place(cells * fine).map(|cell| (cell % fine) as u8)));
+            // Fields of many rocks stay in their order.
+            let is_hidden = u64::from(body.is_hidden && cells > 1);
+            u64::from(body.layer) << 49 | is_hidden << 48 | group << 40 | within << 32 | rock as u64
         };
         let mut keys: Vec<u64> = bodies.iter().enumerate().map(key).collect();
         keys.sort_unstable();
         let mut groups: Vec<Group> = Vec::new();
+        let mut clusters: Vec<Cluster> = Vec::new();
         let mut last = None;
         for key in &keys {
-            if last.replace(key >> 32) != Some(key >> 32) {
-                groups.push(Group::EMPTY);
+            let Some(body) = bodies.get(*key as u32 as usize) else { continue };
+            let is_new = last.map(|last: u64| last >> 40) != Some(key >> 40);
+            if is_new {
+                let clusters = clusters.len()..clusters.len();
+                groups.push(Group { clusters, is_hidden: key >> 48 & 1 == 1, ..Group::EMPTY });
             }
-            if let (Some(group), Some(body)) = (groups.last_mut(), bodies.get(*key as u32 as usize)) {
-                group.add(body);
+            let is_apart = last.map(|last| last >> 32) != Some(key >> 32);
+            last = Some(*key);
+            let Some(group) = groups.last_mut() else { continue };
+            if is_new || is_apart && clusters.last().is_some_and(Cluster::is_full) {
+                clusters.push(Cluster::at(group.ranges[0].end));
+                group.clusters.end = clusters.len();
             }
+            group.add(body);
+            clusters.iter_mut().last().into_iter().for_each(|cluster| cluster.add(body.low, body.high, body.triangles));
         }
         let mut length = 0;
         for level in 0..LEVELS {
@@ -188,7 +226,13 @@ impl Arrangement {
         }
         let low = groups.iter().fold(Vec3::INFINITY, |low, group| low.min(group.low));
         let high = groups.iter().fold(Vec3::NEG_INFINITY, |high, group| high.max(group.high));
-        Self { order: keys.into_iter().map(|key| key as u32).collect(), groups, length, low, high }
+        Self { order: keys.into_iter().map(|key| key as u32).collect(), groups, clusters, length, low, high }
+    }
+
+    /// How many indices it has for rocks of which no more than their triangles are known.
+    pub(crate) fn length_of(bodies: &[Body]) -> u32 {
+        let of = |body: &Body| (0..LEVELS).map(|level| 3 * body.triangles_at(level)).sum::<u32>();
+        bodies.iter().map(of).sum()
     }
 
     /// Where the triangles of a level begin.
@@ -196,9 +240,13 @@ impl Arrangement {
         self.groups.first().and_then(|group| group.ranges.get(level)).map_or(0, |range| range.start)
     }
 
-    /// Every rock once, by triangles of at most `most` px² on the mean, as far as there are such.
-    pub(crate) fn all(&self, most: f32) -> Vec<Range<u32>> {
-        joined(self.groups.iter().map(|group| group.range(most)))
+    /// Every rock once, by triangles of at most `most` px² on the mean, as far as there are such; if they have sunk, without those that are hidden.
+    pub(crate) fn all(&self, most: f32, has_sunk: bool) -> Vec<Range<u32>> {
+        let mut all = Vec::new();
+        for group in self.groups.iter().filter(|group| !(has_sunk && group.is_hidden)) {
+            join(&mut all, group.range(most));
+        }
+        all
     }
 
     /// What `eye` can see, the nearest groups first.
@@ -210,10 +258,38 @@ impl Arrangement {
         };
         let mut seen: Vec<u64> = self.groups.iter().enumerate().filter_map(of).collect();
         seen.sort_unstable();
-        joined(seen.into_iter().filter_map(|key| {
-            let group = self.groups.get(key as u32 as usize)?;
-            Some(group.range(sight.most(f32::from_bits((key >> 32) as u32))))
-        }))
+        let mut all = Vec::new();
+        for key in seen {
+            if let Some(group) = self.groups.get(key as u32 as usize) {
+                self.show(&mut all, group, sight, f32::from_bits((key >> 32) as u32));
+            }
+        }
+        all
+    }
+
+    /// Joins to `all` what a picture shows of a group, by the triangles for this distance.
+    fn show(&self, all: &mut Vec<Range<u32>>, group: &Group, sight: &Sight, distance: f32) {
+        let level = group.range(sight.most(distance));
+        if sight.is_part && level.len() as u32 > LEAST_CUT {
+            self.join_some(all, group, &level, &|low, high| sight.distance(low, high).is_some());
+        } else {
+            join(all, level);
+        }
+    }
+
+    /// Joins to `all` those clusters of a group whose boxes are wanted, by the triangles of a level.
+    fn join_some(
+        &self,
+        all: &mut Vec<Range<u32>>,
+        group: &Group,
+        level: &Range<u32>,
+        is_wanted: &dyn Fn(Vec3, Vec3) -> bool,
+    ) {
+        for cluster in self.clusters.get(group.clusters.clone()).unwrap_or_default() {
+            if is_wanted(cluster.low, cluster.high) {
+                join(all, group.part(level, cluster));
+            }
+        }
     }
 }
 
@@ -221,8 +297,13 @@ impl Arrangement {
     /// As [`Arrangement::seen`] from so far away that all groups are as far: few ranges, in the order of the buffer.
     pub(crate) fn seen_afar(&self, sight: &Sight) -> Vec<Range<u32>> {
         let Some(distance) = self.distance(sight) else { return Vec::new() };
-        let most = sight.most(distance);
-        joined(self.groups.iter().filter(|group| sight.shows(group, distance)).map(|group| group.range(most)))
+        let mut all = Vec::new();
+        for group in self.groups.iter().filter(|group| sight.shows(group, distance)) {
+            if !sight.is_part || sight.distance(group.low, group.high).is_some() {
+                self.show(&mut all, group, sight, distance);
+            }
+        }
+        all
     }
 
     /// How many triangles [`Arrangement::seen_afar`] would have, were all of it in the picture.
@@ -241,26 +322,27 @@ impl Arrangement {
     /// The groups that, moved by `shift`, are over the field or throw their shadows into it, by triangles as for [`Arrangement::all`]. `sun` is the
     /// direction of the sun.
     pub(crate) fn reaching(&self, shift: Vec3, sun: Vec3, image: [f32; 2], most: f32) -> Vec<Range<u32>> {
-        let reaches = |group: &&Group| {
-            let [low, high] = [group.low + shift, group.high + shift].map(Vec3::truncate);
-            let shadow = -sun.truncate() / sun.z * group.high.z;
+        let reaches = |low: Vec3, high: Vec3| {
+            let shadow = -sun.truncate() / sun.z * high.z;
+            let [low, high] = [low + shift, high + shift].map(Vec3::truncate);
             let (low, high) = (low.min(low + shadow), high.max(high + shadow));
             low.cmple(image.into()).all() && high.cmpge(glam::Vec2::ZERO).all()
         };
-        joined(self.groups.iter().filter(reaches).map(|group| group.range(most)))
+        let mut all = Vec::new();
+        for group in self.groups.iter().filter(|group| !group.is_hidden && reaches(group.low, group.high)) {
+            self.join_some(&mut all, group, &group.range(most), &reaches);
+        }
+        all
     }
 }
 
-/// Joins what is drawn without a gap.
-fn joined(ranges: impl Iterator<Item = Range<u32>>) -> Vec<Range<u32>> {
-    let mut all: Vec<Range<u32>> = Vec::new();
-    for range in ranges.filter(|range| !range.is_empty()) {
-        match all.last_mut() {
-            Some(last) if last.end == range.start => last.end = range.end,
-            _ => all.push(range),
-        }
+/// Adds what is drawn, to the last of `all` where there is no gap.
+fn join(all: &mut Vec<Range<u32>>, range: Range<u32>) {
+    match all.last_mut() {
+        Some(last) if last.end == range.start => last.end = range.end,
+        _ if range.is_empty() => {}
+        _ => all.push(range),
     }
-    all
 }
 
 /// A picture that rocks are drawn in.
@@ -276,6 +358,8 @@ pub(crate) struct Sight {
     pub(crate) most: f32,
     /// How large rocks must be on the mean to be drawn, square pixels of the picture.
     pub(crate) least: f32,
+    /// Whether it is a part of a picture: then what is drawn is chosen more closely, since all parts together would repeat much. It looks the same.
+    pub(crate) is_part: bool,
 }
 
 impl Sight {
@@ -314,7 +398,7 @@ impl Sight {
 
     /// Whether the rocks of a group are large enough at a distance.
     fn shows(&self, group: &Group, distance: f32) -> bool {
-        group.surface * self.pixels(distance) >= self.least * group.rocks
+        !(self.sunk > 0.0 && group.is_hidden) && group.surface * self.pixels(distance) >= self.least * group.rocks
     }
 }
 

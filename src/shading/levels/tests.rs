@@ -35,6 +35,7 @@ fn bodies(mesh: &Mesh) -> Vec<Body> {
             high: vertices.iter().fold(Vec3::NEG_INFINITY, |high, at| high.max(*at)),
             vertices: vertices.len() as u32,
             triangles: (mesh.rock_starts[rock + 1] - mesh.rock_starts[rock]) / 3,
+            is_hidden: false,
         }
     };
     (0..mesh.rock_layer.len()).map(of).collect()
@@ -72,7 +73,7 @@ fn no_other_rock_has_the_counts_of_one_that_is_subdivided() {
         for m in [1, 2, 4, 8, 16, 32] {
             let triangles = (3 * corners - 2) * m * m;
             let vertices = (triangles + corners * m) / 2 + 1;
-            let body = Body { layer: 0, low: Vec3::ZERO, high: Vec3::ONE, vertices, triangles };
+            let body = Body { layer: 0, low: Vec3::ZERO, high: Vec3::ONE, vertices, triangles, is_hidden: false };
             assert_eq!(body.segments(), m, "{corners} corners");
         }
     }
@@ -132,7 +133,7 @@ fn sight(eye: Vec3, most: f32) -> Sight {
     let rows = [right * 1.5, up * 2.5, forward, forward];
     let column = |axis: Vec3| Vec4::from(rows.map(|row| row.dot(axis)));
     let clip_from_eye = Mat4::from_cols(column(Vec3::X), column(Vec3::Y), column(Vec3::Z), Vec4::ZERO);
-    Sight { clip_from_eye, eye, sunk: 0.0, scale: 1000.0, most, least: 0.0 }
+    Sight { clip_from_eye, eye, sunk: 0.0, scale: 1000.0, most, least: 0.0, is_part: false }
 }
 
 #[test]
@@ -142,12 +143,13 @@ fn every_rock_is_drawn_once_and_each_at_one_level() {
     let arranged = Arrangement::of(&bodies, [SIZE as f32; 2]);
     let lengths = |l: usize| bodies.iter().map(|body| 3 * body.triangles_at(l)).sum::<u32>();
     assert_eq!(arranged.length, (0..LEVELS).map(lengths).sum::<u32>());
+    assert_eq!(arranged.length, Arrangement::length_of(&bodies));
     let mut order = arranged.order.clone();
     order.sort_unstable();
     assert_eq!(order, (0..bodies.len() as u32).collect::<Vec<_>>());
     let drawn = |ranges: &[std::ops::Range<u32>]| ranges.iter().map(|range| range.len() as u32).sum::<u32>();
-    assert_eq!(drawn(&arranged.all(0.0)), lengths(0));
-    assert_eq!(drawn(&arranged.all(f32::INFINITY)), lengths(LEVELS - 1));
+    assert_eq!(drawn(&arranged.all(0.0, false)), lengths(0));
+    assert_eq!(drawn(&arranged.all(f32::INFINITY, false)), lengths(LEVELS - 1));
     let far = Vec3::new(64.0, -400.0, 400.0);
     assert_eq!(drawn(&arranged.seen(&sight(far, 0.0))), lengths(0), "all of it is in the picture");
     let [coarse, fine] = [100.0, 1.0].map(|most| drawn(&arranged.seen(&sight(far, most))));
@@ -255,4 +257,77 @@ fn rocks_are_left_out_by_size_as_soon_as_all_do_not_fit_and_hardly_more_than_hav
             assert!(found >= fitting && found <= (1.04 * fitting).max(1.5), "{found} where {fitting} fits");
         }
     }
+}
+
+#[test]
+fn a_part_of_a_picture_shows_the_same_and_draws_less_of_what_it_does_not_show() {
+    let mesh = mesh_of(&preset("riverbed"));
+    let bodies = bodies(&mesh);
+    let positions = positions(&mesh);
+    let arranged = Arrangement::of(&bodies, [SIZE as f32; 2]);
+    let buffer: Vec<u32> = (0..LEVELS)
+        .flat_map(|l| arranged.order.iter().map(move |&rock| (l, rock as usize)))
+        .flat_map(|(l, rock)| level(&bodies[rock], l, &mesh, rock))
+        .collect();
+    for most in [0.0, 400.0] {
+        let whole = sight(Vec3::new(64.0, -200.0, 200.0), most);
+        let (mut in_parts, mut in_wholes) = (0, 0);
+        for (column, row) in (0..36).map(|k| (k % 6, k / 6)) {
+            // A sixth of the picture across and down.
+            let at = [column, row].map(|k| 5.0 - 2.0 * k as f32);
+            let shift = Mat4::from_cols(Vec4::X * 6.0, Vec4::Y * 6.0, Vec4::Z, Vec4::new(at[0], at[1], 0.0, 1.0));
+            let part = Sight { clip_from_eye: shift * whole.clip_from_eye, is_part: true, ..whole };
+            for (drawn, without) in [
+                (arranged.seen(&part), arranged.seen(&Sight { is_part: false, ..part })),
+                (arranged.seen_afar(&part), arranged.seen_afar(&Sight { is_part: false, ..part })),
+            ] {
+                let triangles = |ranges: &[std::ops::Range<u32>]| -> Vec<[u32; 3]> {
+                    let indices = ranges.iter().flat_map(|range| &buffer[range.start as usize..range.end as usize]);
+                    let indices: Vec<u32> = indices.copied().collect();
+                    indices.chunks_exact(3).map(|three| [three[0], three[1], three[2]]).collect()
+                };
+                let [drawn, without] = [drawn, without].map(|ranges| {
+                    let mut all = triangles(&ranges);
+                    all.sort_unstable();
+                    all
+                });
+                assert!(drawn.iter().all(|three| without.binary_search(three).is_ok()), "triangles of another level");
+                for three in &without {
+                    let corners = three.map(|v| part.clip_from_eye * (positions[v as usize] - part.eye).extend(1.0));
+                    let is_seen = corners.iter().any(|at| at.x.abs() < at.w && at.y.abs() < at.w);
+                    assert!(!is_seen || drawn.binary_search(three).is_ok(), "{corners:?} is not drawn");
+                }
+                in_parts += drawn.len();
+                in_wholes += without.len();
+            }
+        }
+        assert!(3 * in_parts < in_wholes, "{in_parts} of {in_wholes}");
+    }
+}
+
+#[test]
+fn rocks_that_have_sunk_out_of_sight_are_drawn_only_where_none_sinks() {
+    let mesh = mesh_of(&preset("riverbed"));
+    let mut bodies = bodies(&mesh);
+    bodies.iter_mut().step_by(3).for_each(|body| body.is_hidden = true);
+    let arranged = Arrangement::of(&bodies, [SIZE as f32; 2]);
+    let drawn = |ranges: Vec<std::ops::Range<u32>>| ranges.iter().map(|range| range.len() as u32).sum::<u32>();
+    let count =
+        |is_wanted: fn(&&Body) -> bool| bodies.iter().filter(is_wanted).map(|body| 3 * body.triangles).sum::<u32>();
+    let (all, left) = (count(|_| true), count(|body| !body.is_hidden));
+    let far = sight(Vec3::new(64.0, -400.0, 400.0), 0.0);
+    let sunk = Sight { sunk: 1.0, ..far };
+    assert_eq!(
+        [drawn(arranged.all(0.0, false)), drawn(arranged.seen(&far)), drawn(arranged.seen_afar(&far))],
+        [all; 3]
+    );
+    assert_eq!(
+        [drawn(arranged.all(0.0, true)), drawn(arranged.seen(&sunk)), drawn(arranged.seen_afar(&sunk))],
+        [left; 3]
+    );
+    assert_eq!(
+        drawn(arranged.reaching(Vec3::ZERO, Vec3::Z, [SIZE as f32; 2], 0.0)),
+        left,
+        "copies are drawn in natural colours alone"
+    );
 }

@@ -19,7 +19,7 @@ export function statistics(store: RockStore): TemplateResult {
     <dl class="figures">
       <div><dt>${later(store.language, 'rocks')}</dt><dd>${rocks.toLocaleString(language)}</dd></div>
       <div><dt>${later(store.language, 'triangles')}</dt><dd>${triangles.toLocaleString(language)}</dd></div>
-      <div><dt>${later(store.language, 'covered')}</dt><dd>${percent(store, coveredFraction)}</dd></div>
+      <div><dt>${later(store.language, 'covered')}</dt><dd>${percent(coveredFraction)}</dd></div>
     </dl>
     ${field.layers.length > 0 ? layerTable(store, field.layers) : nothing}
     <dl class="figures figures-small" aria-label=${later(store.language, 'time')}>

@@ -1,11 +1,11 @@
 /** What is known of the field that is shown, in a line. */
 
-import { percent } from '../../controls/numbers.ts';
+import { counted, percent } from '../../controls/numbers.ts';
 import type { Store } from '../../controls/store.ts';
 import type { Rocks } from '../table.ts';
 
 export function rockCount(store: Store<Rocks>, n: number): string {
-  return n === 1 ? store.text('oneRock') : store.text('someRocks', { n: n.toLocaleString(store.language) });
+  return n === 1 ? store.text('oneRock') : store.text('someRocks', { n: counted(n) });
 }
 
 /** One line: `3,105 rocks · 48,930 triangles · 84.0 % covered`. */
@@ -15,7 +15,7 @@ export function summary(store: Store<Rocks>): string {
   const { rocks, triangles, coveredFraction } = field.stats;
   return store.text('summary', {
     rocks: rockCount(store, rocks),
-    triangles: triangles.toLocaleString(store.language),
-    covered: percent(store, coveredFraction),
+    triangles: counted(triangles),
+    covered: percent(coveredFraction),
   });
 }

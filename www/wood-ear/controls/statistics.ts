@@ -22,7 +22,7 @@ export function woodEarStatistics(store: WoodEarStore, { colony, ground }: WoodE
     <dl class="figures">
       <div><dt>${t('individuals')}</dt><dd>${number(individuals)}</dd></div>
       <div><dt>${t('crossing')}</dt><dd>${crossingPairs === undefined ? '…' : number(crossingPairs)}</dd></div>
-      <div title=${t('keptHelp')}><dt>${t('kept')}</dt><dd>${percent(store, keptMedian)} · ${percent(store, keptP10)}</dd></div>
+      <div title=${t('keptHelp')}><dt>${t('kept')}</dt><dd>${percent(keptMedian)} · ${percent(keptP10)}</dd></div>
     </dl>
     ${crossingPairs && store.params.collisions === 'thesis' ? html`<p class="quiet">${t('thesisLeaves')}</p>` : nothing}
     <dl class="figures figures-small">
