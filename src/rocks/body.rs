@@ -109,6 +109,26 @@ impl Body {
         f64::from(second) / f64::from(most.max(1.0e-12))
     }
 
+    /// The planes' normals, each divided by its distance from the middle, of the highest two in this direction, and how high the second is
+    /// relative to the first.
+    pub(super) fn highest_two(&self, at: DVec3) -> ([DVec3; 2], f64) {
+        let at = at.as_vec3();
+        let [x, y, z] = at.to_array().map(Vec4::splat);
+        let mut most = [(0.0_f32, [0, 0]); 2];
+        for (k, group) in self.planes.iter().enumerate() {
+            let heights = group[0] * x + group[1] * y + group[2] * z;
+            for (lane, height) in heights.to_array().into_iter().enumerate() {
+                if height > most[0].0 {
+                    most = [(height, [k, lane]), most[0]];
+                } else if height > most[1].0 {
+                    most[1] = (height, [k, lane]);
+                }
+            }
+        }
+        let plane = |[k, lane]: [usize; 2]| DVec3::from(self.planes[k].map(|axis| f64::from(axis[lane])));
+        (most.map(|(_, place)| plane(place)), f64::from(most[1].0) / f64::from(most[0].0.max(1.0e-12)))
+    }
+
     /// The gauge Gₚ(x). It is positive in every direction in which a plane bounds the body, and 0 in all others.
     pub(super) fn gauge(&self, at: DVec3) -> f64 {
         let at = at.as_vec3();

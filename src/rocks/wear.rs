@@ -149,9 +149,14 @@ impl Wearer {
                 builder.points.push(flat - sunk - DVec3::Z * (share * stone.sink));
                 continue;
             }
-            let at = blend.of(&self.disc, *segments);
-            let ring = self.ring(at).max(blend.rim_share(rim, *segments) * stone.last_ring);
-            let worn = stone.at(&self.body, at, ring);
+            let least = blend.rim_share(rim, *segments) * stone.last_ring;
+            let mut at = blend.of(&self.disc, *segments);
+            if stone.is_sharp {
+                let step = SLIDE * blend.longest_step(&self.disc, *segments);
+                at += step
+                    * self.slide(&stone, step, |share| (at + step * share, self.ring(at + step * share).max(least)));
+            }
+            let worn = stone.at(&self.body, at, self.ring(at).max(least));
             let from_middle = (flat - stone.centre).lerp(worn, share);
             let out = if smooth { 1.0 } else { relief.at(from_middle / stone.radius) };
             builder.points.push(stone.centre + from_middle * out - sunk);
@@ -222,6 +227,30 @@ impl Wearer {
     /// How far out a point of the disc is: 0 in the middle, 1 on the chords between the rim's corners.
     fn ring(&self, at: DVec2) -> f64 {
         self.chords.iter().fold(0.0_f64, |most, chord| most.max(chord.dot(at)))
+    }
+
+    /// How far a vertex has to go along its step, −1 … 1, to be on the edge between the two planes that are highest there; 0 if that is not within
+    /// its reach. `place` says where it is then, on which ring. Otherwise triangles across an edge would be the teeth of a saw.
+    fn slide(&self, stone: &Stone, step: DVec2, place: impl Fn(f64) -> (DVec2, f64)) -> f64 {
+        let ray = |share: f64| {
+            let (at, ring) = place(share);
+            stone.ray(at, ring)
+        };
+        let ([first, second], height) = self.body.highest_two(ray(0.0));
+        if height < NEAR_EDGE || step == DVec2::ZERO {
+            return 0.0;
+        }
+        let apart = |share: f64| (first - second).dot(ray(share));
+        let (mut from, mut to) = (-1.0, 1.0);
+        let low = apart(from);
+        if low * apart(to) > 0.0 {
+            return 0.0;
+        }
+        for _ in 0..6 {
+            let middle = 0.5 * (from + to);
+            if apart(middle) * low > 0.0 { from = middle } else { to = middle }
+        }
+        0.5 * (from + to)
     }
 
     /// Builds the body of the stone around its middle and returns how to map the disc onto it. `highest` is the height
@@ -311,6 +340,7 @@ impl Wearer {
             } else {
                 (rock.segments as f64 - 0.5) / (rock.segments as f64 - 1.0)
             },
+            is_sharp: worn < SHARP && rock.segments > 1,
             sink: if rock.segments == 1 { SINK_UNCUT } else { SINK } * height,
         }
     }
@@ -318,6 +348,13 @@ impl Wearer {
 
 /// How finely a stone has to be cut for its chips to be seen.
 const CHIPPED_FROM: usize = 16;
+
+/// Below this wear, vertices slide to the edges of a stone, at most by this share of the way to the next vertex.
+const SHARP: f64 = 0.4;
+const SLIDE: f64 = 0.45;
+
+/// How high the second plane has to be, relative to the highest, for its edge to be near.
+const NEAR_EDGE: f64 = 0.75;
 
 /// Number of chips, and their radii and depths, in radii of the stone: least and range.
 const CHIPS: usize = 12;
@@ -385,23 +422,29 @@ struct Stone {
     /// By how much the share that the rim has in a vertex is multiplied, so that those next to the rim are in that ring.
     last_ring: f64,
     sink: f64,
+    /// Whether its edges are so sharp that vertices slide to them.
+    is_sharp: bool,
 }
 
 impl Stone {
     /// Returns the place of the disc's point `at` on the stone, relative to the stone's middle. `ring` is how far out
     /// the point is, see [`Wearer::ring`].
     fn at(&self, body: &Body, at: DVec2, ring: f64) -> DVec3 {
-        // Lambert's azimuthal projection keeps areas, so triangles stay even, and it needs no trigonometry.
-        let t = self.last * (ring / self.first_ring).min(1.0);
-        let cos = 1.0 - t * t;
-        let sin = t * (2.0 - t * t).max(0.0).sqrt();
-        let around = at.normalize_or(DVec2::X) * (sin * self.radius);
-        let [up, down] = self.semi;
-        let ray = around.extend(cos * if cos > 0.0 { up } else { down });
+        let ray = self.ray(at, ring);
         let on_body = ray * body.reach(ray);
         let across = on_body.truncate() * self.scale[0];
         let squeezed = across - self.axis * (self.axis.dot(across) * (1.0 - self.squeeze));
         squeezed.extend(on_body.z * self.scale[1])
+    }
+
+    /// The direction of the disc's point `at` in the body.
+    fn ray(&self, at: DVec2, ring: f64) -> DVec3 {
+        // Lambert's azimuthal projection keeps areas, so triangles stay even, and it needs no trigonometry.
+        let t = self.last * (ring / self.first_ring).min(1.0);
+        let cos = 1.0 - t * t;
+        let sin = t * (2.0 - t * t).max(0.0).sqrt();
+        let [up, down] = self.semi;
+        (at.normalize_or(DVec2::X) * (sin * self.radius)).extend(cos * if cos > 0.0 { up } else { down })
     }
 }
 

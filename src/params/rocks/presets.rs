@@ -110,6 +110,7 @@ const SAND: f64 = 1.0;
 const GRAVEL: f64 = 2.0;
 const DROP: f64 = 1.0;
 const SEPARATE: f64 = 1.0;
+const APART: f64 = 1.0;
 
 presets! {
     papers [radius areaFraction taper taper taper height height height] {
@@ -178,7 +179,7 @@ presets! {
             [5.5, 0.5, 0.11, 0.33, 0.22, 1.98, 1.1, 0.44, 0.9, 0.1, 70.0, 0.2, MIXED]
             [3.6, 0.5, 0.07, 0.22, 0.14, 1.3, 0.72, 0.29, 0.8, 0.0, 90.0, 0.2, MIXED]
             [2.4, 0.5, 0.05, 0.14, 0.1, 0.86, 0.48, 0.19, 0.8, 0.0, 60.0, 0.2, MIXED];
-        "scree" { imageWidth: 720.0, imageHeight: 720.0, border: DROP, swing: SEPARATE, ground: GRAVEL, variation: 0.3, dust: 0.1, sunAzimuth: 235.0, sunElevation: 38.0 }
+        "scree" { imageWidth: 720.0, imageHeight: 720.0, border: DROP, swing: SEPARATE, crossing: APART, ground: GRAVEL, variation: 0.3, dust: 0.1, sunAzimuth: 235.0, sunElevation: 38.0 }
             [80.0, 0.08, 3.2, 8.0, 4.8, 24.0, 33.6, 12.8, 0.24, 0.45, 36.0, 0.2, LIMESTONE]
             [48.0, 0.22, 1.92, 4.8, 2.88, 14.4, 20.16, 7.68, 0.24, 0.4, 27.0, 0.2, LIMESTONE]
             [28.0, 0.35, 1.12, 2.8, 1.68, 8.4, 11.76, 4.48, 0.25, 0.4, 25.0, 0.2, LIMESTONE]
@@ -194,7 +195,7 @@ presets! {
             [13.0, 0.25, 0.0, 0.65, 0.52, 3.64, 4.16, 1.56, 0.7, 0.3, 19.0, 0.3, GRANITE]
             [7.0, 0.3, 0.0, 0.35, 0.28, 1.96, 2.24, 0.84, 0.7, 0.2, 27.0, 0.3, GRANITE]
             [4.0, 0.3, 0.0, 0.2, 0.16, 1.12, 1.28, 0.48, 0.7, 0.1, 38.0, 0.3, GRANITE];
-        "desert-pavement" { imageWidth: 560.0, imageHeight: 560.0, border: DROP, swing: SEPARATE, ground: SAND, variation: 0.6, dust: 0.3, sunAzimuth: 255.0, sunElevation: 27.0 }
+        "desert-pavement" { imageWidth: 560.0, imageHeight: 560.0, border: DROP, swing: SEPARATE, crossing: APART, ground: SAND, variation: 0.6, dust: 0.3, sunAzimuth: 255.0, sunElevation: 27.0 }
             [44.0, 0.03, 0.0, 2.2, 1.76, 9.68, 9.68, 4.4, 0.4, 0.4, 70.0, 0.35, SANDSTONE]
             [24.0, 0.08, 0.0, 1.2, 0.96, 5.28, 5.28, 2.4, 0.45, 0.4, 65.0, 0.35, SANDSTONE]
             [14.0, 0.24, 0.0, 0.7, 0.56, 3.08, 3.08, 1.4, 0.45, 0.35, 44.0, 0.35, SANDSTONE]
@@ -202,7 +203,7 @@ presets! {
             [5.0, 0.4, 0.0, 0.25, 0.2, 1.1, 1.1, 0.5, 0.5, 0.2, 47.0, 0.3, SANDSTONE]
             [3.2, 0.4, 0.0, 0.16, 0.13, 0.7, 0.7, 0.32, 0.5, 0.1, 52.0, 0.25, SANDSTONE]
             [2.2, 0.4, 0.0, 0.11, 0.09, 0.48, 0.48, 0.22, 0.5, 0.0, 0.0, 0.2, SANDSTONE];
-        "lava-field" { imageWidth: 800.0, imageHeight: 800.0, border: DROP, swing: SEPARATE, ground: GRAVEL, variation: 0.35, dust: 0.0, sunAzimuth: 300.0, sunElevation: 36.0 }
+        "lava-field" { imageWidth: 800.0, imageHeight: 800.0, border: DROP, swing: SEPARATE, crossing: APART, ground: GRAVEL, variation: 0.35, dust: 0.0, sunAzimuth: 300.0, sunElevation: 36.0 }
             [110.0, 0.2, 6.6, 15.4, 11.0, 26.4, 46.2, 24.2, 0.26, 1.0, 27.0, 0.2, BASALT]
             [66.0, 0.26, 3.96, 9.24, 6.6, 15.84, 27.72, 14.52, 0.26, 1.0, 21.0, 0.2, BASALT]
             [40.0, 0.34, 2.4, 5.6, 4.0, 9.6, 16.8, 8.8, 0.26, 1.0, 26.0, 0.2, BASALT]
@@ -224,7 +225,7 @@ presets! {
             [18.0, 0.12, 0.0, 0.9, 0.72, 5.04, 5.76, 2.16, 0.7, 0.4, 30.0, 0.35, GRANITE]
             [9.0, 0.15, 0.0, 0.45, 0.36, 2.52, 2.88, 1.08, 0.75, 0.2, 27.0, 0.3, GRANITE]
             [5.0, 0.15, 0.0, 0.25, 0.2, 1.4, 1.6, 0.6, 0.75, 0.2, 35.0, 0.3, GRANITE];
-        "quarry-rubble" { imageWidth: 480.0, imageHeight: 480.0, border: DROP, swing: SEPARATE, ground: GRAVEL, variation: 0.35, dust: 0.1, sunAzimuth: 240.0, sunElevation: 56.0 }
+        "quarry-rubble" { imageWidth: 480.0, imageHeight: 480.0, border: DROP, swing: SEPARATE, crossing: APART, ground: GRAVEL, variation: 0.35, dust: 0.1, sunAzimuth: 240.0, sunElevation: 56.0 }
             [14.0, 0.3, 2.24, 2.8, 1.12, 4.9, 8.4, 4.2, 0.22, 0.25, 78.0, 0.05, GRANITE]
             [11.5, 0.7, 1.84, 2.3, 0.92, 4.02, 6.9, 3.45, 0.22, 0.25, 72.0, 0.05, GRANITE]
             [8.5, 0.5, 1.36, 1.7, 0.68, 2.97, 5.1, 2.55, 0.22, 0.25, 59.0, 0.05, GRANITE]
