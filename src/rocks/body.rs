@@ -76,6 +76,7 @@ impl Body {
     }
 
     /// How much of a ray is in the body: where it comes out, in units of its length.
+    #[inline(never)]
     pub(super) fn reach(&self, ray: DVec3) -> f64 {
         let whole = 1.0 / self.gauge(ray).max(1.0e-12);
         let square = ray.length_squared();
@@ -111,6 +112,7 @@ impl Body {
 
     /// The planes' normals, each divided by its distance from the middle, of the highest two in this direction, and how high the second is
     /// relative to the first.
+    #[inline(never)]
     pub(super) fn highest_two(&self, at: DVec3) -> ([DVec3; 2], f64) {
         let at = at.as_vec3();
         let [x, y, z] = at.to_array().map(Vec4::splat);

@@ -103,6 +103,7 @@ impl Blend {
 impl Blend {
     /// The longest way from this vertex to the next one along an edge of the triangle that it lies in, or along the edge that it
     /// lies on; `places` holds the corners' places on the disc.
+    #[inline(never)]
     pub(super) fn longest_step(&self, places: &[DVec2], segments: usize) -> DVec2 {
         let [a, b, c] = [0, 1, 2].map(|k| (self.shares[k] > 0).then(|| places[usize::from(self.corners[k])]));
         let steps =

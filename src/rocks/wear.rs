@@ -225,12 +225,14 @@ impl Wearer {
     }
 
     /// How far out a point of the disc is: 0 in the middle, 1 on the chords between the rim's corners.
+    #[inline(never)]
     fn ring(&self, at: DVec2) -> f64 {
         self.chords.iter().fold(0.0_f64, |most, chord| most.max(chord.dot(at)))
     }
 
     /// How far a vertex has to go along its step, −1 … 1, to be on the edge between the two planes that are highest there; 0 if that is not within
     /// its reach. `place` says where it is then, on which ring. Otherwise triangles across an edge would be the teeth of a saw.
+    #[inline(never)]
     fn slide(&self, stone: &Stone, step: DVec2, place: impl Fn(f64) -> (DVec2, f64)) -> f64 {
         let ray = |share: f64| {
             let (at, ring) = place(share);
@@ -429,6 +431,7 @@ struct Stone {
 impl Stone {
     /// Returns the place of the disc's point `at` on the stone, relative to the stone's middle. `ring` is how far out
     /// the point is, see [`Wearer::ring`].
+    #[inline(never)]
     fn at(&self, body: &Body, at: DVec2, ring: f64) -> DVec3 {
         let ray = self.ray(at, ring);
         let on_body = ray * body.reach(ray);
@@ -438,6 +441,7 @@ impl Stone {
     }
 
     /// The direction of the disc's point `at` in the body.
+    #[inline(never)]
     fn ray(&self, at: DVec2, ring: f64) -> DVec3 {
         // Lambert's azimuthal projection keeps areas, so triangles stay even, and it needs no trigonometry.
         let t = self.last * (ring / self.first_ring).min(1.0);
