@@ -42,7 +42,7 @@ export const GENERATORS = [
     // Made for speed. Functions called once stay functions: V8 makes a third slower code of very large ones.
     compile: {
       profile: 'release',
-      rustc: ['-C', 'llvm-args=-unroll-runtime=false -unroll-allow-partial=false'],
+      rustc: ['-C', 'no-vectorize-loops', '-C', 'llvm-args=-inline-threshold=90 -unroll-runtime=false -unroll-allow-partial=false'],
       silent: true,
       optimise: [
         '-O3',

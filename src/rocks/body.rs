@@ -110,25 +110,29 @@ impl Body {
         f64::from(second) / f64::from(most.max(1.0e-12))
     }
 
-    /// The planes' normals, each divided by its distance from the middle, of the highest two in this direction, and how high the second is
-    /// relative to the first.
+    /// The normals of the two planes that are highest in this direction, each divided by its distance from the middle, if the second is
+    /// at least this high relative to the first.
     #[inline(never)]
-    pub(super) fn highest_two(&self, at: DVec3) -> ([DVec3; 2], f64) {
+    pub(super) fn highest_two(&self, at: DVec3, least: f32) -> Option<[DVec3; 2]> {
         let at = at.as_vec3();
         let [x, y, z] = at.to_array().map(Vec4::splat);
-        let mut most = [(0.0_f32, [0, 0]); 2];
-        for (k, group) in self.planes.iter().enumerate() {
-            let heights = group[0] * x + group[1] * y + group[2] * z;
-            for (lane, height) in heights.to_array().into_iter().enumerate() {
-                if height > most[0].0 {
-                    most = [(height, [k, lane]), most[0]];
-                } else if height > most[1].0 {
-                    most[1] = (height, [k, lane]);
-                }
-            }
+        let height = |group: &[Vec4; 3]| group[0] * x + group[1] * y + group[2] * z;
+        let first = self.planes.iter().fold(Vec4::ZERO, |most, group| most.max(height(group))).max_element();
+        let below = |most: Vec4, group| {
+            let height = height(group);
+            most.max(Vec4::select(height.cmplt(Vec4::splat(first)), height, Vec4::ZERO))
+        };
+        let second = self.planes.iter().fold(Vec4::ZERO, below).max_element();
+        if second < least * first {
+            return None;
         }
-        let plane = |[k, lane]: [usize; 2]| DVec3::from(self.planes[k].map(|axis| f64::from(axis[lane])));
-        (most.map(|(_, place)| plane(place)), f64::from(most[1].0) / f64::from(most[0].0.max(1.0e-12)))
+        let plane = |wanted: f32| {
+            self.planes.iter().find_map(|group| {
+                let lane = height(group).to_array().iter().position(|&height| height == wanted)?;
+                Some(DVec3::from(group.map(|axis| f64::from(axis[lane]))))
+            })
+        };
+        Some([plane(first)?, plane(second)?])
     }
 
     /// The gauge Gₚ(x). It is positive in every direction in which a plane bounds the body, and 0 in all others.

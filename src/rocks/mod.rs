@@ -19,6 +19,7 @@ mod relief;
 mod select;
 mod shape;
 mod sites;
+mod stone;
 mod subdivide;
 mod triangulate;
 mod voronoi;

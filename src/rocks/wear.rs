@@ -16,6 +16,7 @@ use glam::{DVec2, DVec3};
 use super::body::Body;
 use super::mesh::RockBuilder;
 use super::relief::Relief;
+use super::stone::Stone;
 use super::subdivide::Subdivision;
 use crate::params::Layer;
 use crate::rng::{Purpose, Stream};
@@ -154,7 +155,7 @@ impl Wearer {
             if stone.is_sharp {
                 let step = SLIDE * blend.longest_step(&self.disc, *segments);
                 at += step
-                    * self.slide(&stone, step, |share| (at + step * share, self.ring(at + step * share).max(least)));
+                    * stone.slide(&self.body, |share| (at + step * share, self.ring(at + step * share).max(least)));
             }
             let worn = stone.at(&self.body, at, self.ring(at).max(least));
             let from_middle = (flat - stone.centre).lerp(worn, share);
@@ -228,31 +229,6 @@ impl Wearer {
     #[inline(never)]
     fn ring(&self, at: DVec2) -> f64 {
         self.chords.iter().fold(0.0_f64, |most, chord| most.max(chord.dot(at)))
-    }
-
-    /// How far a vertex has to go along its step, −1 … 1, to be on the edge between the two planes that are highest there; 0 if that is not within
-    /// its reach. `place` says where it is then, on which ring. Otherwise triangles across an edge would be the teeth of a saw.
-    #[inline(never)]
-    fn slide(&self, stone: &Stone, step: DVec2, place: impl Fn(f64) -> (DVec2, f64)) -> f64 {
-        let ray = |share: f64| {
-            let (at, ring) = place(share);
-            stone.ray(at, ring)
-        };
-        let ([first, second], height) = self.body.highest_two(ray(0.0));
-        if height < NEAR_EDGE || step == DVec2::ZERO {
-            return 0.0;
-        }
-        let apart = |share: f64| (first - second).dot(ray(share));
-        let (mut from, mut to) = (-1.0, 1.0);
-        let low = apart(from);
-        if low * apart(to) > 0.0 {
-            return 0.0;
-        }
-        for _ in 0..6 {
-            let middle = 0.5 * (from + to);
-            if apart(middle) * low > 0.0 { from = middle } else { to = middle }
-        }
-        0.5 * (from + to)
     }
 
     /// Builds the body of the stone around its middle and returns how to map the disc onto it. `highest` is the height
@@ -343,6 +319,7 @@ impl Wearer {
                 (rock.segments as f64 - 0.5) / (rock.segments as f64 - 1.0)
             },
             is_sharp: worn < SHARP && rock.segments > 1,
+            near_edge: 1.0 - NEAR_EDGE / rock.segments as f32,
             sink: if rock.segments == 1 { SINK_UNCUT } else { SINK } * height,
         }
     }
@@ -355,8 +332,8 @@ const CHIPPED_FROM: usize = 16;
 const SHARP: f64 = 0.4;
 const SLIDE: f64 = 0.45;
 
-/// How high the second plane has to be, relative to the highest, for its edge to be near.
-const NEAR_EDGE: f64 = 0.75;
+/// By how much two planes may differ in height for their edge to be near, times the segments.
+const NEAR_EDGE: f32 = 1.3;
 
 /// Number of chips, and their radii and depths, in radii of the stone: least and range.
 const CHIPS: usize = 12;
@@ -405,52 +382,6 @@ const LEVEL_WORN: f64 = 0.5;
 
 /// The most by which a body is widened so that it touches its cell.
 const MOST_WIDENED: f64 = 1.3;
-
-/// Everything that is needed to map the disc onto the body.
-struct Stone {
-    centre: DVec3,
-    /// Mean distance of the sides from the middle, px.
-    radius: f64,
-    /// Height above the waist and depth below it, px.
-    semi: [f64; 2],
-    /// Scale of the body across and upward.
-    scale: [f64; 2],
-    axis: DVec2,
-    squeeze: f64,
-    /// √2·sin(θ/2) at the last ring, with θ measured from the zenith.
-    last: f64,
-    /// Place of that ring on the disc, 0 … 1.
-    first_ring: f64,
-    /// By how much the share that the rim has in a vertex is multiplied, so that those next to the rim are in that ring.
-    last_ring: f64,
-    sink: f64,
-    /// Whether its edges are so sharp that vertices slide to them.
-    is_sharp: bool,
-}
-
-impl Stone {
-    /// Returns the place of the disc's point `at` on the stone, relative to the stone's middle. `ring` is how far out
-    /// the point is, see [`Wearer::ring`].
-    #[inline(never)]
-    fn at(&self, body: &Body, at: DVec2, ring: f64) -> DVec3 {
-        let ray = self.ray(at, ring);
-        let on_body = ray * body.reach(ray);
-        let across = on_body.truncate() * self.scale[0];
-        let squeezed = across - self.axis * (self.axis.dot(across) * (1.0 - self.squeeze));
-        squeezed.extend(on_body.z * self.scale[1])
-    }
-
-    /// The direction of the disc's point `at` in the body.
-    #[inline(never)]
-    fn ray(&self, at: DVec2, ring: f64) -> DVec3 {
-        // Lambert's azimuthal projection keeps areas, so triangles stay even, and it needs no trigonometry.
-        let t = self.last * (ring / self.first_ring).min(1.0);
-        let cos = 1.0 - t * t;
-        let sin = t * (2.0 - t * t).max(0.0).sqrt();
-        let [up, down] = self.semi;
-        (at.normalize_or(DVec2::X) * (sin * self.radius)).extend(cos * if cos > 0.0 { up } else { down })
-    }
-}
 
 /// A smooth step: 0 up to t = 0, 1 from t = 1 on, with slope 0 at both ends.
 fn blend(t: f64) -> f64 {
