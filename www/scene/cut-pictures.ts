@@ -70,6 +70,9 @@ export interface CutPicture {
   isOver(): boolean;
 }
 
+/** Whether a still is being drawn. */
+let isDrawing = false;
+
 export class CutPictures {
   /** Of a picture of a motion; 0 before it is known. */
   pixels: number;
@@ -145,7 +148,7 @@ export class CutPictures {
       if (!(await this.#light(picture))) return false;
       while (pieces.draw(this.#piece));
     }
-    const isDone = isMoving ? await this.#wait(picture) : await this.#drawn(picture);
+    const isDone = isMoving ? await this.#wait(picture) : await this.#inTurn(picture);
     const of = `${kind} ${isRough}`;
     if (isDone && isMoving && this.#seen.has(of)) this.#took(performance.now() - start, size, scale);
     if (isDone) this.#seen.add(of);
@@ -182,6 +185,23 @@ export class CutPictures {
       if (isOver()) return false;
     }
     return true;
+  }
+
+  /**
+   * Stills of a page are drawn one after the other: elements share the maps of light on a device, and those who drew in turns would begin theirs
+   * again and again.
+   */
+  async #inTurn(picture: CutPicture): Promise<boolean> {
+    while (isDrawing) {
+      await nextFrame(picture.view);
+      if (picture.isOver()) return false;
+    }
+    isDrawing = true;
+    try {
+      return await this.#drawn(picture);
+    } finally {
+      isDrawing = false;
+    }
   }
 
   async #drawn({ pieces, view, prepare, isOver }: CutPicture): Promise<boolean> {
