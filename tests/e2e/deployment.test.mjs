@@ -191,6 +191,8 @@ for (const [what, serviceWorkers, status, trigger] of GONE) {
   test(`a page ${what} says that there is a newer version when ${trigger} cannot be had; one button brings it with what was edited, and without undo where it says so`, async () => {
     const { page, close } = await openPage(LINK, { serviceWorkers });
     await page.evaluate(() => document.querySelector('rock-field').ready);
+    // The controls come after the picture; what they lack would be told first.
+    await page.locator('.slider').first().waitFor({ state: 'attached' });
     if (serviceWorkers === 'allow') await kept(page);
     const isEdited = status === 404;
     if (isEdited) {

@@ -62,6 +62,7 @@ test('every slider changes the colony or the picture, its number says so, and un
   const opened = await open('#preset=thesis-default&d=12&r=25&m=90&co=pressed&dr=0.3&th=0.1&ft=0.3&pi=0.5&w=60&lb=0.5');
   const { page } = opened;
   await hidePictures(page);
+  await page.locator('.slider').first().waitFor({ state: 'attached' });
   await page.locator('details').evaluateAll((parts) => parts.forEach((part) => part.setAttribute('open', '')));
   const looks = ['sa', 'se'];
   const ids = (await page.locator('.slider').evaluateAll((sliders) => sliders.map(({ id }) => id))).filter((id) => !looks.includes(id));
