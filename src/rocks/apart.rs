@@ -2,8 +2,8 @@
 //!
 //! In the papers, a rock stays within its cell at the ground, but its top may lean out of it (decision A14), into the
 //! rocks beside it. Here, each pair of rocks that could meet gets a plane between them. It stands on a line that
-//! separates their cells at the ground, and leans towards the rock that needs the room less. Where a vertex is beyond a plane, it
-//! is drawn towards the vertical axis over the rock's site, at its own height, until it is not. All vertices of a
+//! separates their cells at the ground, and leans over the one or the other so that the least is cut off from both. Where a
+//! vertex is beyond a plane, it is drawn towards the vertical axis over the rock's site, at its own height, until it is not. All vertices of a
 //! rock are then on its own side of the plane, therefore its triangles are, too: nothing has to be tried out.
 //!
 //! A line that separates two convex polygons runs along an edge of one of them (the separating axis theorem in the plane; Gottschalk,
@@ -18,6 +18,7 @@ use super::cache::LayerCache;
 use super::grid::Grid;
 use super::mesh::{Extent, Mesh, RockBuilder};
 use super::subdivide::Fineness;
+use super::wear::Wear;
 
 /// A plane leans over a rock by at most this share of the way from its line to the rock's axis, so that everything can
 /// be drawn in far enough.
@@ -275,8 +276,12 @@ impl Separator {
         a.vertices.len() + b.vertices.len()
     }
 
-    /// Lists what of a rock is beyond the plane that stands on the line and leans over it by `over` per px above its foot. Returns the least lean over the other rock that leaves all
-    /// of it as it is.
+    /// Lists, in `beyond[side]`, the vertices of a rock that a plane would cut off which stands on the line and leans over the rock by
+    /// `over` px for every px above `foot`. Returns by how much the plane has to lean over the other rock instead to cut off none of them,
+    /// `−over` if there are none.
+    ///
+    /// `number` is the rock's, `side` 0 or 1 its place in the pair; `normal` has unit length and points to the other rock, and `distance`
+    /// is the line's from the origin along it, px.
     #[inline(never)]
     fn look_beyond(
         &mut self,
@@ -359,7 +364,7 @@ impl Separator {
         let cache = &layers[layer];
         let buried = cache.layer.as_ref().map_or(0, |of| {
             let segments = Fineness::new(of.detail, of.height).segments(cell);
-            if of.weathering > 0.0 && segments > 1 { corners * segments } else { 0 }
+            if Wear::of(of).buries_rim(segments) { corners * segments } else { 0 }
         });
         self.builder.points.clear();
         for vertex in vertices.clone() {

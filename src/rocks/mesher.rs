@@ -97,7 +97,7 @@ impl Mesher {
             let rock = Rock { segments, rim, top, triangles, touches: &touches, seed: of.seed, layer: of.layer, site };
             wearer.wear(key.wear, &rock, builder);
             triangles = &wearer.subdivision.triangles;
-            buried = if key.wear.weathering > 0.0 && segments > 1 { wearer.subdivision.rim } else { 0 };
+            buried = if key.wear.buries_rim(segments) { wearer.subdivision.rim } else { 0 };
         }
         builder.finish(triangles, buried);
         mesh.write_rock(at, key.index as u8, builder, triangles);

@@ -55,6 +55,12 @@ impl Wear {
         self == Wear { weathering: 0.0, roughness: 0.0, detail: 0.0, embedding: 0.0 }
     }
 
+    /// Whether the faces at the rim of a rock whose edges are cut into this number of segments lie below the ground, where nobody sees
+    /// them.
+    pub(super) fn buries_rim(self, segments: usize) -> bool {
+        self.weathering > 0.0 && segments > 1
+    }
+
     /// How rounded a stone is: 0 freshly broken, 1 by a river.
     fn worn(self) -> f64 {
         ((self.weathering - BROKEN) / (1.0 - BROKEN)).clamp(0.0, 1.0)

@@ -147,6 +147,8 @@ fn check_flat(
     Ok(())
 }
 
+/// Checks that the normals have unit length and are the area-weighted means of the faces at their vertices; that faces at the first
+/// `buried` vertices count for those alone. `faces` hold indices into `vertices`, and `normals` has three numbers for each of these.
 pub(super) fn check_normals(
     vertices: &[Vec3],
     normals: &[f32],
