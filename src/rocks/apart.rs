@@ -1,10 +1,9 @@
 //! Keeps rocks apart: no two of them pass through each other. This goes beyond the papers and is off by default.
 //!
-//! In the papers, a rock stays within its cell at the ground, but its top may lean out of it (decision A14), into the
-//! rocks beside it. Here, each pair of rocks that could meet gets a plane between them. It stands on a line that
-//! separates their cells at the ground, and leans over the one or the other so that the least is cut off from both. Where a
-//! vertex is beyond a plane, it is drawn towards the vertical axis over the rock's site, at its own height, until it is not. All vertices of a
-//! rock are then on its own side of the plane, therefore its triangles are, too: nothing has to be tried out.
+//! In the papers, a rock stays within its cell at the ground, but its top may lean out of it (decision A14), into the rocks beside it. Here, each
+//! pair of rocks that could meet gets a plane between them. It stands on a line that separates their cells at the ground, and leans over the one or the
+//! other so that the least is cut off from both. Where a vertex is beyond a plane, it is drawn towards the vertical axis over the rock's site, at its own
+//! height, until it is not. All vertices of a rock are then on its own side of the plane, therefore its triangles are, too: nothing has to be tried out.
 //!
 //! A line that separates two convex polygons runs along an edge of one of them (the separating axis theorem in the plane; Gottschalk,
 //! Lin & Manocha 1996, *OBBTree*).
@@ -360,11 +359,9 @@ impl Separator {
         }
         let layer = usize::from(mesh.rock_layer[self.rock]);
         let (cell, axis) = self.place(layers, layer, self.rock);
-        let corners = cell.len();
-        let cache = &layers[layer];
-        let buried = cache.layer.as_ref().map_or(0, |of| {
+        let buried = layers[layer].layer.as_ref().map_or(0, |of| {
             let segments = Fineness::new(of.detail, of.height).segments(cell);
-            if Wear::of(of).buries_rim(segments) { corners * segments } else { 0 }
+            if Wear::of(of).buries_rim(segments) { cell.len() * segments } else { 0 }
         });
         self.builder.points.clear();
         for vertex in vertices.clone() {
