@@ -8,6 +8,8 @@ export const STAGE = [800, 600] as const;
 
 /** What the scene asked the screen for, and the time. */
 export const screen = { frames: [] as FrameRequestCallback[], clock: 0 };
+/** The scenes of a test are out of sight when it ends, or they would keep those of the next one waiting. */
+const scenes: { visible: boolean }[] = [];
 const real = { request: globalThis.requestAnimationFrame, cancel: globalThis.cancelAnimationFrame };
 
 beforeEach((context) => {
@@ -21,6 +23,7 @@ beforeEach((context) => {
 });
 
 afterEach(() => {
+  for (const scene of scenes.splice(0)) scene.visible = false;
   globalThis.requestAnimationFrame = real.request;
   globalThis.cancelAnimationFrame = real.cancel;
 });
@@ -41,6 +44,7 @@ export function setUp({
 } = {}) {
   const drawn: (Quality | null)[] = [];
   const scene = { visible: true, graded, moves, level: null as Quality | null, error: null as unknown };
+  scenes.push(scene);
   const pacer = new FramePacer({
     view: () => globalThis as unknown as Window,
     canDraw: () => scene.visible,

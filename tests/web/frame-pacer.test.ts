@@ -144,6 +144,22 @@ test('a touch ends a still at once, and is answered by a small picture', async (
   assert.deepEqual(device.shown, ['179×134 rough', '179×134 rough']);
 });
 
+test('a still that nobody wants any more keeps no other waiting, though its window has no more frames', async ({ mock }) => {
+  const still = { size: STAGE, isMoving: false, isRough: true, prepare: () => {} };
+  const closed = { requestAnimationFrame: () => 0 } as unknown as Window;
+  let isClosed = false;
+  void new CutPictures(0).draw({ ...still, pieces: new Device(1000), view: closed, isOver: () => isClosed }, 'low');
+  const device = new Device(1000);
+  const view = globalThis as unknown as Window;
+  let isDone = false;
+  void new CutPictures(0).draw({ ...still, pieces: device, view, isOver: () => false }, 'low').then(() => (isDone = true));
+  await pass(mock, device, 2000);
+  assert.deepEqual([device.pieces, isDone], [[], false]);
+  isClosed = true;
+  await pass(mock, device, 2000);
+  assert.equal(isDone, true);
+});
+
 test('the pictures of a motion follow each other, and each is shown', async ({ mock }) => {
   const { device, pacer } = await setUpSoftware(mock, 1000);
   for (let move = 0; move < 60; move += 1) {

@@ -70,8 +70,8 @@ export interface CutPicture {
   isOver(): boolean;
 }
 
-/** Whether a still is being drawn. */
-let isDrawing = false;
+/** The still that is being drawn. */
+let drawing: CutPicture | undefined;
 
 export class CutPictures {
   /** Of a picture of a motion; 0 before it is known. */
@@ -189,18 +189,18 @@ export class CutPictures {
 
   /**
    * Stills of a page are drawn one after the other: elements share the maps of light on a device, and those who drew in turns would begin theirs
-   * again and again.
+   * again and again. One that nobody wants any more keeps nobody waiting, though its window may never have another frame.
    */
   async #inTurn(picture: CutPicture): Promise<boolean> {
-    while (isDrawing) {
+    while (drawing && !drawing.isOver()) {
       await nextFrame(picture.view);
       if (picture.isOver()) return false;
     }
-    isDrawing = true;
+    drawing = picture;
     try {
       return await this.#drawn(picture);
     } finally {
-      isDrawing = false;
+      if (drawing === picture) drawing = undefined;
     }
   }
 
