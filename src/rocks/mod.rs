@@ -15,6 +15,7 @@ pub(crate) mod literal;
 pub(crate) mod memory;
 pub(crate) mod mesh;
 mod mesher;
+mod net;
 mod relief;
 mod select;
 mod shape;

@@ -52,27 +52,28 @@ impl Stone {
         (at.normalize_or(DVec2::X) * (sin * self.radius)).extend(cos * if cos > 0.0 { up } else { down })
     }
 
-    /// How far a vertex has to go along its step, −1 … 1, to be on the edge between the two planes that are highest there; 0 if that is not within
-    /// its reach. `place` says where it is then, on which ring. Otherwise triangles across an edge would be the teeth of a saw.
+    /// How far a vertex has to go on the disc to be on the edge between the two planes that are highest there, or nothing if that is out of
+    /// its reach; `steps` are the ways to its neighbours. Otherwise triangles across an edge would be the teeth of a saw.
     #[inline(never)]
-    pub(super) fn slide(&self, body: &Body, place: impl Fn(f64) -> (DVec2, f64)) -> f64 {
-        let ray = |share: f64| {
-            let (at, ring) = place(share);
-            self.ray(at, ring)
-        };
-        let here = ray(0.0);
-        let Some([first, second]) = body.highest_two(here, self.near_edge) else { return 0.0 };
+    pub(super) fn slide(&self, body: &Body, at: DVec2, steps: [DVec2; 2]) -> DVec2 {
+        let ray = |at: DVec2| self.ray(at, at.length());
+        let here = ray(at);
+        let Some([first, second]) = body.highest_two(here, self.near_edge) else { return DVec2::ZERO };
         let apart = |ray: DVec3| (first - second).dot(ray);
-        // The second plane is the higher one beyond the edge.
-        let far = [1.0, -1.0].map(|share| (share, apart(ray(share)))).into_iter().find(|(_, apart)| *apart < 0.0);
-        let Some((mut to, mut beyond)) = far else { return 0.0 };
-        let (mut from, mut before) = (0.0, apart(here));
-        // The heights of planes are nearly linear in the step.
-        for _ in 0..2 {
-            let share = from + (to - from) * before / (before - beyond);
-            let apart = apart(ray(share));
-            if apart < 0.0 { (to, beyond) = (share, apart) } else { (from, before) = (share, apart) }
+        let height = apart(here);
+        // The shortest way down is against the slope, in steps.
+        let slope = DVec2::from(steps.map(|step| apart(ray(at + step)) - height));
+        let square = slope.length_squared();
+        if height * height >= SLIDE * SLIDE * square {
+            return DVec2::ZERO;
         }
-        from + (to - from) * before / (before - beyond)
+        let way = slope * (-height / square);
+        let way = steps[0] * way.x + steps[1] * way.y;
+        // Heights of planes are nearly linear along it.
+        let left = apart(ray(at + way));
+        way * (height / (height - left)).clamp(0.5, 1.5)
     }
 }
+
+/// Vertices slide by at most this share of the way to the next one.
+const SLIDE: f64 = 0.45;

@@ -101,17 +101,6 @@ impl Blend {
 }
 
 impl Blend {
-    /// The longest way from this vertex to the next one along an edge of the triangle that it lies in, or along the edge that it
-    /// lies on; `places` holds the corners' places on the disc.
-    #[inline(never)]
-    pub(super) fn longest_step(&self, places: &[DVec2], segments: usize) -> DVec2 {
-        let [a, b, c] = [0, 1, 2].map(|k| (self.shares[k] > 0).then(|| places[usize::from(self.corners[k])]));
-        let steps =
-            [(a, b), (b, c), (c, a)].map(|ends| if let (Some(p), Some(q)) = ends { q - p } else { DVec2::ZERO });
-        let longer = |p: DVec2, q: DVec2| if q.length_squared() > p.length_squared() { q } else { p };
-        longer(longer(steps[0], steps[1]), steps[2]) / segments as f64
-    }
-
     /// The share that the rim's corners have, 0 … 1; the first `rim` corners are the rim's.
     pub(super) fn rim_share(&self, rim: usize, segments: usize) -> f64 {
         let shares = self.corners.iter().zip(&self.shares).filter(|(corner, _)| usize::from(**corner) < rim);

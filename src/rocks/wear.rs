@@ -15,6 +15,7 @@ use glam::{DVec2, DVec3};
 
 use super::body::Body;
 use super::mesh::RockBuilder;
+use super::net::Net;
 use super::relief::Relief;
 use super::stone::Stone;
 use super::subdivide::Subdivision;
@@ -118,6 +119,7 @@ pub(super) struct Rock<'a> {
 #[derive(Debug, Default)]
 pub(super) struct Wearer {
     pub(super) subdivision: Subdivision,
+    net: Net,
     body: Body,
     disc: Vec<DVec2>,
     /// Per edge of the cell, what a point of the disc is multiplied by to give 1 on its chord.
@@ -131,11 +133,13 @@ impl Wearer {
     /// `subdivision.triangles`.
     pub(super) fn wear(&mut self, wear: Wear, rock: &Rock<'_>, builder: &mut RockBuilder) {
         let rim = rock.rim.len();
-        self.subdivision.cut(rim, rock.triangles, rock.segments);
+        let middle = middle(rock.rim);
+        let share = blend(wear.weathering / BROKEN);
+        let has_net = share == 1.0 && rock.segments > 1 && self.net.lay(rock.rim, middle);
+        self.subdivision.cut(rim, if has_net { &self.net.triangles } else { rock.triangles }, rock.segments);
         core::mem::swap(&mut self.corners, &mut builder.points);
         let highest = self.corners.iter().fold(0.0_f64, |most, corner| most.max(corner.z));
         builder.points.clear();
-        let share = blend(wear.weathering / BROKEN);
         let height = highest.min(most_height(rock.rim, wear.worn()));
         let sunk = DVec3::Z * (wear.embedding * (highest + (height - highest) * share));
         if share == 0.0 && wear.roughness == 0.0 {
@@ -144,27 +148,31 @@ impl Wearer {
             return;
         }
 
-        let middle = middle(rock.rim);
-        self.spread(rock, middle);
+        if !has_net {
+            self.spread(rock, middle);
+        }
         let stone = self.shape(wear, rock, middle, height);
         let relief = Relief::new(wear.roughness, wear.worn(), rock.segments, [rock.seed, rock.layer, rock.site]);
         let smooth = relief.is_none();
         let Subdivision { blends, segments, rim: rim_vertices, .. } = &self.subdivision;
         for (v, blend) in blends.iter().enumerate() {
-            let flat = blend.of(&self.corners, *segments);
             if v < *rim_vertices {
-                builder.points.push(flat - sunk - DVec3::Z * (share * stone.sink));
+                builder.points.push(blend.of(&self.corners, *segments) - sunk - DVec3::Z * (share * stone.sink));
                 continue;
             }
             let least = blend.rim_share(rim, *segments) * stone.last_ring;
-            let mut at = blend.of(&self.disc, *segments);
-            if stone.is_sharp {
-                let step = SLIDE * blend.longest_step(&self.disc, *segments);
-                at += step
-                    * stone.slide(&self.body, |share| (at + step * share, self.ring(at + step * share).max(least)));
-            }
-            let worn = stone.at(&self.body, at, self.ring(at).max(least));
-            let from_middle = (flat - stone.centre).lerp(worn, share);
+            let from_middle = if has_net {
+                let mut at = self.net.place(blend, *segments);
+                if stone.is_sharp {
+                    at += stone.slide(&self.body, at, self.net.steps(at, *segments));
+                }
+                stone.at(&self.body, at, at.length().max(least))
+            } else {
+                let at = blend.of(&self.disc, *segments);
+                let worn = stone.at(&self.body, at, self.ring(at).max(least));
+                let flat = blend.of(&self.corners, *segments);
+                (flat - stone.centre).lerp(worn, share)
+            };
             let out = if smooth { 1.0 } else { relief.at(from_middle / stone.radius) };
             builder.points.push(stone.centre + from_middle * out - sunk);
         }
@@ -334,9 +342,8 @@ impl Wearer {
 /// How finely a stone has to be cut for its chips to be seen.
 const CHIPPED_FROM: usize = 16;
 
-/// Below this wear, vertices slide to the edges of a stone, at most by this share of the way to the next vertex.
+/// Below this wear, vertices slide to the edges of a stone.
 const SHARP: f64 = 0.4;
-const SLIDE: f64 = 0.45;
 
 /// By how much two planes may differ in height for their edge to be near, times the segments.
 const NEAR_EDGE: f32 = 1.3;
