@@ -169,6 +169,39 @@ fn a_broken_stone_has_flats_and_crisp_edges_and_a_rounded_one_neither() {
     assert!(flat(&round) < 0.25 && crisp(&round) < 0.25 * crisp(&broken), "{report:?}");
 }
 
+/// The share of the surface above the ground whose triangles lie in one plane with a neighbour.
+fn in_flats(field: &Field) -> f64 {
+    let mut at_edge: BTreeMap<[u32; 2], usize> = BTreeMap::new();
+    let all: Vec<_> = faces(field).collect();
+    let unit = |normal: [f64; 3]| normal.map(|n| n / normal.iter().map(|n| n * n).sum::<f64>().sqrt());
+    let mut is_flat = vec![false; all.len()];
+    for (k, face) in field.mesh.indices.chunks_exact(3).enumerate() {
+        for [a, b] in [[face[0], face[1]], [face[1], face[2]], [face[2], face[0]]] {
+            if let Some(other) = at_edge.remove(&[b, a]) {
+                let [own, its] = [all[k].1, all[other].1].map(unit);
+                if (0..3).map(|c| own[c] * its[c]).sum::<f64>() > 2.0_f64.to_radians().cos() {
+                    (is_flat[k], is_flat[other]) = (true, true);
+                }
+            } else {
+                at_edge.insert([a, b], k);
+            }
+        }
+    }
+    let area = |k: usize| all[k].1.iter().map(|n| n * n).sum::<f64>().sqrt();
+    let seen: Vec<usize> = (0..all.len()).filter(|&k| all[k].0.iter().all(|at| at[2] > 0.0)).collect();
+    let flat = seen.iter().filter(|&&k| is_flat[k]).map(|&k| area(k)).sum::<f64>();
+    flat / seen.iter().map(|&k| area(k)).sum::<f64>()
+}
+
+#[test]
+fn vertices_stand_on_the_edges_of_broken_stone_so_that_no_triangle_lies_across_one() {
+    let mut params = fig1(0.2, 0.0, 12.0, 0.0);
+    params.layers.truncate(1);
+    params.layers[0].height = [50.0, 20.0, 10.0];
+    let flats = in_flats(&checked(&params).unwrap());
+    assert!(flats > 0.8, "{flats}");
+}
+
 #[test]
 fn a_rough_boulder_has_structure_at_every_scale_down_to_its_triangles() {
     let boulders = |roughness, detail| {
@@ -197,11 +230,38 @@ fn a_rough_boulder_has_structure_at_every_scale_down_to_its_triangles() {
     assert!(fine > 0.35 * coarse && fine > 0.015, "{fine} {coarse}");
 }
 
+/// The share of the triangles above the ground, of rocks that are cut, of which an angle is below 10°.
+fn pointed(field: &Field) -> f64 {
+    let mesh = &field.mesh;
+    let (mut count, mut pointed) = (0, 0);
+    let all: Vec<_> = faces(field).collect();
+    for rock in 0..mesh.rocks() {
+        // An uncut rock has 3n − 2 triangles and 2n vertices.
+        let of = mesh.rock_starts[rock] as usize / 3..mesh.rock_starts[rock + 1] as usize / 3;
+        let vertices = (mesh.vertex_starts[rock + 1] - mesh.vertex_starts[rock]) as usize;
+        if 2 * of.len() < 3 * vertices {
+            continue;
+        }
+        for (corners, normal) in all[of].iter().filter(|(corners, _)| corners.iter().all(|at| at[2] > 0.0)) {
+            let square = |a: usize, b: usize| (0..3).map(|c| (corners[a][c] - corners[b][c]).powi(2)).sum::<f64>();
+            let mut squares = [square(0, 1), square(1, 2), square(2, 0)];
+            squares.sort_by(f64::total_cmp);
+            // Opposite the shortest edge is the smallest angle.
+            let sine = normal.iter().map(|n| n * n).sum::<f64>().sqrt() / (squares[1] * squares[2]).sqrt();
+            count += 1;
+            pointed += u32::from(sine < 10.0_f64.to_radians().sin());
+        }
+    }
+    f64::from(pointed) / f64::from(count)
+}
+
 #[test]
-fn natural_presets_keep_every_promise() {
+fn natural_presets_keep_every_promise_and_hardly_a_triangle_is_pointed() {
     for preset in PRESETS.iter().filter(|preset| preset.natural) {
         let field = checked(&preset.params()).unwrap();
         assert!(slivers(&field) < 1.0e-3, "{}", preset.name);
+        let pointed = pointed(&field);
+        assert!(pointed < 0.01, "{} {pointed}", preset.name);
     }
 }
 

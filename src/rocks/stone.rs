@@ -76,4 +76,4 @@ impl Stone {
 }
 
 /// Vertices slide by at most this share of the way to the next one.
-const SLIDE: f64 = 0.45;
+const SLIDE: f64 = 0.42;

@@ -3,9 +3,11 @@
 //! Both papers leave wear and weathering to future work. Here a rock is a blend of the papers' mesh and a stone as
 //! found in a river or a quarry. The stone is a convex [`Body`]. Most of its half-spaces are taken from the rock
 //! itself: a side for every edge of its cell, and a facet for every top vertex, as far out and as high as Eqs 2 and 3
-//! put it; a few more are drawn at random. Every vertex keeps its place in the triangulation: the cell is mapped to a
-//! disc with the rim on the circle and the top vertices at the mean of their neighbours (Tutte 1963, *How to draw a
-//! graph*, so no triangle turns over), the disc to a sphere, and the sphere along its rays to the body.
+//! put it; a few more are drawn at random. The vertices lie on a disc with the rim on its circle, the disc is mapped to a
+//! sphere, and the sphere along its rays to the body. Where nothing of the papers' mesh is left, they are those of a net
+//! of even triangles (see `net.rs`). Where some of it is, or a rock is not cut, every vertex keeps its place in the
+//! papers' triangulation: the top vertices are at the mean of their neighbours (Tutte 1963, *How to draw a graph*, so no
+//! triangle turns over).
 //!
 //! The rim stays on its cell and sinks into the ground. The ring of vertices next to it is drawn in below the stone's
 //! waist. Outlines are therefore those of the body and not those of the cell, and the surface stays closed against the
