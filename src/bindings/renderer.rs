@@ -258,15 +258,16 @@ impl Renderer {
     }
 
     /// Makes one of the things that the next picture lacks, none of which takes long. `sort`: 0 for a picture, 1 for a rough one, 2
-    /// for the samples of a still. False where nothing was lacking.
+    /// for the samples of a still. `may_draw`: the device has made all pipelines that it was asked for, so that things can be drawn, too. False
+    /// where nothing was lacking.
     #[wasm_bindgen(js_name = makeNext)]
-    pub fn make_next(&mut self, sort: u8) -> Result<bool, js_sys::Error> {
+    pub fn make_next(&mut self, sort: u8, may_draw: bool) -> Result<bool, js_sys::Error> {
         let sort = match sort {
             0 => Sort::Frame,
             1 => Sort::Rough,
             _ => Sort::Sample,
         };
-        let is_made = self.view.make_next(&self.gpu, self.scene.as_mut(), &self.props, sort);
+        let is_made = self.view.make_next(&self.gpu, self.scene.as_mut(), &self.props, sort, may_draw);
         self.checked(is_made)
     }
 

@@ -88,7 +88,7 @@ pub(crate) struct Maker {
     kind: Kind,
     /// The shaders that were needed until now, by their passes' names: several pipelines have the same.
     modules: RefCell<Vec<(&'static str, wgpu::ShaderModule)>>,
-    /// How many pipelines were made.
+    /// How many shaders and pipelines were made.
     made: Cell<u32>,
 }
 
@@ -102,18 +102,24 @@ impl Maker {
     }
 
     pub(crate) fn make(&self, device: &wgpu::Device, pass: Pass<'_>) -> wgpu::RenderPipeline {
+        let module = self.module(device, pass.shader);
         self.made.set(self.made.get() + 1);
-        let mut modules = self.modules.borrow_mut();
-        let known = modules.iter().find(|(name, _)| *name == pass.shader.name());
-        let module = known.map(|(_, module)| module.clone()).unwrap_or_else(|| {
-            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
-                label: Some(&pass.shader.label()),
-                source: wgpu::ShaderSource::Wgsl(pass.shader.code().into()),
-            });
-            modules.push((pass.shader.name(), module.clone()));
-            module
-        });
         pipeline(device, &module, &self.layouts, self.kind, pass)
+    }
+
+    /// The shader, which is made if it is not there.
+    pub(crate) fn module(&self, device: &wgpu::Device, shader: Shader) -> wgpu::ShaderModule {
+        let mut modules = self.modules.borrow_mut();
+        let known = modules.iter().find(|(name, _)| *name == shader.name());
+        known.map(|(_, module)| module.clone()).unwrap_or_else(|| {
+            let module = device.create_shader_module(wgpu::ShaderModuleDescriptor {
+                label: Some(&shader.label()),
+                source: wgpu::ShaderSource::Wgsl(shader.code().into()),
+            });
+            self.made.set(self.made.get() + 1);
+            modules.push((shader.name(), module.clone()));
+            module
+        })
     }
 }
 

@@ -116,9 +116,26 @@ impl Pipelines {
         self.fixed[what as usize].get_or_init(|| self.maker.make(device, what.pass()))
     }
 
-    /// How many were made until now.
-    pub(crate) fn made(&self) -> u32 {
-        self.maker.made()
+    /// Makes the pipeline of a pass that is the same in every picture, or first its shader: either takes long. False if both were there.
+    pub(crate) fn makes_fixed(&self, device: &wgpu::Device, what: Fixed) -> bool {
+        self.makes_shader(device, what.pass().shader) || self.makes(|| _ = self.fixed(device, what))
+    }
+
+    /// The same of a pass in natural colours.
+    pub(crate) fn makes_natural(&self, device: &wgpu::Device, what: Natural, recipe: Recipe) -> bool {
+        self.makes_shader(device, what.pass(recipe.sort()).shader)
+            || self.makes(|| _ = self.natural(device, what, recipe))
+    }
+
+    fn makes_shader(&self, device: &wgpu::Device, shader: Shader) -> bool {
+        self.makes(|| _ = self.maker.module(device, shader))
+    }
+
+    /// Whether this made anything.
+    fn makes(&self, make: impl FnOnce()) -> bool {
+        let before = self.maker.made();
+        make();
+        self.maker.made() > before
     }
 
     /// The textures that all passes in natural colours share. They are made when the first of these passes is drawn.

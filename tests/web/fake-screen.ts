@@ -95,6 +95,10 @@ export class Device implements Pieces {
     return false;
   }
 
+  isMaking(): boolean {
+    return false;
+  }
+
   begin(width: number, height: number, isRough: boolean): void {
     this.begun += 1;
     this.width = width;

@@ -61,7 +61,7 @@ export interface RawRenderer {
   showStill(): void;
   refinePicture(opacity: number): boolean;
   endStill(): void;
-  makeNext(sort: number): boolean;
+  makeNext(sort: number, mayDraw: boolean): boolean;
   beginPicture(width: number, height: number, isRough: boolean): void;
   lightPicture(): boolean;
   drawPiece(pixels: number): boolean;

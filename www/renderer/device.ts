@@ -5,9 +5,11 @@
  * there all pictures are drawn on one canvas that nobody sees, and copied from it.
  */
 
-import type { RawDevice, RendererModule } from './artefact.ts';
+import type { RawDevice, RawRenderer, RendererModule } from './artefact.ts';
+import { lazily } from '../base/lazy.ts';
 import type { GpuBackend } from '../base/view.ts';
 import { instanceOf, loadArtefact, markTrapped } from './artefact.ts';
+import type { Programs } from './programs.ts';
 
 export type LossListener = (reason: string) => void;
 
@@ -21,6 +23,8 @@ export class SharedDevice {
   readonly name: string;
   /** Where all pictures are drawn; null with WebGPU. */
   readonly canvas: HTMLCanvasElement | null;
+  /** With WebGL2, what makes programs beside the page, as WebGPU does by itself. */
+  readonly #programs: Programs | null;
   readonly #context: WebGL2RenderingContext | null;
   readonly #forget: () => void;
   /** One for each of its users, told once when the device or context is lost. */
@@ -35,6 +39,7 @@ export class SharedDevice {
     raw: RawDevice,
     name: string,
     canvas: HTMLCanvasElement | null,
+    programs: Programs | null,
     forget: () => void,
   ) {
     this.backend = backend;
@@ -43,6 +48,7 @@ export class SharedDevice {
     this.raw = raw;
     this.name = name;
     this.canvas = canvas;
+    this.#programs = programs;
     this.#context = canvas?.getContext('webgl2') ?? null;
     this.#forget = forget;
     canvas?.addEventListener('webglcontextlost', this.#onContextLost);
@@ -72,6 +78,17 @@ export class SharedDevice {
     });
     // Browsers keep few contexts alive; this one need not wait for the garbage collector.
     this.#context?.getExtension('WEBGL_lose_context')?.loseContext();
+  }
+
+  /** Whether it still makes what it was given: what draws with that has the page wait. */
+  get isMaking(): boolean {
+    return this.#programs?.isLinking === true;
+  }
+
+  /** As `makeNext` of the wasm; true also while the device is making something. To be called within `attempt`. */
+  makeNext(raw: RawRenderer, sort: number): boolean {
+    const make = (mayDraw: boolean): boolean => raw.makeNext(sort, mayDraw);
+    return this.#programs ? this.#programs.beside(make) : make(true);
   }
 
   /** Calls into wasm. A trap is the loss of the device: another instance takes the place of the one that trapped, and nothing more is called in that. */
@@ -134,8 +151,11 @@ async function openDevice(backend: GpuBackend, forget: () => void): Promise<Shar
   );
   contextLost.catch(() => undefined);
   const name = backend === 'webgpu' ? await inTime(probeWebGpu()) : probeWebGl(canvas);
-  const module = await Promise.race([loadArtefact(backend), contextLost]);
-  if (backend === 'webgl' && canvas.getContext('webgl2')?.isContextLost()) throw new Error(CONTEXT_LOST);
+  const linker = backend === 'webgl' ? lazily(() => import('./programs.ts'), true) : null;
+  const [module, made] = await Promise.race([Promise.all([loadArtefact(backend), linker]), contextLost]);
+  const context = made && canvas.getContext('webgl2');
+  if (context?.isContextLost()) throw new Error(CONTEXT_LOST);
+  const programs = context && new made.Programs(context);
   let device: SharedDevice | undefined;
   let lostEarly: string | undefined;
   const lose = (reason: string): void => {
@@ -146,7 +166,7 @@ async function openDevice(backend: GpuBackend, forget: () => void): Promise<Shar
   try {
     const creating = module.Device.create(canvas, lose).finally(() => (isAnswered = true));
     const raw = await inTime(Promise.race([creating, contextLost]));
-    device = new SharedDevice(backend, module, raw, name, backend === 'webgl' ? canvas : null, forget);
+    device = new SharedDevice(backend, module, raw, name, context && canvas, programs, forget);
   } catch (error) {
     // What traps in the middle of its waiting gives no answer.
     if (!isAnswered || error instanceof WebAssembly.RuntimeError) markTrapped(backend);
@@ -180,24 +200,6 @@ async function probeWebGpu(): Promise<string> {
   return [vendor, architecture, description, isFallbackAdapter && 'fallback'].filter(Boolean).join(' ');
 }
 
-/**
- * Browsers compile shaders beside the page, and have it wait when it asks how that went, which wgpu does at once. Whether the program links, which it
- * asks later, tells the same, and then also why it does not.
- */
-function waitForPrograms(context: WebGL2RenderingContext): void {
-  const shaderParameter = context.getShaderParameter.bind(context);
-  const shaderLog = context.getShaderInfoLog.bind(context);
-  const programLog = context.getProgramInfoLog.bind(context);
-  context.getShaderParameter = (shader, name) => name === context.COMPILE_STATUS || shaderParameter(shader, name);
-  context.getShaderInfoLog = () => '';
-  context.getProgramInfoLog = (program) => {
-    const logs = [programLog(program)];
-    if (!context.getProgramParameter(program, context.LINK_STATUS))
-      logs.push(...(context.getAttachedShaders(program) ?? []).map(shaderLog));
-    return logs.join(' ');
-  };
-}
-
 /** The little of WebGPU that the probe uses; TypeScript's DOM library has none of it. */
 interface ProbedGpu {
   requestAdapter(options: { powerPreference: 'high-performance' }): Promise<{
@@ -214,7 +216,6 @@ interface ProbedGpu {
 function probeWebGl(canvas: HTMLCanvasElement): string {
   const context = canvas.getContext('webgl2', { antialias: false });
   if (!context) throw new Error('no WebGL2 context');
-  waitForPrograms(context);
   const names = context.getExtension('WEBGL_debug_renderer_info');
   return String(context.getParameter(names?.UNMASKED_RENDERER_WEBGL ?? context.RENDERER));
 }

@@ -203,8 +203,9 @@ export class GpuRenderer implements SceneRenderer {
     make: (isRough) => {
       // Whoever looks at a picture, such as a test, can tell that another is on its way.
       this.canvas.dataset['drawing'] = '';
-      return this.#guard(() => this.#raw.makeNext(isRough ? 1 : 0)) === true;
+      return this.#guard(() => this.#device.makeNext(this.#raw, isRough ? 1 : 0)) === true;
     },
+    isMaking: () => this.#device.isMaking,
     begin: (width, height, isRough) => {
       this.#begun = [width, height];
       this.#guard(() => this.#raw.beginPicture(width, height, isRough));

@@ -64,8 +64,10 @@ export interface Stills {
 
 /** Pictures that are drawn in pieces, out of sight: none of them takes a device long, and the page goes on between them. */
 export interface Pieces {
-  /** Makes one of the things that such a picture lacks, none of which takes long. False: nothing was lacking. */
+  /** Makes one of the things that such a picture lacks, none of which takes long. False: nothing is lacking. */
   make(isRough: boolean): boolean;
+  /** Whether the device is still making some of them, and there is nothing to do but wait. */
+  isMaking(): boolean;
   /**
    * Begins a picture of what is drawn now, through the camera of now; device pixels, whatever the size on the screen is. A rough one has one
    * sample a pixel. What it shows must not change until it is whole, but for the camera.

@@ -35,9 +35,12 @@ export function makeStills({ raw, device, canvas, guard, setTile, copy }: Drawin
       guard(() => raw.beginStill(lens.radius, lens.focus));
       hadMemory = watched();
       begun = size();
-      canvas.dataset['drawing'] = '';
     },
-    make: () => guard(() => raw.makeNext(SAMPLE)) === true,
+    make: () => {
+      // As with pieces, others can tell that a picture is on its way.
+      canvas.dataset['drawing'] = '';
+      return guard(() => device.makeNext(raw, SAMPLE)) === true;
+    },
     draw: (pixels) => guard(() => raw.drawSample(pixels)) === true,
     done: async () => {
       await deviceDone(target, device.backend);

@@ -161,7 +161,7 @@ export class CutPictures {
       const start = performance.now();
       prepare();
       do if (!pieces.make(isRough)) return true;
-      while (performance.now() - start < LONG_MS);
+      while (!pieces.isMaking() && performance.now() - start < LONG_MS);
       await nextTask();
       if (isOver()) return false;
     }

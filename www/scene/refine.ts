@@ -67,12 +67,12 @@ async function attempt(refinement: Refinement, stills: Stills, isWanted: () => b
   const isOver = (): boolean => isWanted() || refinement.isOver();
   const ended = (): Outcome => (refinement.isOver() ? 'over' : 'wanted');
   const samples = new Samples({ ...refinement, stills, isOver });
-  if (!(await samples.ready())) return ended();
-  hold(refinement);
-  refinement.prepare();
-  stills.begin();
   const least = Math.min(most, CLEAN_SAMPLES);
   try {
+    if (!(await samples.ready())) return ended();
+    hold(refinement);
+    refinement.prepare();
+    stills.begin();
     for (let drawn = 1; drawn <= most; drawn += 1) {
       if (!(await samples.draw())) return ended();
       // The first one tells little: the device compiles what it is drawn with.

@@ -52,9 +52,9 @@ async function make<T>(picture: StillPicture, take: () => T): Promise<T | undefi
     return renderer.isLost || !picture.isSame();
   };
   const samples = new Samples({ stills, prepare, isOver });
-  if (!(await samples.ready())) return undefined;
-  onStage(() => stills.begin(picture.tile, picture.lens));
   try {
+    if (!(await samples.ready())) return undefined;
+    onStage(() => stills.begin(picture.tile, picture.lens));
     for (let drawn = 1; drawn <= picture.samples; drawn += 1) {
       if (!(await samples.draw())) return undefined;
       picture.onProgress?.(drawn / (picture.samples + 1));

@@ -49,11 +49,15 @@ impl View {
     }
 
     fn pipeline(&self, gpu: &Gpu, props: &Props, what: Natural, sort: Sort) -> wgpu::RenderPipeline {
+        gpu.pipelines.natural(&gpu.device, what, self.recipe(props, what, sort))
+    }
+
+    fn recipe(&self, props: &Props, what: Natural, sort: Sort) -> Recipe {
         let recipe = match what {
             Natural::Ground => Recipe::of_ground(self.quality, &self.look, props.axis().is_some()),
             _ => Recipe::of_bodies(self.quality, &self.look),
         };
-        gpu.pipelines.natural(&gpu.device, what, recipe.of(sort))
+        recipe.of(sort)
     }
 
     /// Dresses a scene that no picture was drawn of yet.
@@ -64,15 +68,21 @@ impl View {
     }
 
     /// Makes one of the things that pictures of this sort still lack, none of which takes long; `scene` if it is there already. False where nothing
-    /// was lacking.
-    pub(crate) fn make_next(&self, gpu: &Gpu, scene: Option<&mut Scene>, props: &Props, sort: Sort) -> bool {
+    /// was lacking. Pipelines come first; what is drawn with them, only if `may_draw`.
+    pub(crate) fn make_next(
+        &self,
+        gpu: &Gpu,
+        scene: Option<&mut Scene>,
+        props: &Props,
+        sort: Sort,
+        may_draw: bool,
+    ) -> bool {
         if sort != Sort::Sample && gpu.present.get().is_none() {
             gpu.present.get_or_init(|| Present::new(&gpu.device, gpu.kind));
             return true;
         }
-        // Pipelines first: the device is asked whether they compile, and answers when it has been given all that comes before.
         self.make_next_pipeline(gpu, scene.as_deref(), props, sort)
-            || scene.is_some_and(|scene| self.dress_first(gpu, scene, props, sort))
+            || (may_draw && scene.is_some_and(|scene| self.dress_first(gpu, scene, props, sort)))
     }
 
     fn make_next_pipeline(&self, gpu: &Gpu, scene: Option<&Scene>, props: &Props, sort: Sort) -> bool {
@@ -80,21 +90,12 @@ impl View {
             return false;
         }
         let pipelines = &gpu.pipelines;
-        let before = pipelines.made();
-        let is_made = |what| {
-            pipelines.fixed(&gpu.device, what);
-            pipelines.made() > before
-        };
-        let is_natural_made = |what| {
-            self.pipeline(gpu, props, what, sort);
-            pipelines.made() > before
-        };
         let fixed: &[Fixed] = match sort {
             _ if !self.is_natural() => &[Fixed::Shadow, Fixed::Height, Fixed::Ground, Fixed::Outsides, Fixed::Insides],
             Sort::Sample => &[Fixed::SampleFloor, Fixed::Gather, Fixed::Develop],
             _ => &[Fixed::Shadow, Fixed::Height, Fixed::Open, Fixed::OpenRocks, Fixed::floor(sort)],
         };
-        if fixed.iter().copied().any(is_made) {
+        if fixed.iter().any(|what| pipelines.makes_fixed(&gpu.device, *what)) {
             return true;
         }
         let natural = [
@@ -107,7 +108,9 @@ impl View {
         self.is_natural()
             && (pipelines.makes_patterns(&gpu.device, &gpu.queue)
                 || gpu.maps.borrow_mut().makes_hills(&gpu.device, &gpu.queue)
-                || natural.into_iter().any(|(is_drawn, what)| is_drawn && is_natural_made(what)))
+                || natural.into_iter().any(|(is_drawn, what)| {
+                    is_drawn && pipelines.makes_natural(&gpu.device, what, self.recipe(props, what, sort))
+                }))
     }
 }
 
