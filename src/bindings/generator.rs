@@ -34,6 +34,10 @@ impl JsGenerator {
         Ok(self.0.set_footprint(triangles)?)
     }
 
+    pub fn set_paint(&mut self, mask: &[u8], width: usize, strokes: &[f64]) -> Result<(), JsValue> {
+        Ok(self.0.set_paint(mask, width, strokes)?)
+    }
+
     pub fn start(&mut self, params: &[f64], max_bytes: f64) -> Result<(), JsValue> {
         Ok(self.0.start(Params::from_flat(params)?, max_bytes as u64)?)
     }

@@ -36,15 +36,15 @@ impl Budget {
         Budget { max_bytes, peak_before: held, ..Budget::default() }
     }
 
-    /// Repeats the estimate with what is known now. Called before a stage allocates; `footprints` is the memory of the
-    /// footprints, bytes. Returns [`Error::OverBudget`] if the new estimate is above the budget.
+    /// Repeats the estimate with what is known now. Called before a stage allocates; `given` is the memory of what
+    /// was given beside the parameters, bytes. Returns [`Error::OverBudget`] if the new estimate is above the budget.
     #[inline(never)]
     pub(super) fn check(
         &mut self,
         known: Known,
         params: &Params,
         results: &mut Results,
-        footprints: usize,
+        given: usize,
     ) -> Result<(), Error> {
         if known != Known::Nothing && known <= self.checked {
             return Ok(());
@@ -56,7 +56,7 @@ impl Budget {
         let loads: Vec<Load> = results.layers.iter().filter_map(load).collect();
         let bitmaps = Bitmaps { clear: self.clear_bytes, selects: self.selects || known != Known::Rocks };
         let of = |results: &Results| {
-            let held = results.bytes() + footprints as f64;
+            let held = results.bytes() + given as f64;
             Need::of(held, params, &loads, results.mesh.bytes().map(|bytes| bytes as f64), bitmaps)
         };
         let mut need = of(results);

@@ -31,6 +31,8 @@ pub(super) struct SelectionKey {
     pub(super) border: Border,
     /// Version of the footprint.
     pub(super) footprint: u64,
+    /// Versions of the paint and of the layer's selection without it. `None` for the selection without it.
+    pub(super) paint: Option<[u64; 2]>,
     /// Versions of the selections of all coarser layers.
     pub(super) coarser: Vec<u64>,
 }
@@ -53,6 +55,8 @@ pub(super) struct LayerCache {
     pub(super) sites: Cached<SitesKey, Sites>,
     pub(super) cells: Cached<u64, Cells>,
     pub(super) selection: Cached<SelectionKey, Selection>,
+    /// The selection without paint, if anything is painted.
+    pub(super) open: Cached<SelectionKey, Selection>,
     /// Number of vertices of all selected cells together.
     pub(super) rims: usize,
     pub(super) shapes: Cached<u64, Shapes>,
@@ -141,7 +145,41 @@ impl LayerCache {
             + bytes(neighbors)
             + grid.bytes()
             + bytes(&self.selection.value.selected)
+            + bytes(&self.open.value.selected)
             + self.shapes.value.bytes()
+    }
+
+    /// Keeps what a run without paint has selected for one with paint, and frees it for one without.
+    pub(super) fn open_up(&mut self, is_painted: bool) {
+        match &self.selection.key {
+            Some(key) if is_painted && key.paint.is_none() => {
+                let Cached { version, value, .. } = &self.selection;
+                self.open = Cached { key: Some(key.clone()), version: *version, value: value.clone() };
+            }
+            _ if !is_painted => self.open.clear(),
+            _ => {}
+        }
+    }
+
+    /// Stores a finished selection. One that is the same as before keeps its version, so everything built on it stays
+    /// valid.
+    pub(super) fn keep_selection(&mut self, open: bool, key: SelectionKey, version: u64, mut value: Selection) {
+        if key.paint.is_some() {
+            value.saturated = self.open.value.saturated;
+        }
+        let kept = if open { &mut self.open } else { &mut self.selection };
+        let same = kept.key.as_ref().is_some_and(|old| old.cells == key.cells) && kept.value == value;
+        let version = if same { kept.version } else { version };
+        *kept = Cached { key: Some(key), version, value };
+        if open {
+            return;
+        }
+        if !same {
+            // The shapes belong to rocks that no longer exist.
+            self.shapes.clear();
+        }
+        let selected = self.selection.value.selected.iter();
+        self.rims = selected.map(|&site| self.cells.value.polygon(site as usize).len()).sum();
     }
 
     /// Number of vertices and of triangles in the buffers, once the rocks are selected; and of vertices of the largest rock that is cut.

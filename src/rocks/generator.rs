@@ -5,16 +5,18 @@
 //! affects, a run that is replaced leaves its finished stages behind, and a cached result always equals a newly
 //! computed one.
 
+mod selecting;
+
 use super::apart::Separator;
-use super::bitmap::Bitmap;
 use super::budget::{Budget, Known};
-use super::cache::{LayerCache, LayerView, MeshKey, Results, SelectionKey, Separation, SitesKey};
+use super::cache::{LayerCache, LayerView, MeshKey, Results, Separation, SitesKey};
 use super::field::Field;
 use super::footprint::Footprint;
-use super::memory::{check_before, coarsest_first, expected_sites};
+use super::given::Given;
+use super::memory::{check_before, expected_sites};
 use super::mesh::{Extent, Mesh};
 use super::mesher::Mesher;
-use super::select::{Selector, Threshold};
+use super::paint::Paint;
 use super::shape::Shaper;
 use super::sites::DartThrower;
 use super::voronoi::VoronoiBuilder;
@@ -22,16 +24,14 @@ use super::wear::Wear;
 use super::work::{Taken, VERTICES_PER_STEP, Work};
 use crate::cached::Cached;
 use crate::error::Error;
-use crate::params::{Border, Crossing, Darts, Params, Stage};
+use crate::params::{Crossing, Darts, Params, Stage};
 
 /// Grows fields. The results of the last run are kept and re-used as far as they are still valid.
 #[derive(Debug, Default)]
 pub struct Generator {
     params: Option<Params>,
-    /// The footprint in use, and its version.
-    footprint: (Footprint, u64),
-    /// The footprint to be used from the next start on, if it is another one.
-    next_footprint: Option<Footprint>,
+    footprint: Given<Footprint>,
+    paint: Given<Paint>,
     results: Results,
     task: Option<Task>,
     /// The pixels taken by coarser layers, kept while selections run.
@@ -67,8 +67,25 @@ impl Generator {
     /// Returns an error, and changes nothing, if there are not six numbers per triangle, more than 2¹⁶ triangles, or a
     /// number beyond ±65,536.
     pub fn set_footprint(&mut self, triangles: &[f64]) -> Result<(), Error> {
-        let footprint = Footprint::new(triangles)?;
-        self.next_footprint = (footprint != self.footprint.0).then_some(footprint);
+        self.footprint.set(Footprint::new(triangles)?);
+        Ok(())
+    }
+
+    /// Sets how dense the rocks stand where, from the next [`Generator::start`] on (decision A24).
+    ///
+    /// `mask` holds the rows of a picture of this width, from the top of the picture (the image's last row) to its
+    /// bottom, and covers the whole image: where it is 255, rocks stand as the layers ask; where it is 0, none has its
+    /// site.
+    ///
+    /// `strokes` holds, for each stroke: 0 (rocks are added), 1 (erased), 2 (a path that is free of them) or 3 (as if
+    /// nothing had been painted there); 0 for all layers, or the id of one + 1; half the stroke's width; its number of
+    /// points; and x and y of each. Lengths are in 4096ths of the image's width. Where strokes overlap, the last one
+    /// counts. With both empty, nothing is painted.
+    ///
+    /// # Errors
+    /// Returns an error, and changes nothing, if the mask is no rectangle, or a stroke has no point or too few numbers.
+    pub fn set_paint(&mut self, mask: &[u8], width: usize, strokes: &[f64]) -> Result<(), Error> {
+        self.paint.set(Paint::new(mask, width, strokes)?);
         Ok(())
     }
 
@@ -79,17 +96,15 @@ impl Generator {
     /// `max_bytes`.
     pub fn start(&mut self, params: Params, max_bytes: u64) -> Result<(), Error> {
         params.validate()?;
-        let footprint = self.next_footprint.as_ref().unwrap_or(&self.footprint.0);
-        check_before(&params, footprint.is_empty(), max_bytes)?;
+        check_before(&params, self.footprint.wanted().is_empty() && self.paint.wanted().is_empty(), max_bytes)?;
         // The results of the previous run are freed before new ones are made, but they count for the peak.
-        self.budget = Budget::new(max_bytes, self.results.bytes() + self.footprint_bytes() as f64);
+        self.budget = Budget::new(max_bytes, self.results.bytes() + self.given_bytes() as f64);
         self.refused = None;
         self.task = None;
         self.taken = None;
-        if let Some(footprint) = self.next_footprint.take() {
-            self.versions += 1;
-            self.footprint = (footprint, self.versions);
-        }
+        self.footprint.take_over(&mut self.versions);
+        self.paint.take_over(&mut self.versions);
+        let is_painted = !self.paint.value.is_empty();
         let mut old = core::mem::take(&mut self.results.layers);
         self.results.layers = params
             .layers
@@ -104,9 +119,11 @@ impl Generator {
                     cache.sites.clear();
                     cache.cells.clear();
                     cache.selection.clear();
+                    cache.open.clear();
                     cache.shapes.clear();
                     cache.rims = 0;
                 }
+                cache.open_up(is_painted);
                 cache.layer = Some(layer);
                 cache
             })
@@ -210,15 +227,15 @@ impl Generator {
         self.budget.estimate
     }
 
-    fn footprint_bytes(&self) -> usize {
-        self.footprint.0.bytes() + self.next_footprint.as_ref().map_or(0, Footprint::bytes)
+    fn given_bytes(&self) -> usize {
+        self.footprint.sum(Footprint::bytes) + self.paint.sum(Paint::bytes)
     }
 
     /// Repeats the memory estimate with what is `known`, before a stage allocates.
     fn check_memory(&mut self, known: Known) -> Result<(), Error> {
-        let footprints = self.footprint_bytes();
+        let given = self.given_bytes();
         let Some(params) = &self.params else { return Ok(()) };
-        self.budget.check(known, params, &mut self.results, footprints)
+        self.budget.check(known, params, &mut self.results, given)
     }
 
     /// The next piece of work: the first stage whose result is not in the cache. `None` when the run is finished.
@@ -271,62 +288,6 @@ impl Generator {
         let shaper =
             Shaper::new(&cache.selection.value.selected, cache.cells.value.len(), seed, cache.layer.as_ref()?.id);
         Some(Task { layer: k, work: Work::Shapes(Box::new(shaper)) })
-    }
-
-    /// The layers' indices by descending mean cell area W·H / n, equal ones in input order (decision A7).
-    fn selection_order(&self) -> Vec<usize> {
-        coarsest_first(self.results.layers.len(), |k| self.results.layers[k].sites.value.pixels.len() as f64)
-    }
-
-    /// The coarsest layer whose selection still has to be made, and its key.
-    fn stale_selection(&self) -> Option<(usize, SelectionKey)> {
-        let params = self.params.as_ref()?;
-        let mut coarser = Vec::new();
-        for k in self.selection_order() {
-            let cache = &self.results.layers[k];
-            let layer = cache.layer.as_ref()?;
-            let key = SelectionKey {
-                cells: cache.cells.version,
-                threshold: layer.cell_count.map_or(Threshold::Area(layer.area_fraction), Threshold::Count),
-                border: params.border,
-                footprint: self.footprint.1,
-                coarser: coarser.clone(),
-            };
-            if !cache.selection.is_current(&key) {
-                return Some((k, key));
-            }
-            coarser.push(cache.selection.version);
-        }
-        None
-    }
-
-    fn next_selection(&mut self) -> Result<Option<Task>, Error> {
-        let Some((k, key)) = self.stale_selection() else { return Ok(None) };
-        self.check_memory(Known::Sites)?;
-        self.budget.selects = true;
-        Ok(self.new_selection(k, key))
-    }
-
-    /// The task that selects from layer `k`; or, while the cells of a coarser layer are not flagged yet, the task that
-    /// flags them.
-    fn new_selection(&mut self, k: usize, key: SelectionKey) -> Option<Task> {
-        let order = self.selection_order();
-        let params = self.params.as_ref()?;
-        let taken = self.taken.get_or_insert_with(|| {
-            let image = [params.image_width, params.image_height];
-            let mut bitmap = Bitmap::new(image[0], image[1]);
-            self.footprint.0.flag(image, &mut bitmap);
-            Taken { bitmap, flagged: Vec::new() }
-        });
-        let flagged = taken.flagged.len();
-        if flagged < key.coarser.len() {
-            return Some(Task { layer: order[flagged], work: Work::Flag(0) });
-        }
-        let cache = &self.results.layers[k];
-        let layer = cache.layer.as_ref()?;
-        let drop_border = params.border == Border::Drop;
-        let selector = Selector::new(&cache.cells.value, key.threshold, drop_border, params.seed, layer.id);
-        Some(Task { layer: k, work: Work::Selection(key, Box::new(selector)) })
     }
 
     fn next_mesh(&mut self) -> Option<Task> {
@@ -384,7 +345,7 @@ impl Generator {
             return separator.advance(layers, mesh, VERTICES_PER_STEP);
         }
         let (Some(cache), Some(params)) = (layers.get(task.layer), &self.params) else { return true };
-        task.work.advance(cache, params, &mut self.taken, mesh)
+        task.work.advance(cache, params, &self.paint.value, &mut self.taken, mesh)
     }
 
     /// Stores the result of a finished task in the cache.
@@ -405,17 +366,8 @@ impl Generator {
                 }
             }
             Work::Selection(key, selector) => {
-                let value = selector.finish();
-                // A selection that is the same as before keeps its version, so everything built on it stays valid.
-                let same = cache.selection.key.as_ref().is_some_and(|old| old.cells == key.cells)
-                    && cache.selection.value == value;
-                let version = if same { cache.selection.version } else { version };
-                if !same {
-                    // The shapes belong to rocks that no longer exist.
-                    cache.shapes.clear();
-                }
-                cache.rims = value.selected.iter().map(|&site| cache.cells.value.polygon(site as usize).len()).sum();
-                cache.selection = Cached { key: Some(key), version, value };
+                let open = key.paint.is_none() && !self.paint.value.is_empty();
+                cache.keep_selection(open, key, version, selector.finish());
             }
             Work::Shapes(shaper) => {
                 cache.shapes = Cached { key: Some(cache.selection.version), version, value: shaper.finish() };

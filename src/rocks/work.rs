@@ -5,6 +5,7 @@ use super::bitmap::Bitmap;
 use super::cache::{LayerCache, SelectionKey, SitesKey};
 use super::mesh::Mesh;
 use super::mesher::{Mesher, Source};
+use super::paint::Paint;
 use super::select::{Selector, flag};
 use super::shape::Shaper;
 use super::sites::DartThrower;
@@ -22,6 +23,8 @@ pub(super) const VERTICES_PER_STEP: usize = 1 << 15;
 #[derive(Debug)]
 pub(super) struct Taken {
     pub(super) bitmap: Bitmap,
+    /// Whether they are those of the selections that are made without the paint.
+    pub(super) open: bool,
     /// Versions of the selections already flagged, coarsest first.
     pub(super) flagged: Vec<u64>,
 }
@@ -73,6 +76,7 @@ impl Work {
         &mut self,
         cache: &LayerCache,
         params: &Params,
+        paint: &Paint,
         taken: &mut Option<Taken>,
         mesh: &mut Mesh,
     ) -> bool {
@@ -82,13 +86,16 @@ impl Work {
             (Work::Sites(_, thrower), _) => thrower.advance(PICKS_PER_STEP),
             (Work::Cells(builder), _) => builder.advance(sites, CELLS_PER_STEP),
             (Work::Flag(from), Some(taken)) => {
+                let selected = if taken.open { &cache.open.value.selected } else { selected };
                 let to = (*from + CELLS_PER_STEP).min(selected.len());
                 flag(sites, cells, &selected[*from..to], &mut taken.bitmap);
                 *from = to;
                 to == selected.len()
             }
             (Work::Selection(_, selector), Some(taken)) => {
-                selector.advance(sites, cells, &taken.bitmap, CELLS_PER_STEP)
+                let Some(layer) = &cache.layer else { return true };
+                let count = paint.share(CELLS_PER_STEP);
+                selector.advance(sites, cells, &taken.bitmap, count, (paint, layer.id))
             }
             (Work::Flag(_) | Work::Selection(..), None) | (Work::Apart(_), _) => true,
             (Work::Shapes(shaper), _) => shaper.advance(cells, selected, ROCKS_PER_STEP),
