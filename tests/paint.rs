@@ -28,7 +28,7 @@ type Mask<'a> = (&'a [u8], usize);
 const NONE: Mask = (&[], 0);
 
 fn run(generator: &mut Generator, params: &Params, mask: Mask, strokes: &[f64]) {
-    generator.set_paint(mask.0, mask.1, strokes).unwrap();
+    generator.set_paint(mask.0.to_vec(), mask.1, strokes.to_vec()).unwrap();
     generator.start(params.clone(), u64::MAX).unwrap();
     while !generator.step().unwrap() {}
 }
@@ -320,7 +320,7 @@ field_test! {
     fn what_is_malformed_is_refused_and_changes_nothing() {
         let mut generator = Generator::new();
         let good = Stroke(ERASE, None, 50.0, vec![[100.0, 100.0]]).numbers();
-        generator.set_paint(&[255], 1, &good).unwrap();
+        generator.set_paint(vec![255], 1, good.clone()).unwrap();
         let bad: [(Mask, &[f64]); 6] = [
             ((&[1; 5], 2), &[]),
             ((&[1; 5], 0), &[]),
@@ -330,7 +330,7 @@ field_test! {
             (NONE, &[1.0, 0.0, 5.0, f64::NAN, 7.0, 7.0]),
         ];
         for (mask, strokes) in bad {
-            let error = generator.set_paint(mask.0, mask.1, strokes).unwrap_err();
+            let error = generator.set_paint(mask.0.to_vec(), mask.1, strokes.to_vec()).unwrap_err();
             assert_eq!((error.code(), error.key()), ("MalformedRequest", "params"), "{mask:?} {strokes:?}");
         }
         let params = params("journal-fig1");

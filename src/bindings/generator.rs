@@ -34,7 +34,7 @@ impl JsGenerator {
         Ok(self.0.set_footprint(triangles)?)
     }
 
-    pub fn set_paint(&mut self, mask: &[u8], width: usize, strokes: &[f64]) -> Result<(), JsValue> {
+    pub fn set_paint(&mut self, mask: Vec<u8>, width: usize, strokes: Vec<f64>) -> Result<(), JsValue> {
         Ok(self.0.set_paint(mask, width, strokes)?)
     }
 

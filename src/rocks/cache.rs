@@ -149,18 +149,6 @@ impl LayerCache {
             + self.shapes.value.bytes()
     }
 
-    /// Keeps what a run without paint has selected for one with paint, and frees it for one without.
-    pub(super) fn open_up(&mut self, is_painted: bool) {
-        match &self.selection.key {
-            Some(key) if is_painted && key.paint.is_none() => {
-                let Cached { version, value, .. } = &self.selection;
-                self.open = Cached { key: Some(key.clone()), version: *version, value: value.clone() };
-            }
-            _ if !is_painted => self.open.clear(),
-            _ => {}
-        }
-    }
-
     /// Stores a finished selection. One that is the same as before keeps its version, so everything built on it stays
     /// valid.
     pub(super) fn keep_selection(&mut self, open: bool, key: SelectionKey, version: u64, mut value: Selection) {

@@ -84,7 +84,7 @@ impl Generator {
     ///
     /// # Errors
     /// Returns an error, and changes nothing, if the mask is no rectangle, or a stroke has no point or too few numbers.
-    pub fn set_paint(&mut self, mask: &[u8], width: usize, strokes: &[f64]) -> Result<(), Error> {
+    pub fn set_paint(&mut self, mask: Vec<u8>, width: usize, strokes: Vec<f64>) -> Result<(), Error> {
         self.paint.set(Paint::new(mask, width, strokes)?);
         Ok(())
     }
@@ -123,7 +123,9 @@ impl Generator {
                     cache.shapes.clear();
                     cache.rims = 0;
                 }
-                cache.open_up(is_painted);
+                if !is_painted {
+                    cache.open.clear();
+                }
                 cache.layer = Some(layer);
                 cache
             })

@@ -4,15 +4,15 @@
 #[derive(Debug, Default)]
 pub(super) struct Given<T> {
     pub(super) value: T,
-    /// Changes exactly when the value does.
+    /// Changes when another value is used.
     pub(super) version: u64,
-    /// The value to be used from the next start on, if it is another one.
+    /// The value to be used from the next start on.
     next: Option<T>,
 }
 
-impl<T: PartialEq> Given<T> {
+impl<T> Given<T> {
     pub(super) fn set(&mut self, value: T) {
-        self.next = (value != self.value).then_some(value);
+        self.next = Some(value);
     }
 
     /// What the next run will use.

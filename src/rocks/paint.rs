@@ -21,7 +21,7 @@ const PATH: f64 = 2.0;
 const RESTORE: f64 = 3.0;
 
 /// A mask and strokes. With neither, every cell is as dense as its layer asks.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Debug, Default)]
 pub(super) struct Paint {
     /// Its rows, from the top of the picture to its bottom.
     mask: Vec<u8>,
@@ -33,17 +33,17 @@ pub(super) struct Paint {
 
 impl Paint {
     /// Refuses a mask that is no rectangle, and strokes without points or with too few numbers.
-    pub(super) fn new(mask: &[u8], width: usize, strokes: &[f64]) -> Result<Self, Error> {
+    pub(super) fn new(mask: Vec<u8>, width: usize, strokes: Vec<f64>) -> Result<Self, Error> {
         let height = mask.len() / width.max(1);
         if height * width != mask.len() {
             return Err(Error::MalformedRequest { value: mask.len(), expected: height * width });
         }
-        let mut rest = strokes;
+        let mut rest = strokes.as_slice();
         while next_stroke(&mut rest).is_some() {}
         if !rest.is_empty() {
             return Err(Error::MalformedRequest { value: strokes.len(), expected: strokes.len() - rest.len() });
         }
-        Ok(Paint { mask: mask.to_vec(), width, strokes: strokes.to_vec() })
+        Ok(Paint { mask, width, strokes })
     }
 
     pub(super) fn is_empty(&self) -> bool {
