@@ -148,6 +148,7 @@ fn touches(polygon: &[DVec2], scale: f64, [a, b]: [DVec2; 2], near: f64) -> bool
 
 /// Of a point from the line between two others.
 #[inline(never)]
+#[allow(clippy::manual_clamp, reason = "`clamp` would keep NaN")]
 fn squared_distance(point: DVec2, from: DVec2, to: DVec2) -> f64 {
     let (line, way) = (to - from, point - from);
     // A line without length gives NaN, and `max` then 0.

@@ -7,7 +7,6 @@ import type { ParamSpec } from '../../www/rocks/spec.ts';
 import type { Params } from '../../www/rocks/params.ts';
 import {
   boundsOf,
-  clampParams,
   copyParams,
   defaultLayer,
   defaultParams,
@@ -19,6 +18,7 @@ import {
   resolveParams,
   writeValue,
 } from '../../www/rocks/request.ts';
+import { clampParams } from '../../www/rocks/controls/clamp.ts';
 
 const NOTATIONS = ['px', 'relative'] as const;
 

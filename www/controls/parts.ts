@@ -91,25 +91,6 @@ export function segments<T extends string>({
   `;
 }
 
-/** A choice of many. */
-export function menu<T extends string>({ name, label, help = '', options, value, action, problem }: Segments<T>): TemplateResult {
-  return html`
-    <div class="control field-row" data-param=${name} data-help=${help}>
-      <label class="control-label" for=${name}>${label}</label>
-      <select
-        class="select"
-        id=${name}
-        aria-describedby=${describedBy(name, help, problem)}
-        .value=${live(value)}
-        @change=${({ target }: Event) => action((target as HTMLSelectElement).value as T)}
-      >
-        ${options.map((option) => html`<option value=${option.value} ?selected=${option.value === value}>${option.label}</option>`)}
-      </select>
-      ${description(name, help, problem)}
-    </div>
-  `;
-}
-
 /** What `aria-describedby` names: the help, and what is wrong. */
 export function describedBy(id: string, help: string, problem: string | null | undefined): string {
   return [help && `${id}-help`, problem && `${id}-problem`].filter(Boolean).join(' ');

@@ -66,6 +66,10 @@ export const NOTICE_HELP: Record<NoticeCode, NoticeHelp> = {
     cause: 'A camera that is not six numbers, or one so near or so far that nothing would be seen.',
     remedy: 'Turn the picture as you want it, and copy the link again.',
   },
+  'bad-strokes': {
+    cause: 'Painted strokes that a program has cut off or changed, or more than a link can have.',
+    remedy: 'Copy the link again, or make the text with `strokesToText` of `rock-field/core`.',
+  },
 };
 
 /** Of notices about attributes. */
@@ -115,5 +119,9 @@ export const ATTRIBUTE_NOTICE_HELP: Record<AttributeNoticeCode, NoticeHelp> = {
   'more-bases': {
     cause: 'More bases than a colony may have.',
     remedy: 'Leave the last ones out.',
+  },
+  'no-strokes': {
+    cause: 'A `strokes` that is not what a link has.',
+    remedy: 'Make the text with `strokesToText` of `rock-field/core`.',
   },
 };

@@ -16,6 +16,7 @@ export const ATTRIBUTE_NOTICES = {
   'other-length': 'there are {given} values for {used} layers; ignoring them',
   'no-bases': '{given} must be a list of bases such as 0 -20 30, 40 -20 30 25; using the preset’s',
   'more-bases': 'there are {given} bases; using the first {used}',
+  'no-strokes': '{given} cannot be read; showing none',
 } as const satisfies Record<string, string>;
 
 export type AttributeNoticeCode = keyof typeof ATTRIBUTE_NOTICES;

@@ -11,12 +11,13 @@ import type { GeneratorOptions } from '../generator/headless.ts';
 import { growOnce, openWoodEars } from '../wood-ear/headless.ts';
 import type { WoodEarGenerator, WoodEarOptions } from '../wood-ear/headless.ts';
 import type { WoodEarModule } from '../wood-ear/session.ts';
-import type { FieldRequest } from '../rocks/request.ts';
+import type { PaintedRequest } from '../rocks/painted.ts';
 import type { WoodEarRequest } from '../wood-ear/request.ts';
 
 export { RockFieldError } from '../base/errors.ts';
 export type { ErrorInfo, ErrorName } from '../base/errors.ts';
 export { presets, schema } from '../rocks/catalogue.ts';
+export { strokesOfText, strokesToText } from '../rocks/strokes.ts';
 export { woodEarPresets, woodEarSchema } from '../wood-ear/catalogue.ts';
 
 const realm = new Realm(glue, () => readFile(new URL('./generator_bg.wasm', import.meta.url)));
@@ -32,7 +33,7 @@ export function createGenerator(options?: GeneratorOptions): Promise<FieldGenera
 }
 
 /** One field, no cache kept. */
-export function generate(request?: FieldRequest, options?: GenerateOptions): Promise<Field> {
+export function generate(request?: PaintedRequest, options?: GenerateOptions): Promise<Field> {
   return generateOnce(realm, request, options);
 }
 

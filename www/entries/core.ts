@@ -15,18 +15,22 @@ import type { GeneratorGlue } from '../rocks/session.ts';
 import { growOnce, openWoodEars } from '../wood-ear/headless.ts';
 import type { WoodEarGenerator, WoodEarOptions } from '../wood-ear/headless.ts';
 import type { WoodEarModule } from '../wood-ear/session.ts';
-import type { FieldRequest } from '../rocks/request.ts';
+import type { PaintedRequest } from '../rocks/painted.ts';
 import type { WoodEarRequest } from '../wood-ear/request.ts';
 
 export { RockFieldError } from '../base/errors.ts';
 export type { ErrorInfo, ErrorName } from '../base/errors.ts';
 export { presets, schema } from '../rocks/catalogue.ts';
+export { strokesOfText, strokesToText } from '../rocks/strokes.ts';
 export { woodEarPresets, woodEarSchema } from '../wood-ear/catalogue.ts';
 export type { Field, FieldLayer, FieldStats, StageTimes } from '../data/field.ts';
 export type { FieldGenerator, GenerateOptions } from '../rocks/headless.ts';
 export type { GeneratorOptions } from '../generator/headless.ts';
 export type { Progress, StageName } from '../generator/protocol.ts';
 export type { FieldRequest, LayerRequest } from '../rocks/request.ts';
+export type { Mask } from '../rocks/mask.ts';
+export type { PaintedRequest } from '../rocks/painted.ts';
+export type { Stroke, StrokeMode } from '../rocks/strokes.ts';
 export type { Layer, Params, PresetName, Triple } from '../rocks/params.ts';
 export type { WoodEarColony, WoodEarLog, WoodEarStats, WoodEarTimes } from '../data/colony.ts';
 export type { WoodEarGenerator, WoodEarOptions } from '../wood-ear/headless.ts';
@@ -55,7 +59,7 @@ export function createGenerator(options?: GeneratorOptions): Promise<FieldGenera
 }
 
 /** One field, no cache kept. */
-export function generate(request?: FieldRequest, options?: GenerateOptions): Promise<Field> {
+export function generate(request?: PaintedRequest, options?: GenerateOptions): Promise<Field> {
   return generateOnce(realm, request, options);
 }
 

@@ -4,7 +4,7 @@ import type { ExportedFile } from '../export/file.ts';
 import { exportWith } from '../rocks/export.ts';
 import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
-import type { FieldRequest } from '../rocks/request.ts';
+import type { PaintedRequest } from '../rocks/painted.ts';
 import { exportColonyWith } from '../wood-ear/headless-export.ts';
 import type { WoodEarExportRequest, WoodEarExportRun } from '../wood-ear/headless-export.ts';
 import { generate, growWoodEar } from './core.node.ts';
@@ -14,7 +14,7 @@ export { RockFieldError } from '../base/errors.ts';
 export { exportSchema } from '../export/schema.ts';
 
 /** The field of a request as a file. */
-export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
+export function exportScene(request?: PaintedRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
   return exportWith({ generate, ground }, request, options, run);
 }
 

@@ -5,7 +5,7 @@ import { exportWith } from '../rocks/export.ts';
 import type { ExportRun } from '../rocks/export.ts';
 import type { ExportOptions } from '../export/options.ts';
 import { groundRealm } from '../rocks/ground-realm.ts';
-import type { FieldRequest } from '../rocks/request.ts';
+import type { PaintedRequest } from '../rocks/painted.ts';
 import { exportColonyWith } from '../wood-ear/headless-export.ts';
 import type { WoodEarExportRequest, WoodEarExportRun } from '../wood-ear/headless-export.ts';
 import { generate, growWoodEar } from './core.ts';
@@ -25,7 +25,7 @@ export type { WoodEarExportRequest, WoodEarExportRun } from '../wood-ear/headles
  *
  * @throws {RockFieldError} naming the parameter or the option, its value and its bounds; `ExportTooLarge`.
  */
-export function exportScene(request?: FieldRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
+export function exportScene(request?: PaintedRequest, options?: ExportOptions, run?: ExportRun): Promise<ExportedFile> {
   return exportWith({ generate, ground: groundRealm }, request, options, run);
 }
 

@@ -34,6 +34,10 @@ export interface FlatRequest {
   maxBytes: number;
   /** Where something else stands and no rock may grow: six numbers for each triangle, px. */
   footprint?: Float64Array | undefined;
+  /** How dense the rocks stand where, row by row from the top, 0 … 255. */
+  mask?: { width: number; rows: Uint8Array } | undefined;
+  /** Painted strokes, as links have them. */
+  strokes?: string | undefined;
 }
 
 /**

@@ -2,13 +2,14 @@
  * What the attributes of `<rock-field>` say; see `element/attribute-reader.ts`. Those of a layer list all layers, `radius="90 30 10"`.
  */
 
-import { attributesOf, AttributeReader, COMMON_ATTRIBUTES } from '../element/attribute-reader.ts';
+import { attributesOf, AttributeReader, COMMON_ATTRIBUTES, quote } from '../element/attribute-reader.ts';
 import type { ElementAttributes } from '../element/attribute-reader.ts';
 import { isReadable } from '../table/link.ts';
 import { MAX_LAYERS, PRESETS } from './params.ts';
 import type { Params } from './params.ts';
 import { resolveParams } from './request.ts';
 import type { FieldRequest } from './request.ts';
+import { isStrokes } from './stroke-text.ts';
 import { ROCKS } from './table.ts';
 import type { Rocks } from './table.ts';
 import { decodeLink } from './link.ts';
@@ -17,7 +18,7 @@ export const FIELD_ATTRIBUTES = attributesOf(ROCKS.rows);
 export const LAYER_ATTRIBUTES = attributesOf(ROCKS.itemRows);
 
 /** All that say what is shown. */
-export const ATTRIBUTES: readonly string[] = [...COMMON_ATTRIBUTES, ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys()];
+export const ATTRIBUTES: readonly string[] = [...COMMON_ATTRIBUTES, ...FIELD_ATTRIBUTES.keys(), ...LAYER_ATTRIBUTES.keys(), 'strokes'];
 
 export type AttributeState = ElementAttributes<Rocks>;
 
@@ -31,8 +32,17 @@ export function readAttributes(get: (name: string) => string | null): AttributeS
     }),
     ofLink: decodeLink,
   });
-  const params = reader.rows(FIELD_ATTRIBUTES, source.params);
+  const params = withStrokes(reader, reader.rows(FIELD_ATTRIBUTES, source.params));
   return reader.common(source, ROCKS.withItems(params, readLayers(reader, params)));
+}
+
+function withStrokes(reader: AttributeReader<Rocks>, { strokes, ...params }: Params): Params {
+  let used = reader.get('strokes') ?? strokes ?? '';
+  if (!isStrokes(used)) {
+    reader.note('strokes', 'no-strokes', { given: quote(used) });
+    used = '';
+  }
+  return used ? { ...params, strokes: used } : params;
 }
 
 /** The first list in the order of the table tells the number of layers; one of another length is malformed. */

@@ -31,7 +31,7 @@ const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
   properties: new RowProperties(ROCKS, [...ROCKS.rows, ...ROCKS.itemRows]),
   rowAttributes: FIELD_ATTRIBUTES,
   itemAttributes: [...LAYER_ATTRIBUTES.keys()],
-  ownAttributes: {},
+  ownAttributes: { strokes: 'strokes' },
   list: 'layers',
   readAttributes,
   newRuns: (host) => new Runs(host, (options) => new GeneratorClient(options)),
@@ -87,6 +87,15 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
 
   set layers(layers: readonly LayerRequest[]) {
     this.params = { ...this.params, layers: layers as Layer[] };
+  }
+
+  /** Painted strokes as links have them; `strokesToText` of `rock-field/core` makes such text. Empty: none. */
+  get strokes(): string {
+    return this.params.strokes ?? '';
+  }
+
+  set strokes(strokes: string | null) {
+    this.params = { ...this.params, strokes: strokes ?? undefined };
   }
 
   /** The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */

@@ -24,8 +24,8 @@ import type { GroundRealm } from './ground.ts';
 import { linearColor } from './linear.ts';
 import { encodeLink } from './link.ts';
 import type { Params, PresetName } from './params.ts';
-import { resolveParams } from './request.ts';
-import type { FieldRequest } from './request.ts';
+import { resolvePainted } from './painted.ts';
+import type { PaintedRequest } from './painted.ts';
 import { stoneKinds } from './stone-kinds.ts';
 import { ROCKS } from './table.ts';
 import { presetColor } from '../table/table.ts';
@@ -133,17 +133,17 @@ export interface ExportRun extends Omit<GenerateOptions, 'onProgress'> {
  * @throws {RockFieldError} about a parameter, about an option, or `ExportTooLarge`.
  */
 export async function exportWith(
-  { generate, ground }: { generate: (request?: FieldRequest, options?: GenerateOptions) => Promise<Field>; ground: GroundRealm },
-  request: FieldRequest | undefined,
+  { generate, ground }: { generate: (request?: PaintedRequest, options?: GenerateOptions) => Promise<Field>; ground: GroundRealm },
+  request: PaintedRequest | undefined,
   options: ExportOptions | undefined,
   waiting: ExportRun = {},
 ): Promise<ExportedFile> {
   // All of it is read now: what the caller does to the objects afterwards is no part of the request.
   const { onProgress, ...run } = checkRun(waiting, 'run');
   const resolved = resolveOptions(options);
-  const params = resolveParams(request);
+  const { params, mask } = resolvePainted(request);
   const preset = request?.preset;
-  const field = await generate(params, {
+  const field = await generate(mask ? { ...params, mask } : params, {
     ...run,
     onProgress: onProgress && ((progress) => onProgress({ ...progress, fraction: GENERATED * progress.fraction })),
   });

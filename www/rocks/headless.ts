@@ -5,8 +5,10 @@ import type { Field } from '../data/field.ts';
 import { Headless } from '../generator/headless.ts';
 import type { GeneratorOptions, Realm } from '../generator/headless.ts';
 import type { FlatRequest, Progress, StageName } from '../generator/protocol.ts';
-import { encodeParams, flatRequest, resolveParams } from './request.ts';
-import type { FieldRequest } from './request.ts';
+import { maskRows } from './mask.ts';
+import { resolvePainted } from './painted.ts';
+import type { PaintedRequest } from './painted.ts';
+import { encodeParams, flatRequest } from './request.ts';
 import { fieldSession } from './session.ts';
 import type { GeneratorModule } from './session.ts';
 
@@ -26,11 +28,11 @@ export interface FieldGenerator {
    *
    * @throws {RockFieldError} naming key, value and bounds; nothing has changed.
    */
-  generate(request?: FieldRequest, options?: GenerateOptions): Promise<Field>;
+  generate(request?: PaintedRequest, options?: GenerateOptions): Promise<Field>;
   /** A fresh random seed. */
   freshSeed(): number;
   /** Bytes a request is expected to need at its peak. Where little ground is shared by layers of large rocks, only the run itself can tell, and says so in time. */
-  memoryEstimate(request?: FieldRequest): number;
+  memoryEstimate(request?: PaintedRequest): number;
   /** Frees the cache; calls after it reject. */
   dispose(): void;
 }
@@ -39,19 +41,24 @@ export interface FieldGenerator {
 export const FOOTPRINT = Symbol('footprint');
 
 /** What another generator asks for, whose things lie among the rocks. */
-export type HeadlessJob = FieldRequest & { [FOOTPRINT]?: Float64Array | undefined };
+export type HeadlessJob = PaintedRequest & { [FOOTPRINT]?: Float64Array | undefined };
 
-class HeadlessFields extends Headless<GeneratorModule, FieldRequest, FlatRequest, Field, StageName> implements FieldGenerator {
-  protected encode(request: FieldRequest | undefined, maxBytes: number): FlatRequest {
-    return { ...flatRequest(resolveParams(request), maxBytes), footprint: (request as HeadlessJob | undefined)?.[FOOTPRINT] };
+class HeadlessFields extends Headless<GeneratorModule, PaintedRequest, FlatRequest, Field, StageName> implements FieldGenerator {
+  protected encode(request: PaintedRequest | undefined, maxBytes: number): FlatRequest {
+    const { params, mask } = resolvePainted(request);
+    return {
+      ...flatRequest(params, maxBytes),
+      footprint: (request as HeadlessJob | undefined)?.[FOOTPRINT],
+      mask: mask && maskRows(mask, maxBytes),
+    };
   }
 
   protected open(module: GeneratorModule) {
     return fieldSession(new module.Generator());
   }
 
-  memoryEstimate(request: FieldRequest = {}): number {
-    const flat = encodeParams(resolveParams(request));
+  memoryEstimate(request: PaintedRequest = {}): number {
+    const flat = encodeParams(resolvePainted(request).params);
     const module = this.sound();
     try {
       return module.memory_estimate(flat);
@@ -66,7 +73,7 @@ export async function openGenerator(realm: Realm<GeneratorModule>, { wasm }: Gen
 }
 
 /** One field, no cache kept. */
-export async function generateOnce(realm: Realm<GeneratorModule>, request?: FieldRequest, options?: GenerateOptions): Promise<Field> {
+export async function generateOnce(realm: Realm<GeneratorModule>, request?: PaintedRequest, options?: GenerateOptions): Promise<Field> {
   const generator = await openGenerator(realm);
   try {
     return await generator.generate(request, options);

@@ -3,6 +3,7 @@
 import { decode, encode } from '../table/link.ts';
 import type { DecodedLink, LinkReader, Link } from '../table/link.ts';
 import type { Params } from './params.ts';
+import { isStrokes } from './stroke-text.ts';
 import { ROCKS } from './table.ts';
 import type { Rocks } from './table.ts';
 import type { CameraState } from '../base/view.ts';
@@ -20,13 +21,24 @@ export function encodeLink(state: Pick<LinkState, 'params'> & Partial<LinkState>
   // One by one: of a store these are accessors, which no spread sees.
   const { params, preset = ROCKS.presets[0]!.name, view = VIEWS[0]!, color = null, camera = null, defaultCamera = null } = state;
   const { layers } = params;
-  const ids = layers.some(({ id }, index) => id !== index) ? [`id=${layers.map(({ id }) => id).join(',')}`] : [];
-  return encode(ROCKS, { params, preset, view, color, camera, defaultCamera }, ids);
+  const own = layers.some(({ id }, index) => id !== index) ? [`id=${layers.map(({ id }) => id).join(',')}`] : [];
+  if (params.strokes) own.push(`strokes=${params.strokes}`);
+  return encode(ROCKS, { params, preset, view, color, camera, defaultCamera }, own);
 }
 
 /** Reads `#…`, `?…`, a whole address or what `encodeLink` returns. */
 export function decodeLink(text: string): RockLink {
-  return decode(ROCKS, text, ['id', CUTS.url], (params, lists, reader) => withIds(withCuts(params, lists, reader), lists, reader));
+  return decode(ROCKS, text, ['id', CUTS.url], (params, lists, reader) =>
+    withStrokes(withIds(withCuts(params, lists, reader), lists, reader), reader),
+  );
+}
+
+function withStrokes(params: Params, reader: LinkReader): Params {
+  const strokes = reader.take('strokes');
+  if (!strokes) return params;
+  if (isStrokes(strokes)) params.strokes = strokes;
+  else reader.note('bad-strokes', 'strokes', strokes, '');
+  return params;
 }
 
 /** What links had before `detail` was a length: how often every triangle of a layer is cut into four. */

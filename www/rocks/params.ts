@@ -1,11 +1,16 @@
 /** The parameters of a field, and their table (generated from the Rust one). */
 
 import { MAX_LAYERS, PARAMS, PRESETS } from './params.gen.ts';
-import type { Layer, Params } from './params.gen.ts';
+import type { Layer, Params as TableParams } from './params.gen.ts';
 import type { Triple } from './spec.ts';
 
 export { MAX_LAYERS, PARAMS, PRESETS };
-export type { Layer, Params, Triple };
+export type { Layer, Triple };
+
+export interface Params extends TableParams {
+  /** Painted strokes as links have them; absent where there are none. */
+  strokes?: string | undefined;
+}
 
 export type PresetName = (typeof PRESETS)[number]['name'];
 
@@ -18,4 +23,4 @@ type LayerProperties = {
     : Layer[Key])[];
 };
 
-export type ParameterProperties = Omit<Params, 'layers'> & LayerProperties;
+export type ParameterProperties = Omit<Params, 'layers' | 'strokes'> & LayerProperties & { strokes: string };

@@ -12,11 +12,17 @@ import { MAX_LAYERS, PARAMS, PRESETS } from './params.ts';
 import type { Bounds, Notation, Row } from '../table/row.ts';
 import type { ParamSpec, Preset } from './spec.ts';
 import type { Layer, Params, PresetName } from './params.ts';
+import { checkStrokes } from './stroke-text.ts';
+import type { Stroke } from './strokes.ts';
 
 /** What code may ask for: a preset fills everything, each key given then replaces it, `layers` replaces the whole list. */
-export type FieldRequest = { preset?: PresetName | undefined } & { [K in Exclude<keyof Params, 'layers'>]?: Params[K] | undefined } & {
+export type FieldRequest = { preset?: PresetName | undefined } & {
+  [K in Exclude<keyof Params, 'layers' | 'strokes'>]?: Params[K] | undefined;
+} & {
   /** Fields missing in an entry take the table's defaults in the notation in force; a missing id is the entry's index. */
   layers?: readonly LayerRequest[] | undefined;
+  /** Painted on the ground: where rocks are added, erased, kept off a path, or as if nothing had been painted. */
+  strokes?: string | readonly Stroke[] | undefined;
 };
 
 export type LayerRequest = { [K in keyof Layer]?: Layer[K] | undefined };
@@ -24,9 +30,9 @@ export type LayerRequest = { [K in keyof Layer]?: Layer[K] | undefined };
 export const FIELD_ROWS: readonly ParamSpec[] = PARAMS.filter((spec) => spec.scope === 'field');
 export const LAYER_ROWS: readonly ParamSpec[] = PARAMS.filter((spec) => spec.scope === 'layer');
 
-const FIELD_KEYS = new Set(FIELD_ROWS.map((spec) => spec.key));
+const KEYS = new Set(['preset', 'layers', 'strokes', ...FIELD_ROWS.map((spec) => spec.key)]);
 const LAYER_KEYS = new Set(['id', ...LAYER_ROWS.map((spec) => spec.key)]);
-const MAX_ID = 0xffff_ffff;
+export const MAX_ID = 0xffff_ffff;
 
 /** The row's bounds in a notation. */
 export function boundsOf(spec: Row, notation: Notation): Bounds {
@@ -113,7 +119,8 @@ function encodeValue(spec: Row, value: unknown): number {
 
 /** What the generator is asked: `params` with a memory budget in bytes. */
 export function flatRequest(params: Params, maxBytes: number): FlatRequest {
-  return { params: encodeParams(params), imageWidth: params.imageWidth, imageHeight: params.imageHeight, maxBytes };
+  const { imageWidth, imageHeight, strokes } = params;
+  return { params: encodeParams(params), imageWidth, imageHeight, maxBytes, strokes };
 }
 
 /**
@@ -123,7 +130,7 @@ export function flatRequest(params: Params, maxBytes: number): FlatRequest {
  */
 export function resolveParams(request: FieldRequest = {}): Params {
   const given = objectOf(request, 'params');
-  rejectUnknown(given, (key) => key === 'preset' || key === 'layers' || FIELD_KEYS.has(key));
+  rejectUnknown(given, (key) => KEYS.has(key));
   const preset = given.preset ?? PRESETS[0].name;
   if (typeof preset !== 'string') throw wrongType('preset', preset, 'the name of a preset');
   const params = presetParams(preset);
@@ -133,6 +140,7 @@ export function resolveParams(request: FieldRequest = {}): Params {
   }
   if (given.layers !== undefined) params.layers = resolveLayers(given.layers, params.notation);
   else checkLayers(params);
+  if (given.strokes) params.strokes = checkStrokes(given.strokes);
   return params;
 }
 
@@ -182,78 +190,4 @@ function checkLayers(params: Params): void {
   params.layers.forEach((layer, index) => {
     for (const spec of LAYER_ROWS) checkValue(spec, boundsOf(spec, params.notation), readValue(layer, spec), layerAt(index));
   });
-}
-
-/** One value that `clampParams` replaced. */
-export interface Clamping {
-  key: string;
-  /** Index in the list that was given; null for a parameter of the field. */
-  layer: number | null;
-  component: number | null;
-  from: unknown;
-  to: unknown;
-}
-
-/**
- * The legal parameters nearest to `params`, for values that people type: numbers are moved to the nearest bound and rounded
- * where they have to be whole, what is no value at all becomes the default, surplus layers are left out, a repeated id becomes
- * the least free one. The result shares nothing with `params`.
- */
-export function clampParams(params: Params): { params: Params; changes: Clamping[] } {
-  const changes: Clamping[] = [];
-  const record = (change: Clamping) => {
-    if (!Object.is(change.from, change.to)) changes.push(change);
-  };
-  const clamped = {} as Params;
-  for (const spec of FIELD_ROWS) {
-    const from = readValue(params, spec);
-    const to = clampValue(spec, 'px', from);
-    record({ key: spec.key, layer: null, component: null, from, to });
-    writeValue(clamped, spec, to);
-  }
-  const given: unknown[] = Array.isArray(params.layers) ? params.layers : [];
-  if (given.length > MAX_LAYERS || given !== params.layers) {
-    record({
-      key: 'layers',
-      layer: null,
-      component: null,
-      from: given === params.layers ? given.length : params.layers,
-      to: Math.min(given.length, MAX_LAYERS),
-    });
-  }
-  const ids = new Set<number>();
-  clamped.layers = given.slice(0, MAX_LAYERS).map((entry, index) => {
-    const from = (typeof entry === 'object' && entry !== null ? entry : {}) as Layer;
-    const id = freeId(from.id, ids, given);
-    ids.add(id);
-    record({ key: 'id', layer: index, component: null, from: from.id, to: id });
-    const layer = { id } as Layer;
-    for (const spec of LAYER_ROWS) {
-      const value = readValue(from, spec);
-      const to = clampValue(spec, clamped.notation, value);
-      record({ key: spec.key, layer: index, component: spec.component, from: value, to });
-      writeValue(layer, spec, to);
-    }
-    return layer;
-  });
-  return { params: clamped, changes };
-}
-
-function clampValue(spec: Row, notation: Notation, value: unknown): number | string | null {
-  if (spec.kind === 'choice') return spec.choices.some((choice) => choice.value === value) ? (value as string) : defaultOf(spec, notation);
-  if (typeof value !== 'number' || Number.isNaN(value)) {
-    return spec.kind === 'optional-integer' ? null : defaultOf(spec, notation);
-  }
-  const { min, max } = boundsOf(spec, notation);
-  const inside = Math.min(Math.max(value, min), max);
-  return spec.kind === 'real' ? (inside === 0 ? 0 : inside) : Math.round(inside);
-}
-
-function freeId(id: unknown, taken: ReadonlySet<number>, given: readonly unknown[]): number {
-  if (typeof id === 'number' && Number.isInteger(id) && id >= 0 && id <= MAX_ID && !taken.has(id)) return id;
-  // Not an id that a later layer holds: that one would have to move in its turn.
-  const held = new Set(given.map((entry) => (entry as Layer | null)?.id));
-  let free = 0;
-  while (taken.has(free) || held.has(free)) free += 1;
-  return free;
 }

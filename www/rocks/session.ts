@@ -7,11 +7,14 @@ import type { FlatRequest, StageName } from '../generator/protocol.ts';
 import { Session } from '../generator/session.ts';
 import type { Craft, RawSteps } from '../generator/session.ts';
 import type { Glue } from '../generator/wasm.ts';
+import { strokeNumbers } from './stroke-numbers.ts';
 
 /** The class of the same name in pkg/generator.d.ts, as far as it is used. */
 export interface RawGenerator extends RawSteps {
   /** Six numbers for each triangle, px; acts from the next start. */
   set_footprint(triangles: Float64Array): void;
+  /** The rows of a mask from the top, its width, and `strokeNumbers`; acts from the next start. */
+  set_paint(rows: Uint8Array, width: number, strokes: Float64Array): void;
   start(params: Float64Array, maxBytes: number): void;
   positions(): Float32Array;
   normals(): Float32Array;
@@ -39,6 +42,7 @@ export interface GeneratorModule {
 export type GeneratorGlue = Glue<GeneratorModule>;
 
 const NOTHING: Float64Array = new Float64Array();
+const NO_MASK: NonNullable<FlatRequest['mask']> = { width: 0, rows: new Uint8Array() };
 
 export type FieldSession = Session<RawGenerator, FlatRequest, Field, StageName>;
 
@@ -52,12 +56,23 @@ class Fields implements Craft<RawGenerator, FlatRequest, Field, StageName> {
   /** The footprint that the generator has. */
   #footprint: Float64Array = NOTHING;
 
-  start(generator: RawGenerator, { params, maxBytes, footprint = NOTHING }: FlatRequest): void {
-    const isOther = footprint.length !== this.#footprint.length || footprint.some((value, k) => value !== this.#footprint[k]);
-    if (isOther) generator.set_footprint(footprint);
+  /** The mask and the strokes that it has. */
+  #mask = NO_MASK;
+  #strokes = '';
+
+  start(generator: RawGenerator, { params, maxBytes, footprint = NOTHING, mask = NO_MASK, strokes = '' }: FlatRequest): void {
+    if (!isSame(footprint, this.#footprint)) generator.set_footprint(footprint);
     this.#footprint = footprint;
+    if (strokes !== this.#strokes || mask.width !== this.#mask.width || !isSame(mask.rows, this.#mask.rows)) {
+      generator.set_paint(mask.rows, mask.width, strokeNumbers(strokes));
+    }
+    [this.#mask, this.#strokes] = [mask, strokes];
     generator.start(params, maxBytes);
   }
+}
+
+function isSame(one: Float64Array | Uint8Array, other: Float64Array | Uint8Array): boolean {
+  return one === other || (one.length === other.length && one.every((value, k) => value === other[k]));
 }
 
 /** The buffers of a finished run; each is a copy that belongs to JavaScript. */

@@ -40,5 +40,5 @@ export const ROCKS: Table<Rocks> = {
   docs: async () => (await lazily(() => import('./param-docs.gen.ts'))).PARAM_DOCS,
   // Triangles smaller than a pixel are wasted: a quarter of them will do.
   pictured: (params) => ({ ...params, layers: params.layers.map((layer) => ({ ...layer, detail: layer.detail / 2 })) }),
-  sameBesides: (one, other) => one.layers.every(({ id }, index) => id === other.layers[index]?.id),
+  sameBesides: (one, other) => one.strokes === other.strokes && one.layers.every(({ id }, index) => id === other.layers[index]?.id),
 };

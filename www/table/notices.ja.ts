@@ -18,6 +18,7 @@ const NOTICES: Record<Notice['code'], string> = {
   'too-many-bases': 'リンクに基点が {given} 個あります（{key}）。最初の {used} 個を使います。',
   'bad-ids': '層の id（{given}）は互いに異なる整数でなければなりません。{used} を使います。',
   'bad-camera': 'camera：「{given}」はカメラ位置ではありません。全体を表示しています。',
+  'bad-strokes': 'strokes：「{given}」は読み取れません。塗りなしで表示しています。',
 };
 
 export function japaneseNotice({ code, key, given, used, min, max }: Notice): string {

@@ -16,7 +16,8 @@ export type NoticeCode =
   | 'too-many-layers'
   | 'too-many-bases'
   | 'bad-ids'
-  | 'bad-camera';
+  | 'bad-camera'
+  | 'bad-strokes';
 
 /** One thing in a link that could not be taken as it stood. Its strings come from the link: show them as text only. */
 export interface Notice {
@@ -49,6 +50,7 @@ export const NOTICES: Record<Notice['code'], string> = {
   'too-many-bases': 'The link has {given} bases ({key}); using the first {used}.',
   'bad-ids': 'The layers’ ids ({given}) must be different whole numbers; using {used}.',
   'bad-camera': 'camera: “{given}” is not a camera position; showing the whole field.',
+  'bad-strokes': 'strokes: “{given}” cannot be read; showing none.',
 };
 
 export function noticeText({ code, key, given, used, min, max }: Omit<Notice, 'text'>): string {

@@ -6,6 +6,7 @@ import { impossible, resolveOptions } from '../export/options.ts';
 import type { ResolvedOptions } from '../export/options.ts';
 import { FIELD_ROWS, resolveParams } from '../rocks/request.ts';
 import type { FieldRequest } from '../rocks/request.ts';
+import { strokesToText } from '../rocks/strokes.ts';
 import type { FieldSource } from '../rocks/export.ts';
 import type { PresetName } from '../rocks/params.ts';
 
@@ -57,6 +58,7 @@ export type RockFieldOptions = FieldRequest & { [Key in Exclude<SceneKey, 'mesh'
 export const OPTION_KEYS: readonly (keyof RockFieldOptions)[] = [
   'preset',
   'layers',
+  'strokes',
   ...FIELD_ROWS.map(({ key }) => key as keyof FieldRequest),
   ...(Object.keys(SCENE_OPTIONS) as SceneKey[]),
   'material',
@@ -74,10 +76,10 @@ export interface Wanted {
  */
 export function resolve(given: RockFieldOptions): Wanted {
   const { material, ...rest } = objectOf(given, 'options') as RockFieldOptions;
-  const request: Record<string, unknown> = {};
+  const request: FieldRequest & Record<string, unknown> = {};
   const chosen: Record<string, unknown> = {};
   for (const [key, value] of Object.entries(rest)) (isSceneKey(key) ? chosen : request)[key] = value;
-  const params = resolveParams(request as FieldRequest);
+  const params = resolveParams({ ...request, strokes: strokesToText(request.strokes) });
   const asked = chosen as { [Key in SceneKey]?: ResolvedOptions[Key] };
   const { mesh = (asked.lods ?? 1) > 1 ? 'rocks' : 'one' } = asked;
   const options = resolveOptions({ target: 'three', ...asked, mesh, lods: asked.lods ?? (mesh === 'one' ? 1 : LEVELS) });

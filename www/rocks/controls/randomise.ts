@@ -6,7 +6,8 @@
 import { PRESETS } from '../params.ts';
 import type { Preset } from '../spec.ts';
 import type { Layer, Params, Triple } from '../params.ts';
-import { clampParams, defaultLayer, defaultParams, presetParams } from '../request.ts';
+import { defaultLayer, defaultParams, presetParams } from '../request.ts';
+import { clampParams } from './clamp.ts';
 import type { Draw } from '../../table/table.ts';
 import { mulberry32 } from '../../controls/mulberry32.ts';
 import { inNotation } from './notation.ts';
