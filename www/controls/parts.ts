@@ -1,7 +1,6 @@
 /** Small pieces that every part of the panel is made of. */
 
 import { html } from 'lit';
-import { live } from 'lit/directives/live.js';
 import { icon } from './icons.ts';
 import type { TemplateResult } from 'lit';
 import type { IconName } from './icons.ts';

@@ -6,8 +6,43 @@ import type { Notation } from '../table/row.ts';
 import type { ParamSpec } from './spec.ts';
 import type { Params, PresetName } from './params.ts';
 import { boundsOf, defaultOf, FIELD_ROWS, LAYER_ROWS, presetParams } from './request.ts';
+import { UNITS } from './stroke-numbers.ts';
+import { MAX_STROKES_LENGTH } from './stroke-text.ts';
+import { FARTHEST, STROKE_MODES } from './strokes.ts';
 
 export type JsonSchema = { readonly [key: string]: unknown };
+
+/** Painted strokes: as links have them, or spelt out. */
+const STROKES: JsonSchema = {
+  description: 'Painted on the ground: where rocks are added, erased, kept off a path, or as if nothing had been painted.',
+  anyOf: [
+    { type: 'string', maxLength: MAX_STROKES_LENGTH },
+    {
+      type: 'array',
+      items: {
+        type: 'object',
+        additionalProperties: false,
+        required: ['mode', 'width', 'points'],
+        properties: {
+          mode: { enum: STROKE_MODES },
+          layer: {
+            type: ['integer', 'null'],
+            minimum: 0,
+            maximum: 0xffff_ffff,
+            description: 'The id of one layer; all of them without it.',
+          },
+          width: { type: 'number', minimum: 1 / UNITS, maximum: FARTHEST, description: 'In widths of the image.' },
+          points: {
+            type: 'array',
+            minItems: 2,
+            items: { type: 'number', minimum: -FARTHEST, maximum: FARTHEST },
+            description: 'x, y, x, y … in widths of the image, from its lower left corner seen from above.',
+          },
+        },
+      },
+    },
+  ],
+};
 
 /** The presets by name, all parameters spelt out, seed 0. Each is a complete request. */
 export const presets: Readonly<Record<PresetName, Readonly<Params>>> = frozen(
@@ -32,6 +67,7 @@ function requestSchema(): JsonSchema {
       },
       ...propertiesOf(FIELD_ROWS, 'px'),
       layers: { type: 'array', maxItems: MAX_LAYERS, description: 'Replaces all layers of the preset.' },
+      strokes: STROKES,
     },
     // Lengths of a layer are in other units, and have other bounds, in the conference's notation.
     if: {

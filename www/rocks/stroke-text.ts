@@ -8,7 +8,7 @@ export const MAX_STROKES_LENGTH = 12_288;
 /** A number: digits of five bits, the lowest first; all but the last are of the other half of the digits. */
 const NUMBER = '[g-z0-9~-]{0,6}[A-Za-f]';
 /** Of each stroke: what it does, its layer, its width, and two numbers for each of its points. */
-const STROKES = new RegExp(`^(?:(?:^|\\.)[A-D](?:(?:${NUMBER}){2}){2,})*$`);
+const STROKES = new RegExp(`^(?:[A-D](?:(?:${NUMBER}){2}){2,}(?:\\.(?=.)|$))*$`);
 
 /** Whether this is a text of strokes; the empty one is none of them. */
 export function isStrokes(text: string): boolean {

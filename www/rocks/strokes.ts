@@ -26,7 +26,7 @@ export interface Stroke {
 }
 
 /** How far from the image a point may be, in its widths. */
-const FARTHEST = 16;
+export const FARTHEST = 16;
 const MAX_ID = 0xffff_ffff;
 const KEYS = ['mode', 'layer', 'width', 'points'];
 
