@@ -38,7 +38,11 @@ const ELEMENTS = {
     rows: PARAMS,
     quick: { seed: '7', radius: '40', imageWidth: '320', imageHeight: '240', packing: '0.5', cellCount: '5' },
     small: { 'image-width': '256', 'image-height': '256' },
-    own: { src: ['#v=1&preset=journal-fig12a&w=200&h=150', '{ "seed": '], preset: ['riverbed', 'journal-fig99'] },
+    own: {
+      src: ['#v=1&preset=journal-fig12a&w=200&h=150', '{ "seed": '],
+      preset: ['riverbed', 'journal-fig99'],
+      strokes: ['BAggCggEggE', 'BAAg'],
+    },
   },
   'wood-ear-log': {
     rows: WOOD_EARS.rows,

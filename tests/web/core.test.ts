@@ -229,7 +229,7 @@ test('presets are complete requests and cannot be changed', async () => {
 test('the schema is plain JSON and has a property for every key of a request', () => {
   assert.deepEqual(JSON.parse(JSON.stringify(schema)), schema);
   const { properties, then: relative, else: px } = schema as unknown as Schema & Record<'then' | 'else', Schema>;
-  assert.deepEqual(Object.keys(properties), ['preset', ...Object.keys(presetParams('journal-fig1'))]);
+  assert.deepEqual(Object.keys(properties), ['preset', ...Object.keys(presetParams('journal-fig1')), 'strokes']);
   for (const [branch, name, least] of [
     [relative, 'conference-fig1', 0.01],
     [px, 'journal-fig1', 1],

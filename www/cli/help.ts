@@ -4,7 +4,7 @@ import { ROCKS } from '../rocks/table.ts';
 import type { Row } from '../table/row.ts';
 import { WOOD_EARS } from '../wood-ear/table.ts';
 import type { Command } from './command.ts';
-import { PARAMETERS, WOOD_EAR_OWN } from './options.ts';
+import { PARAMETERS, ROCKS_OWN, WOOD_EAR_OWN } from './options.ts';
 import type { Option } from './options.ts';
 
 /** The column in which what an option means begins. */
@@ -58,11 +58,13 @@ export async function parameters(width: number): Promise<string> {
   const [rocks, woodEars] = await Promise.all([ROCKS.docs(), WOOD_EARS.docs()]);
   const lines = (rows: ReadonlyMap<string, Row>, docs: Readonly<Record<string, { en: string }>>): string[] =>
     [...rows].flatMap(([name, row]) => entry(`  --${name}`, `${docs[row.url]?.en ?? row.label} ${valuesOf(row)}`, width, COLUMN));
+  const own = (options: readonly Option[]): string[] => options.flatMap((option) => entry(`  --${option.name}`, option.doc, width, COLUMN));
   return [
     ...wrapped('Parameters take the place of those of the preset, the link or the file that they stand beside.', width),
     '',
     'Of rocks:',
     ...lines(PARAMETERS.rocks, rocks),
+    ...own(ROCKS_OWN),
     '',
     ...wrapped(
       'Of each layer of rocks, a list with a value for each layer, as in --radius "90 30 10"; the length of the lists is the number of layers:',
@@ -72,7 +74,7 @@ export async function parameters(width: number): Promise<string> {
     '',
     'Of wood ears:',
     ...lines(PARAMETERS.woodEars, woodEars),
-    ...WOOD_EAR_OWN.flatMap((option) => entry(`  --${option.name}`, option.doc, width, COLUMN)),
+    ...own(WOOD_EAR_OWN),
     '',
   ].join('\n');
 }

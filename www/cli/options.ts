@@ -56,7 +56,7 @@ export function inOptions({ message, key }: { message: string; key?: string | un
 /** The names that parameters and options of exports have in code. */
 const NAMES = new Set([
   ...[ROCKS.rows, ROCKS.itemRows, WOOD_EARS.rows, WOOD_EARS.itemRows].flatMap((rows) => rows.map(({ key }) => key)),
-  ...['preset', 'layers', 'bases', 'ground', ...KEYS],
+  ...['preset', 'layers', 'strokes', 'bases', 'ground', ...KEYS],
 ]);
 
 /** What is wrong with parameters or options that code passes, with what was meant by a name that there is not. */
@@ -152,6 +152,9 @@ export const PARAMETERS: { readonly rocks: Rows; readonly layers: Rows; readonly
 
 type Rows = ReadonlyMap<string, Row>;
 
+/** What rocks have that is no row of their table. */
+export const ROCKS_OWN: readonly Option[] = [{ name: 'strokes', value: 'TEXT', doc: 'Painted strokes, as links have them.' }];
+
 /** What wood ears have that is no row of their table. */
 export const WOOD_EAR_OWN: readonly Option[] = [
   { name: 'bases', value: 'LIST', doc: 'Where colonies spread from, in cm: `x y z` or `x y z range`, with commas between them.' },
@@ -168,6 +171,6 @@ function parameterOptions(): Option[] {
     if (SCENE.some((option) => option.name === name)) continue;
     named.set(name, { name, value: layers.has(name) ? 'LIST' : 'X', doc: row.label });
   }
-  for (const option of WOOD_EAR_OWN) named.set(option.name, option);
+  for (const option of [...ROCKS_OWN, ...WOOD_EAR_OWN]) named.set(option.name, option);
   return [...named.values()];
 }

@@ -13,7 +13,7 @@ import { groundOf } from '../wood-ear/table.ts';
 import { Ending, misuse, unreadable } from './failures.ts';
 import { GENERATORS, generatorOfPreset, sceneOfLink } from './generators.ts';
 import type { AnyGenerator, AnyParams, GeneratorName, LinkedScene } from './generators.ts';
-import { inOptions, ofCode, PARAMETER_OPTIONS, PARAMETERS } from './options.ts';
+import { inOptions, ofCode, PARAMETER_OPTIONS, PARAMETERS, ROCKS_OWN, WOOD_EAR_OWN } from './options.ts';
 import type { Arguments } from './parse.ts';
 import { MOST_SCENES, seedsOf } from './seeds.ts';
 import { didYouMean } from './suggest.ts';
@@ -134,13 +134,17 @@ function withParameters(generator: AnyGenerator, params: AnyParams, preset: stri
   const { rocks, layers, woodEars } = PARAMETERS;
   const isRocks = generator.name === 'rocks';
   const [rows, lists] = isRocks ? [rocks, layers] : [woodEars, new Map<string, Row>()];
-  refuseForeign(generator, new Set([...rows.keys(), ...lists.keys(), ...(isRocks ? [] : ['bases', 'ground'])]), args);
+  refuseForeign(
+    generator,
+    new Set([...rows.keys(), ...lists.keys(), ...(isRocks ? ROCKS_OWN : WOOD_EAR_OWN).map((option) => option.name)]),
+    args,
+  );
   let edited = params;
   for (const [name, row] of rows) {
     const given = args.get(name);
     if (given !== undefined) edited = table.written(edited, row, typedValue(name, given.trim(), row));
   }
-  edited = isRocks ? withLayers(generator, edited, lists, args) : withLog(edited, args);
+  edited = isRocks ? withStrokes(withLayers(generator, edited, lists, args), args) : withLog(edited, args);
   return checked(generator, edited, preset);
 }
 
@@ -171,6 +175,11 @@ function withLayers({ table }: AnyGenerator, params: AnyParams, lists: ReadonlyM
     layers = layers.map((layer, index) => table.written(layer, row, typedValue(name, items[index] ?? '', row)));
   }
   return table.withItems(params, layers);
+}
+
+function withStrokes(params: AnyParams, args: Arguments): AnyParams {
+  const strokes = args.get('strokes')?.trim();
+  return strokes === undefined ? params : ({ ...params, strokes } as AnyParams);
 }
 
 /** The bases and the ground of wood ears. */

@@ -69,6 +69,7 @@ type EventMap = Omit<HTMLElementEventMap, keyof RockFieldEventMap> & RockFieldEv
  * @attribute preset - Name of a preset; default `journal-fig1`.
  * @attribute seed - Whole number of 32 bits. Like every other parameter of the table in kebab case it replaces what `src` or the preset says.
  * @attribute radius - Disc radii, one per layer: `90 30 10`. Every other parameter of a layer is such a list too.
+ * @attribute strokes - Painted strokes as a link has them: where rocks are added, erased, kept off a path, or as if nothing had been painted.
  * @attribute view - `3d`, `wireframe`, `diagrams` or `selection`.
  * @attribute color - `layer`, `rock`, `plain` or `natural`; when absent, `natural` for natural presets and `layer` for the papers'.
  * @fires generate - A field is finished and on screen; `detail` has its statistics.
