@@ -31,10 +31,11 @@ pub(super) struct SelectionKey {
     pub(super) border: Border,
     /// Version of the footprint.
     pub(super) footprint: u64,
-    /// Versions of the paint and of the layer's selection without it. `None` for the selection without it.
-    pub(super) paint: Option<[u64; 2]>,
-    /// Versions of the selections of all coarser layers.
-    pub(super) coarser: Vec<u64>,
+    /// Versions of the paint and of the layer's selection without it; zeros for the selection without it.
+    pub(super) paint: [u64; 2],
+    /// How many coarser layers there are, and the sum of the versions of their selections. Every new version is greater
+    /// than all before it, so another selection among as many is another sum.
+    pub(super) coarser: [u64; 2],
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -152,7 +153,7 @@ impl LayerCache {
     /// Stores a finished selection. One that is the same as before keeps its version, so everything built on it stays
     /// valid.
     pub(super) fn keep_selection(&mut self, open: bool, key: SelectionKey, version: u64, mut value: Selection) {
-        if key.paint.is_some() {
+        if key.paint[0] > 0 {
             value.saturated = self.open.value.saturated;
         }
         let kept = if open { &mut self.open } else { &mut self.selection };

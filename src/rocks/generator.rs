@@ -364,11 +364,11 @@ impl Generator {
             }
             Work::Flag(_) => {
                 if let Some(taken) = &mut self.taken {
-                    taken.flagged.push(cache.selection.version);
+                    taken.flagged += 1;
                 }
             }
             Work::Selection(key, selector) => {
-                let open = key.paint.is_none() && !self.paint.value.is_empty();
+                let open = key.paint[0] == 0 && !self.paint.value.is_empty();
                 cache.keep_selection(open, key, version, selector.finish());
             }
             Work::Shapes(shaper) => {

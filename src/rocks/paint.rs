@@ -100,22 +100,23 @@ impl Paint {
 
     /// The mask's value at a place on an image of this size, 0 … 255, between the middles of its four nearest pixels.
     fn density(&self, at: [f64; 2], image: [u32; 2]) -> u64 {
-        let size = [self.width, self.mask.len() / self.width.max(1)];
-        // Column and row before the place, and how far it is beyond them.
-        let [(column, u), (row, v)] = [0, 1].map(|k| {
-            let last = size[k].saturating_sub(1) as f64;
-            let at = (at[k] * size[k] as f64 / f64::from(image[k]) - 0.5).max(0.0).min(last);
-            (at as usize, at - at.floor())
-        });
-        let value = |column: usize, row: usize| {
-            let index = row.min(size[1] - 1) * self.width + column.min(self.width - 1);
-            f64::from(self.mask.get(index).copied().unwrap_or(255))
-        };
         if self.mask.is_empty() {
             return 255;
         }
-        let across = |row| value(column, row) + (value(column + 1, row) - value(column, row)) * u;
-        (across(row) + (across(row + 1) - across(row)) * v + 0.5) as u64
+        let last = [self.width - 1, self.mask.len() / self.width - 1];
+        // Column and row before the place, and how far it is beyond them.
+        let [(column, u), (row, v)] = [0, 1].map(|k| {
+            let at = at[k] * (last[k] + 1) as f64 / f64::from(image[k]) - 0.5;
+            let at = at.max(0.0).min(last[k] as f64);
+            (at as usize, at - at.floor())
+        });
+        let across = |row: usize| {
+            let row = row.min(last[1]) * self.width;
+            let [left, right] = [column, column + 1].map(|column| f64::from(self.mask[row + column.min(last[0])]));
+            left + (right - left) * u
+        };
+        let [upper, lower] = [row, row + 1].map(across);
+        (upper + (lower - upper) * v + 0.5) as u64
     }
 }
 
@@ -131,19 +132,26 @@ fn next_stroke<'a>(list: &mut &'a [f64]) -> Option<([f64; 4], &'a [f64])> {
 fn touches(polygon: &[DVec2], scale: f64, [a, b]: [DVec2; 2], near: f64) -> bool {
     // On which side of a line a point lies: inside of the polygon, it is positive for every edge.
     let side = |from: DVec2, to: DVec2, point: DVec2| (to - from).perp_dot(point - from);
-    let mut is_inside = true;
+    // The part of the line that is inside of all edges so far, as shares of its length.
+    let (mut first, mut last) = (0.0_f64, 1.0_f64);
     let mut u = polygon.last().map_or(a, |v| *v * scale);
     for v in polygon.iter().map(|v| *v * scale) {
-        let left = side(u, v, a);
-        is_inside &= left >= 0.0;
-        let distances = [[v, a, b], [a, u, v], [b, u, v]].map(|[point, from, to]| squared_distance(point, from, to));
-        let crosses = left * side(u, v, b) < 0.0 && side(a, b, u) * side(a, b, v) < 0.0;
-        if crosses || distances.iter().any(|distance| *distance <= near) {
+        if [[v, a, b], [a, u, v], [b, u, v]]
+            .iter()
+            .any(|[point, from, to]| squared_distance(*point, *from, *to) <= near)
+        {
             return true;
+        }
+        let [at_a, at_b] = [side(u, v, a), side(u, v, b)];
+        let edge = at_a / (at_a - at_b);
+        if at_a < 0.0 {
+            first = first.max(if at_b < 0.0 { 2.0 } else { edge });
+        } else if at_b < 0.0 {
+            last = last.min(edge);
         }
         u = v;
     }
-    is_inside
+    first <= last
 }
 
 /// Of a point from the line between two others.

@@ -25,8 +25,8 @@ pub(super) struct Taken {
     pub(super) bitmap: Bitmap,
     /// Whether they are those of the selections that are made without the paint.
     pub(super) open: bool,
-    /// Versions of the selections already flagged, coarsest first.
-    pub(super) flagged: Vec<u64>,
+    /// How many selections are flagged already, coarsest first.
+    pub(super) flagged: usize,
 }
 
 /// Work on one layer, each kind with its key or with what it has done so far.

@@ -18,7 +18,7 @@ impl Generator {
 
     /// Whether this selection is kept for the paint alone.
     fn is_open(&self, key: &SelectionKey) -> bool {
-        key.paint.is_none() && !self.paint.value.is_empty()
+        key.paint[0] == 0 && !self.paint.value.is_empty()
     }
 
     /// The coarsest layer whose selection still has to be made, and its key.
@@ -31,7 +31,7 @@ impl Generator {
     #[inline(never)]
     fn stale_selection_of(&self, painted: bool) -> Option<(usize, SelectionKey)> {
         let params = self.params.as_ref()?;
-        let mut coarser = Vec::new();
+        let mut coarser = [0; 2];
         for k in self.selection_order() {
             let cache = &self.results.layers[k];
             let layer = cache.layer.as_ref()?;
@@ -40,14 +40,14 @@ impl Generator {
                 threshold: layer.cell_count.map_or(Threshold::Area(layer.area_fraction), Threshold::Count),
                 border: params.border,
                 footprint: self.footprint.version,
-                paint: painted.then_some([self.paint.version, cache.open.version]),
-                coarser: coarser.clone(),
+                paint: if painted { [self.paint.version, cache.open.version] } else { [0; 2] },
+                coarser,
             };
             let made = if self.is_open(&key) { &cache.open } else { &cache.selection };
             if !made.is_current(&key) {
                 return Some((k, key));
             }
-            coarser.push(made.version);
+            coarser = [coarser[0] + 1, coarser[1] + made.version];
         }
         None
     }
@@ -72,18 +72,18 @@ impl Generator {
             let image = [params.image_width, params.image_height];
             let mut bitmap = Bitmap::new(image[0], image[1]);
             self.footprint.value.flag(image, &mut bitmap);
-            Taken { bitmap, open, flagged: Vec::new() }
+            Taken { bitmap, open, flagged: 0 }
         });
-        let flagged = taken.flagged.len();
-        if flagged < key.coarser.len() {
-            return Some(Task { layer: order[flagged], work: Work::Flag(0) });
+        let next = order[taken.flagged];
+        if next != k {
+            return Some(Task { layer: next, work: Work::Flag(0) });
         }
         let cache = &self.results.layers[k];
         let layer = cache.layer.as_ref()?;
         let drop_border = params.border == Border::Drop;
         let (cells, [seed, id]) = (&cache.cells.value, [params.seed, layer.id]);
         let mut selector = Selector::new(cells, key.threshold, drop_border, seed, id);
-        if key.paint.is_some() {
+        if key.paint[0] > 0 {
             selector.paint_over(&cache.open.value);
         }
         Some(Task { layer: k, work: Work::Selection(key, Box::new(selector)) })
