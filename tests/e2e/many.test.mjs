@@ -126,7 +126,7 @@ for (const webgpu of [false, true]) {
 }
 
 for (const webgpu of [false, true]) {
-  test(`200 elements, one after the other, leave nothing behind and the heap flat (${webgpu ? 'webgpu' : 'webgl'})`, async () => {
+  test(`130 elements, one after the other, leave nothing behind and the heap flat (${webgpu ? 'webgpu' : 'webgl'})`, async () => {
     await withPage(
       webgpu,
       '',
@@ -152,7 +152,7 @@ for (const webgpu of [false, true]) {
           return usedSize + embedderHeapUsedSize + backingStorageSize;
         };
         const measured = [];
-        for (let cycle = 1; cycle <= 200; cycle += 1) {
+        for (let cycle = 1; cycle <= 130; cycle += 1) {
           await page.evaluate(async (seed) => {
             const element = document.createElement('rock-field');
             Object.assign(element.style, { width: `${200 + (seed % 7)}px` });
@@ -162,8 +162,8 @@ for (const webgpu of [false, true]) {
             await element.ready;
             element.remove();
           }, cycle);
-          // From 120 on: V8 lets go of code that has not run for a few collections.
-          if (cycle < 120 || cycle % 10 > 0) continue;
+          // From 50 on: V8 lets go of code that has not run for a few collections.
+          if (cycle < 50 || cycle % 10 > 0) continue;
           // The idle time of an element.
           await page.evaluate(() => sleep(1500));
           measured.push(await measure());

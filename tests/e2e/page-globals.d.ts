@@ -96,6 +96,7 @@ declare global {
   var given: boolean[] | undefined;
   var grown: number | undefined;
   var injected: unknown;
+  var isHurried: boolean;
   var isSame: boolean | undefined;
   var refused: (edit: () => unknown) => Promise<object>;
   var runs: number;
