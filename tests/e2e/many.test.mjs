@@ -162,8 +162,8 @@ for (const webgpu of [false, true]) {
             await element.ready;
             element.remove();
           }, cycle);
-          // From 50 on: V8 lets go of code that has not run for a few collections.
-          if (cycle < 50 || cycle % 10 > 0) continue;
+          // From 70 on: V8 lets go of code that has not run for a few collections.
+          if (cycle < 70 || cycle % 10 > 0) continue;
           // The idle time of an element.
           await page.evaluate(() => sleep(1500));
           measured.push(await measure());
