@@ -5,7 +5,7 @@ import { after, before, test } from 'node:test';
 import { PNG } from 'pngjs';
 import { generate } from 'rock-field/core';
 import { exportScene } from 'rock-field/export';
-import { launch } from './browser.mjs';
+import { holdTimers, launch } from './browser.mjs';
 import { hashField } from './golden.mjs';
 import { MESSAGE, closeClean, openPage, params } from './shown.mjs';
 
@@ -122,6 +122,8 @@ test('a picture, a model, an archive, parameters and a link bring their scene ba
   const opened = await openPage(session, ROCKS);
   const { page } = opened;
   await canOpen(page);
+  // A busy machine may look for the words when they have gone.
+  await page.evaluate(holdTimers, 4000);
   const [png, before, hash] = [await pictureOf(page), await state(page), await fieldHash(page)];
   const glb = Buffer.from((await exportScene(REQUEST)).bytes);
   await page.evaluate(() =>
