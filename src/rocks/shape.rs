@@ -129,7 +129,7 @@ impl Shaper {
 
 /// The numbers 0 … n − 1 of the selected cells, sorted by ascending site. A site is selected at most once, so a
 /// counting sort is enough.
-fn in_order_of_sites(selected: &[u32], sites: usize) -> Vec<u32> {
+pub(super) fn in_order_of_sites(selected: &[u32], sites: usize) -> Vec<u32> {
     const NONE: u32 = u32::MAX;
     let mut rock_of = vec![NONE; sites];
     for (rock, &site) in (0..).zip(selected) {
