@@ -104,7 +104,8 @@ fn fs_main(
   if quality > 1.5 {
     wear = worn(across, down, turn_x, turn_y) * agree;
   }
-  rock_surface(world, own, base, wear, seen, footprint);
+  // The mean of many samples shows what is finer than a pixel.
+  rock_surface(world, own, base, wear, seen, select(1.0, 0.6, is_sampled) * footprint);
   dive(world, to_eye, footprint);
   gathered = caustics(world, footprint);
   surface_rough = select(surface_rough, 0.95, water_deep > 0.0);

@@ -75,22 +75,27 @@ fn veins(kind: f32, own: vec3f, at: vec3f, broad: f32, mid: f32) -> f32 {
   return vein * veined;
 }
 
-// Grain upon grain, down to the pixel: x, y, z the slope, w the value.
+// What a slope of noise is multiplied by where it is folded at 0: `strength`, downwards where its value is below.
+fn folded(strength: f32, value: f32) -> f32 {
+  return select(-strength, strength, value > 0.0 || quality < 0.5);
+}
+
+// Grain upon grain, down to the pixel: x, y, z the slope, w the value. Its relief is folded where the noise is 0, so that there are creases
+// as where grains have broken out, and not the swells of dough.
 fn grained(at: vec3f, footprint: f32) -> vec4f {
   let least = select(1.5, 1.0, quality > 1.0) * footprint;
   var period = 1.7;
   var q = at / period + 5.0;
-  var strength = 1.0;
   var all = vec4f(0.0);
   for (var i = 0; i < 6; i++) {
-    let seen = shown(period, least) * strength;
+    let seen = shown(period, least);
     if seen <= 0.0 {
       break;
     }
-    all += noise3(q) * seen;
+    let grain = noise3(q);
+    all += grain * vec4f(vec3f(folded(seen, grain.w)), seen);
     period /= 3.1;
     q = q * 3.1 + 3.7;
-    strength *= 0.92;
   }
   return all;
 }
@@ -123,6 +128,14 @@ fn bubbles(at: vec3f, coarse: f32, share: f32, footprint: f32) -> vec4f {
   return all;
 }
 
+// The pits that rain has etched into limestone, as `bubble` has one; the higher `patchy`, a noise, the more there are.
+fn etched(at: vec3f, patchy: f32, footprint: f32) -> vec4f {
+  const SIZE = 0.9;
+  let hollow = noise3(at / SIZE + 3.0);
+  let depth = smoothstep(0.24, 0.36, hollow.w + 0.25 * patchy) * shown(SIZE, footprint);
+  return vec4f(-2.2 * depth * (1.0 - depth) * hollow.xyz, 0.4 * depth);
+}
+
 // `own` three random numbers of the rock, `mean` its own mean albedo, `at` in its own space, footprint px of the world under a pixel.
 fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
   let coarse = 0.75 + 0.6 * own.z;
@@ -130,13 +143,13 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
 
   // What all stones have: patches and mottling; in places worn smooth, in others rugged.
   let broad = noise3(turned_at / 19.0);
-  let rugged = 0.3 + 0.9 * smoothstep(-0.3, 0.4, broad.w + 0.6 * (own.y - 0.5));
+  let rugged = clamp(0.3 + 0.77 * own.y + 1.29 * broad.w, 0.3, 1.2);
   let mid_seen = shown(5.0, footprint);
   let mid = noise3(turned_at / 5.0 + 17.0) * mid_seen;
   stone_patch = mid.w;
   var value = 0.3 * broad.w + 0.26 * mid.w;
-  var warm = 0.045 * broad.x + 0.03 * mid.x;
-  var slope = 0.12 * broad.xyz + 0.15 * rugged * mid.xyz;
+  var warm = 0.05 * broad.x;
+  var slope = 0.12 * broad.xyz + folded(0.2, mid.w) * rugged * mid.xyz;
   var pale = 0.0;
   if quality > 0.0 {
     let fine = grained(turned_at, footprint);
@@ -183,6 +196,11 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
     value += 0.1 * mid.w;
     pale = smoothstep(0.1, 0.5, broad.w) * 0.3;
     slope *= 0.9;
+    if quality > 1.5 {
+      let found = etched(turned_at, mid.w, footprint);
+      slope += found.xyz;
+      value -= found.w;
+    }
   } else if kind == 6.0 {
     let rust = smoothstep(0.05, 0.45, broad.w + 0.5 * mid.w);
     albedo *= mix(vec3f(1.0), vec3f(0.83, 0.595, 0.375), 0.5 * rust);
@@ -191,7 +209,7 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
     rough = 0.55;
   }
   albedo = mix(albedo, vec3f(0.45, 0.44, 0.41), max(pale, 0.75 * veins(kind, own, at, broad.w, mid.w) * mid_seen));
-  stone_albedo = max(albedo * max(1.0 + value, 0.2) * vec3f(1.0 + warm, 1.0, 1.0 - warm), vec3f(0.01));
+  stone_albedo = albedo * max(1.0 + value, 0.2) * vec3f(1.0 + warm, 1.0, 1.0 - warm);
   stone_slope = slope * TURN;
   stone_rough = rough;
 }
