@@ -83,6 +83,13 @@ export const ERRORS = /* @__PURE__ */ listed({
     cause: 'Parameters that are not an object, `base` together with `bases`, or a page and a worker that belong to different releases.',
     remedy: 'Pass one object as in the [types](types.html). On a server of your own, deploy all files of one release together.',
   },
+  MaskUnreadable: {
+    group: 'request',
+    message: 'the mask at {value} could not be fetched: status 404',
+    cause:
+      'A mask that is not where its address says, or of another origin that does not allow it; or a file that is no picture, or a damaged one.',
+    remedy: 'Open the address in the browser. Save the picture as PNG, JPEG, WebP or GIF.',
+  },
   OverBudget: {
     group: 'request',
     message: 'this field (or colony) would need about {value} MiB and the budget is {max} MiB; change {key}',

@@ -15,7 +15,7 @@ import type { RowProperties } from './parameter-properties.ts';
 export interface ParamsDefinition<K extends Kind> {
   table: Table<K>;
   properties: RowProperties<K>;
-  newRuns(host: RunsHost<K['params'], K['result'], K['stage']>): Runs<K['params'], K['result'], K['stage']>;
+  newRuns(host: RunsHost<K['params'], K['result'], K['stage']>, element: HTMLElement): Runs<K['params'], K['result'], K['stage']>;
   /** Width and height of the ground, px. */
   groundSize(params: K['params']): [number, number];
 }

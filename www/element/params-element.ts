@@ -42,16 +42,19 @@ export abstract class ParamsElement<K extends Kind> extends SceneElement {
   constructor(definition: ParamsDefinition<K>) {
     super();
     this.#definition = definition;
-    this.#runs = definition.newRuns({
-      onResult: (result, { superseded, isPreview }, params) => this.#show(result, superseded, isPreview, params),
-      onProgress: (progress) => this.tellProgress(progress),
-      onError: (error, params) => {
-        // What cannot be made now says nothing of the edits before it.
-        if (!UNAVAILABLE.test(error.name)) this.#refuse(params);
-        else if (this.#history?.giveUp()) this.#goBack();
-        this.report(error);
+    this.#runs = definition.newRuns(
+      {
+        onResult: (result, { superseded, isPreview }, params) => this.#show(result, superseded, isPreview, params),
+        onProgress: (progress) => this.tellProgress(progress),
+        onError: (error, params) => {
+          // What cannot be made now says nothing of the edits before it.
+          if (!UNAVAILABLE.test(error.name)) this.#refuse(params);
+          else if (this.#history?.giveUp()) this.#goBack();
+          this.report(error);
+        },
       },
-    });
+      this,
+    );
   }
 
   static {

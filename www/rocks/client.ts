@@ -16,12 +16,16 @@ export type FieldJob = Params & {
 };
 
 export class GeneratorClient extends WorkerClient<FieldJob, FlatRequest, Field, StageName> {
-  constructor(options: ClientOptions<FieldJob, Field> = {}) {
+  readonly #mask: () => FlatRequest['mask'];
+
+  /** @param mask gives the mask of the runs to come. */
+  constructor(options: ClientOptions<FieldJob, Field> = {}, mask: () => FlatRequest['mask'] = () => undefined) {
     super(options, spawnWorker);
+    this.#mask = mask;
   }
 
   protected override encode({ footprint, ...params }: FieldJob, maxBytes: number): FlatRequest {
-    return { ...flatRequest(params, maxBytes), footprint };
+    return { ...flatRequest(params, maxBytes), footprint, mask: this.#mask() };
   }
 }
 

@@ -8,9 +8,11 @@ import { observedAttributes } from '../element/attributes-element.ts';
 import { GeneratorElement } from '../element/generator-element.ts';
 import type { Definition } from '../element/definition.ts';
 import type { ElementEventMap } from '../element/generator-element.ts';
+import { isAbort } from '../base/errors.ts';
 import { lazily } from '../base/lazy.ts';
 import { loadPanel } from './load-panel.ts';
 import { lookOf } from './look.ts';
+import type { Mask, MaskRows } from './mask.ts';
 import type { Layer, ParameterProperties, PresetName } from './params.ts';
 import type { LayerRequest } from './request.ts';
 import { RowProperties } from '../element/parameter-properties.ts';
@@ -26,6 +28,9 @@ export interface RockFieldEventMap extends ElementEventMap<StageName> {
   generate: CustomEvent<{ stats: FieldStats; field: Field; superseded: boolean }>;
 }
 
+/** What says how dense the rocks of an element stand where. */
+const masks = new WeakMap<HTMLElement, MaskRows>();
+
 const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
   table: ROCKS,
   properties: new RowProperties(ROCKS, [...ROCKS.rows, ...ROCKS.itemRows]),
@@ -34,7 +39,7 @@ const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
   ownAttributes: { strokes: 'strokes' },
   list: 'layers',
   readAttributes,
-  newRuns: (host) => new Runs(host, (options) => new GeneratorClient(options)),
+  newRuns: (host, element) => new Runs(host, (options) => new GeneratorClient(options, () => masks.get(element))),
   lookOf,
   groundSize: ({ imageWidth, imageHeight }) => [imageWidth, imageHeight],
   encode: encodeLink,
@@ -97,6 +102,31 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
 
   set strokes(strokes: string | null) {
     this.params = { ...this.params, strokes: strokes ?? undefined };
+  }
+
+  /**
+   * A picture over the whole ground says how dense the rocks stand where: white as the layers ask, black not at all. `null` takes it away. Resolves
+   * when what it makes is on screen. It is no parameter: no link has it, and no step of `undo()`.
+   *
+   * @param mask pixels as in `ImageData`, a picture file, or its address; of an animated one, the first picture.
+   * @throws {RockFieldError} `MaskUnreadable`; about its size; what `generate()` rejects with. Then the mask is the one of before.
+   */
+  async setMask(mask: Mask | Blob | URL | string | null): Promise<void> {
+    const { maskOf } = await lazily(() => import('./mask-image.ts'));
+    const rows = mask === null ? undefined : await maskOf(mask, this.ownerDocument.baseURI);
+    const before = masks.get(this);
+    this.#mask(rows);
+    try {
+      await this.generate();
+    } catch (thrown) {
+      if (!isAbort(thrown)) this.#mask(before);
+      throw thrown;
+    }
+  }
+
+  #mask(rows: MaskRows | undefined): void {
+    if (rows) masks.set(this, rows);
+    else masks.delete(this);
   }
 
   /** The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */

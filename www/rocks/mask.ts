@@ -31,9 +31,8 @@ const MAX_SIDE = 16_384;
 export function maskRows(given: Mask, maxBytes: number): MaskRows {
   // `ImageData` has these as accessors of its prototype.
   if (typeof given !== 'object' || given === null) throw wrongType('mask', given, 'an object with width, height and data');
-  const side = (key: 'width' | 'height') => checkNumber('mask', given[key], { min: 1, max: MAX_SIDE }, true, undefined, `mask.${key}`);
-  const [width, height, { data }] = [side('width'), side('height'), given];
-  const pixels = width * height;
+  const { width, height, data } = given;
+  const pixels = checkedSize({ width, height }, Infinity);
   if (!(data instanceof Uint8Array || data instanceof Uint8ClampedArray || data instanceof Uint16Array)) {
     throw wrongType('mask', data, 'a Uint8Array, a Uint8ClampedArray or a Uint16Array', undefined, 'mask.data');
   }
@@ -43,6 +42,19 @@ export function maskRows(given: Mask, maxBytes: number): MaskRows {
     const message = `mask.data has ${data.length} numbers; a mask of ${width} × ${height} px has ${pixels} of them, or ${4 * pixels} of 8 bits`;
     throw new RockFieldError({ name: 'MalformedRequest', key: 'mask', value: data.length, min: pixels, max: 4 * pixels, message });
   }
+  checkedSize({ width, height }, maxBytes);
+  return { width, rows: isColour ? brightness(data) : data instanceof Uint16Array ? rounded(data) : Uint8Array.from(data) };
+}
+
+/**
+ * The number of pixels of a mask.
+ *
+ * @throws {RockFieldError} naming the side and its bounds; `OverBudget`.
+ */
+export function checkedSize({ width, height }: { width: number; height: number }, maxBytes: number): number {
+  const bounds = { min: 1, max: MAX_SIDE };
+  const pixels =
+    checkNumber('mask', width, bounds, true, undefined, 'mask.width') * checkNumber('mask', height, bounds, true, undefined, 'mask.height');
   // Here, on the way, and twice in the generator, while one replaces another.
   const bytes = 4 * pixels;
   if (bytes > maxBytes) {
@@ -50,7 +62,7 @@ export function maskRows(given: Mask, maxBytes: number): MaskRows {
     const message = `this mask would need about ${needed} MiB and the budget is ${budget} MiB; make it smaller`;
     throw new RockFieldError({ name: 'OverBudget', key: 'mask', value: bytes, min: 0, max: maxBytes, message });
   }
-  return { width, rows: isColour ? brightness(data) : data instanceof Uint16Array ? rounded(data) : Uint8Array.from(data) };
+  return pixels;
 }
 
 /** Of sRGB's weights, times the alpha; whole numbers, so that it is the same everywhere. */
