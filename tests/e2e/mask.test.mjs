@@ -51,11 +51,14 @@ test('a mask of pixels, a file or an address thins the rocks out, and null takes
       clear: await count(await picture('#fff0')),
       black: await count(new ImageData(2, 2)),
       none: await count(null),
+      newest: await Promise.all([field.setMask(new ImageData(2, 2)), field.setMask(null)]).then(
+        async () => (await field.getField()).stats.rocks,
+      ),
     };
   });
   const { free, grey, jpeg } = counts;
   assert.ok(free > 50 && grey < 0.75 * free && grey > 0.25 * free, JSON.stringify(counts));
-  assert.deepEqual(counts, { free, white: free, address: free, grey, jpeg, clear: 0, black: 0, none: free });
+  assert.deepEqual(counts, { free, white: free, address: free, grey, jpeg, clear: 0, black: 0, none: free, newest: free });
   assert.ok(Math.abs(jpeg - grey) <= 0.05 * free);
 });
 

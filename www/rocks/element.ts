@@ -106,7 +106,7 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
 
   /**
    * A picture over the whole ground says how dense the rocks stand where: white as the layers ask, black not at all. `null` takes it away. Resolves
-   * when what it makes is on screen. It is no parameter: no link has it, and no step of `undo()`.
+   * when what it makes, or what is newer, is on screen. It is no parameter: no link has it, and no step of `undo()`.
    *
    * @param mask pixels as in `ImageData`, a picture file, or its address; of an animated one, the first picture.
    * @throws {RockFieldError} `MaskUnreadable`; about its size; what `generate()` rejects with. Then the mask is the one of before.
@@ -119,8 +119,12 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
     try {
       await this.generate();
     } catch (thrown) {
-      if (!isAbort(thrown)) this.#mask(before);
-      throw thrown;
+      // What is newer has this mask, too, or one that was set since.
+      if (isAbort(thrown)) await this.newest();
+      else {
+        this.#mask(before);
+        throw thrown;
+      }
     }
   }
 
