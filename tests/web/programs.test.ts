@@ -96,7 +96,7 @@ describe('Programs that are linked beside the page', () => {
     assert.ok(!programs.isLinking);
     assert.deepEqual(
       calls.filter((call) => /^(uniform|use)/.test(call)),
-      ['useProgram one', 'uniformBlockBinding one 3 0', 'uniformBlockBinding one 7 1', 'uniform1i place of map 5'],
+      ['useProgram one', 'useProgram one', 'uniformBlockBinding one 3 0', 'uniformBlockBinding one 7 1', 'uniform1i place of map 5'],
     );
   });
 
@@ -110,7 +110,7 @@ describe('Programs that are linked beside the page', () => {
     for (let turn = 0; turn < 4; turn += 1) assert.ok(programs.beside(tell));
     isLinked = true;
     while (programs.beside(tell));
-    assert.deepEqual(told, [true, false, false, false, false, false, true]);
+    assert.deepEqual(told, [true, false, false, false, false, false, false, true]);
   });
 
   it('one that is drawn with sooner is waited for', () => {

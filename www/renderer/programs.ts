@@ -31,6 +31,8 @@ interface Link {
   later: (() => void)[];
   /** All was asked that belongs to its making: whoever uses it now draws. */
   isWhole: boolean;
+  /** The device was told to use it. */
+  isUsed: boolean;
 }
 
 /** The place of a uniform, which was asked for before the program was linked. */
@@ -47,7 +49,7 @@ export class Programs {
   readonly #context: WebGL2RenderingContext;
   readonly #own: Methods;
   readonly #links = new Map<WebGLProgram, Link>();
-  /** The device comes to it when the last of them is linked. */
+  /** The device comes to it when it has done what they need. */
   #fence: WebGLSync | null = null;
   /** Programs are linked beside the page now. */
   #isBeside = false;
@@ -81,11 +83,15 @@ export class Programs {
     }
   }
 
-  /** Finishes one of the programs if all are linked. False if there was none. */
+  /** Takes the next step with the programs if the device has done the last one. False if there were none. */
   #finishNext(): boolean {
     const context = this.#context;
-    const [first] = this.#links.keys();
-    if (first && (!this.#fence || context.getSyncParameter(this.#fence, context.SYNC_STATUS) !== context.UNSIGNALED)) this.#finish(first);
+    const [first] = this.#links;
+    if (first && (!this.#fence || context.getSyncParameter(this.#fence, context.SYNC_STATUS) !== context.UNSIGNALED)) {
+      const [program, { isUsed }] = first;
+      if (isUsed) this.#finish(program);
+      else this.#use();
+    }
     if (this.#failure) throw this.#failure;
     return first !== undefined;
   }
@@ -95,9 +101,22 @@ export class Programs {
    * linked, if the device has to validate it first.
    */
   #link(program: WebGLProgram): void {
+    this.#links.set(program, { blocks: [], later: [], isWhole: false, isUsed: false });
+    this.#context.validateProgram(program);
+    this.#setFence();
+  }
+
+  /** Programs that are linked are optimised when they are used for the first time, which takes as long again. */
+  #use(): void {
+    for (const [program, link] of this.#links) {
+      link.isUsed = true;
+      this.#own.useProgram(program);
+    }
+    this.#setFence();
+  }
+
+  #setFence(): void {
     const context = this.#context;
-    this.#links.set(program, { blocks: [], later: [], isWhole: false });
-    context.validateProgram(program);
     context.deleteSync(this.#fence);
     this.#fence = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
     context.flush();
