@@ -8,8 +8,9 @@ use glam::{Vec2, Vec3};
 /// How far apart copies are, as a share of the field's sides. Near its border, half of the rocks have sunk ([`super::Stands`]): there the next copy begins.
 const APART: f32 = 0.83;
 
-/// By how much each row is shifted against the one below it, as a share of how far apart copies are.
-const SHIFTED: f32 = 0.38;
+/// By how much each row is shifted against the one below it, as a share of how far apart copies are: so that for the usual cameras, which look 30°
+/// aside, no rock stands behind the copies of itself.
+const SHIFTED: f32 = 0.27;
 
 /// How many copies there are in each direction. Farther away the ground's shader has the stones, as flat as the heights' map has them.
 const REACH: i32 = 6;

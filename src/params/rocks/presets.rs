@@ -215,9 +215,9 @@ presets! {
         "dry-garden" { imageWidth: 640.0, imageHeight: 640.0, border: DROP, swing: SEPARATE, ground: GRAVEL, variation: 0.3, moss: 0.4, dust: 0.05, sunAzimuth: 250.0, sunElevation: 36.0 }
             [120.0, 0.09, 0.0, 6.0, 4.8, 36.0, 72.0, 24.0, 0.45, 0.6, 32.0, 0.25, SLATE]
             [60.0, 0.03, 0.0, 3.0, 2.4, 18.0, 24.0, 9.0, 0.5, 0.5, 45.0, 0.3, SLATE]
+            [6.0, 0.3, 0.0, 0.3, 0.24, 1.68, 1.92, 0.72, 0.9, 0.1, 45.0, 0.2, LIMESTONE]
             [4.4, 0.6, 0.0, 0.22, 0.18, 1.5, 0.88, 0.44, 0.9, 0.1, 45.0, 0.2, LIMESTONE]
-            [3.2, 0.6, 0.0, 0.16, 0.13, 1.09, 0.64, 0.32, 0.9, 0.0, 62.0, 0.2, LIMESTONE]
-            [2.3, 0.5, 0.0, 0.11, 0.09, 0.78, 0.46, 0.23, 0.8, 0.0, 0.0, 0.2, LIMESTONE];
+            [3.2, 0.6, 0.0, 0.16, 0.13, 1.09, 0.64, 0.32, 0.9, 0.0, 62.0, 0.2, LIMESTONE];
         "forest-floor" { imageWidth: 640.0, imageHeight: 640.0, border: DROP, swing: SEPARATE, ground: SOIL, variation: 0.4, wetness: 0.25, moss: 0.62, dust: 0.3, sunAzimuth: 250.0, sunElevation: 40.0 }
             [110.0, 0.1, 0.0, 5.5, 4.4, 30.8, 35.2, 13.2, 0.6, 0.5, 34.0, 0.3, GRANITE]
             [60.0, 0.1, 0.0, 3.0, 2.4, 16.8, 19.2, 7.2, 0.65, 0.5, 38.0, 0.35, GRANITE]

@@ -215,7 +215,8 @@ fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
     scatter(at, lean, 1.3, vec2f(-0.5583, -0.8296), 0.1 + 0.1 * patches, 0.3, footprint);
     scatter(at, lean, 3.7, vec2f(-0.8982, -0.4397), 0.03 + 0.05 * patches, 0.8, footprint);
   } else if ground_kind == 2.0 {
-    cover_albedo *= mix(0.82, 0.85, shown(2.0, footprint));
+    // What is between stones is darker than they are; where they are too small to be told apart it is both.
+    cover_albedo *= mix(select(0.95, 0.82, globals.scene.w < 0.5), 0.85, shown(2.0, footprint));
     // The large ones at every level: they are what goes on beyond the field's border.
     if quality > 0.0 {
       scatter(at, lean, 1.6, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);

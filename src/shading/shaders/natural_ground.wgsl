@@ -32,7 +32,8 @@ fn vs_main(@builtin(vertex_index) index: u32) -> Varyings {
   return out;
 }
 
-// What `rock_afar` found: 1 on a rock, where, its normal there, and 0 where a pixel reaches over so many rocks that only their mean is shown.
+// What `rock_afar` or `stones_afar` found: 1 on a rock, where, its normal there, and 0 where a pixel reaches over so many rocks that only their mean
+// is shown.
 var<private> afar_one: f32 = 1.0;
 var<private> afar_rock: f32;
 // Its colour
@@ -58,13 +59,66 @@ fn rock_afar(home: vec3f, to_eye: vec3f, apart: f32, footprint: f32) {
     }
   }
   let slope = vec2f(height_at(at.xy + vec2f(apart, 0.0)), height_at(at.xy + vec2f(0.0, apart))) - at.z;
-  // The sides of single rocks and their shadows would glitter along the horizon.
-  afar_one = 1.0 - smoothstep(0.1, 0.4, footprint / field.size.z);
+  // The sides of single rocks and their shadows would glitter along the horizon; those that are not drawn are small ones.
+  afar_one = 1.0 - smoothstep(0.1, 0.4, footprint / min(field.size.z, 10.0));
   afar_rock = mix(0.8, select(0.0, 1.0, at.z > 0.0), afar_one);
   afar_at = at;
   // Of what is smaller than a pixel, the sides towards the eye are seen.
-  let lean = to_eye.xy * (0.7 * (1.0 - to_eye.z) * mix(0.35, 1.0, afar_one));
+  let lean = to_eye.xy * ((1.0 - to_eye.z) * mix(select(0.6, 0.15, has_snow), 0.7, afar_one));
   afar_normal = normalize(vec3f((lean - slope * afar_one / apart) * afar_rock, 1.0));
+}
+
+// Where rocks of copies are too small to be drawn, and beyond the copies, rows of stones go on, ring after ring round the field. How much farther out
+// each row is than the one before it, as a power of 2, and how many rows a ray passes low enough to meet them.
+const ROW = 0.12;
+const ROWS = 5;
+
+// What a ray to the eye meets of those rows, which comes from `world` on the ground; `across` px of the world are as wide as a pixel. They are as high as
+// the field's own rocks are in some place of it: then they lie as dense. To be called after `rock_afar`, whose mean is between them.
+fn stones_afar(world: vec3f, to_eye: vec3f, across: f32) {
+  let least = min(field.bricks.x, field.bricks.y);
+  let out = length(world.xy - 0.5 * field.size.xy);
+  let begun = smoothstep(0.1, 0.2, across / field.size.z) * (1.0 - afar_one);
+  if begun <= 0.0 || out < least {
+    return;
+  }
+  let flat = -to_eye.xy * inverseSqrt(max(dot(to_eye.xy, to_eye.xy), 1e-6));
+  let from_middle = world.xy - 0.5 * field.size.xy;
+  let way = globals.eye.z / max(to_eye.z, 1e-4) * length(to_eye.xy);
+  let from_eye = from_middle - flat * way;
+  let b = dot(from_eye, flat);
+  let c = dot(from_eye, from_eye);
+  let row = floor(log2(out / least) / ROW);
+  let turn = atan2(from_middle.y, from_middle.x) / 6.2831853 + 0.5;
+  let aside = (from_middle.x * flat.y - from_middle.y * flat.x) / (6.2831853 * out);
+  // No higher than the rows behind the last one that is looked at.
+  let highest = min(1.0, globals.eye.z * (1.0 - exp2(-ROW * f32(ROWS - 1))) / field.size.z);
+  let pitch = 1.5 * field.size.z;
+  let lateral = vec2f(-from_middle.y, from_middle.x) / out;
+  for (var i = 0; i < ROWS; i++) {
+    let which = row - f32(i);
+    let radius = least * exp2(ROW * which);
+    let count = floor(6.2831853 * radius / pitch);
+    // Where the ray passes over the row: how much nearer to the eye than the ground that it reaches.
+    let nearer = way + b - sqrt(max(b * b - c + radius * radius, 0.0));
+    let along = (turn - aside * nearer / radius) * count;
+    let cell = floor(along);
+    let r = numbers_of(vec2i(vec2f(cell, which)), 91);
+    let high = height_at(field.size.xy * (0.15 + 0.7 * r.xy)) * highest;
+    let half = min(0.45, (1.3 * high + 0.05 * pitch) / pitch);
+    let u = (along - cell - half - (1.0 - 2.0 * half) * r.z) / half;
+    let base = globals.eye.z / max(way, 1.0) * (nearer - (exp2(ROW * r.w) - 1.0) * radius);
+    let v = base / max(high, 0.01);
+    let inside = 1.0 - u * u - v * v;
+    let tall = high / across;
+    let covers = clamp(0.8 * inside * tall, 0.0, 1.0) * begun * smoothstep(0.3, 1.5, tall) * step(max(water_level(), 0.0), base) * step(0.0, which);
+    let ball = vec3f(lateral * (0.9 * u) - flat * sqrt(max(inside, 0.05)), v + 0.15);
+    afar_normal = mix(afar_normal, normalize(ball), covers);
+    // Its foot is in the shade of others.
+    let stone = individual(debris_albedo(r.w), r.zwx) * min(0.5 + 0.7 * v, 1.0);
+    afar_albedo = mix(afar_albedo, stone, covers);
+    afar_rock = mix(afar_rock, 1.0, covers);
+  }
 }
 
 // Beyond the field the ground rolls: how light it is.
@@ -168,8 +222,9 @@ fn fs_main(
   if field.bricks.w > 0.5 && (any(shift != vec3f(0.0)) || across > 1.2) {
     rock_afar(home, to_eye, max(0.7 * across, field.ground.y), footprint);
     home = afar_at;
-    up = afar_normal;
     afar_albedo = finest_albedo * (0.85 + 0.3 * noise2(world.xy / 11.0));
+    stones_afar(on_level, to_eye, across);
+    up = afar_normal;
     water_deep = select(water_deep, 0.0, afar_one > 0.5 && home.z > water_level());
   }
   let rock = afar_rock;

@@ -67,11 +67,11 @@ fn bubble(at: vec3f, share: f32) -> vec4f {
   return vec4f(-1.5 * wall * grain_middle / max(cell.x, 0.01), 0.3 * (1.0 - smoothstep(0.75, 1.0, out)));
 }
 
-// Some stones are cut by a white line or two: 1 on it. `broad` and `mid` are noise that bends it.
+// Where all kinds of stone lie together, some are cut by a white line or two: 1 on it. `broad` and `mid` are noise that bends it.
 fn veins(kind: f32, own: vec3f, at: vec3f, broad: f32, mid: f32) -> f32 {
   let vein_at = dot(at, normalize(vec3f(own.zx - 0.5, 0.35))) / 23.0 + 0.12 * broad + 0.1 * mid;
   let vein = 1.0 - smoothstep(0.012, 0.035, abs(fract(vein_at) - 0.5));
-  let veined = select(0.0, 1.0, fract(own.x * 7.0 + own.y * 3.0) < 0.16 && (kind == 2.0 || kind == 5.0));
+  let veined = select(0.0, 1.0, fract(own.x * 7.0 + own.y * 3.0) < 0.16 && (kind == 2.0 || kind == 5.0) && globals.scene.w < 0.5);
   return vein * veined;
 }
 
