@@ -8,7 +8,6 @@ import { observedAttributes } from '../element/attributes-element.ts';
 import { GeneratorElement } from '../element/generator-element.ts';
 import type { Definition } from '../element/definition.ts';
 import type { ElementEventMap } from '../element/generator-element.ts';
-import { isAbort } from '../base/errors.ts';
 import { lazily } from '../base/lazy.ts';
 import { loadPanel } from './load-panel.ts';
 import { lookOf } from './look.ts';
@@ -29,7 +28,7 @@ export interface RockFieldEventMap extends ElementEventMap<StageName> {
 }
 
 /** What says how dense the rocks of an element stand where. */
-const masks = new WeakMap<HTMLElement, MaskRows>();
+const masks = new WeakMap<HTMLElement, MaskRows | undefined>();
 
 const DEFINITION: Definition<Rocks, GeneratorElement<Rocks>> = {
   table: ROCKS,
@@ -112,25 +111,7 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
    * @throws {RockFieldError} `MaskUnreadable`; about its size; what `generate()` rejects with. Then the mask is the one of before.
    */
   async setMask(mask: Mask | Blob | URL | string | null): Promise<void> {
-    const { maskOf } = await lazily(() => import('./mask-image.ts'));
-    const rows = mask === null ? undefined : await maskOf(mask, this.ownerDocument.baseURI);
-    const before = masks.get(this);
-    this.#mask(rows);
-    try {
-      await this.generate();
-    } catch (thrown) {
-      // What is newer has this mask, too, or one that was set since.
-      if (isAbort(thrown)) await this.newest();
-      else {
-        this.#mask(before);
-        throw thrown;
-      }
-    }
-  }
-
-  #mask(rows: MaskRows | undefined): void {
-    if (rows) masks.set(this, rows);
-    else masks.delete(this);
+    await (await lazily(() => import('./mask-image.ts'))).setMask(this, masks, mask);
   }
 
   /** The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */

@@ -1,6 +1,6 @@
 /** Masks out of pictures, for the element; fetched when somebody gives it one. */
 
-import { RockFieldError } from '../base/errors.ts';
+import { RockFieldError, isAbort } from '../base/errors.ts';
 import { defaultMaxBytes } from '../generator/budget.ts';
 import { shown, wrongType } from '../table/param-checks.ts';
 import { checkedSize, maskRows } from './mask.ts';
@@ -11,12 +11,40 @@ const STRIP = 256;
 /** How much of a file may stand before what says how large its picture is. */
 const HEADER = 2 ** 16;
 
+/** An element that has a mask. */
+interface Masked {
+  generate(): Promise<unknown>;
+  /** What is on screen last of all that has been asked for. */
+  getField(): Promise<unknown>;
+}
+
+/** Gives an element a mask, or takes it away, and resolves when it is on screen; see `RockFieldElement.setMask`. */
+export async function setMask(
+  element: HTMLElement & Masked,
+  masks: WeakMap<HTMLElement, MaskRows | undefined>,
+  mask: Mask | Blob | URL | string | null,
+): Promise<void> {
+  const rows = mask === null ? undefined : await maskOf(mask, element.ownerDocument.baseURI);
+  const before = masks.get(element);
+  masks.set(element, rows);
+  try {
+    await element.generate();
+  } catch (thrown) {
+    // What is newer has this mask, too, or one that was set since.
+    if (isAbort(thrown)) await element.getField();
+    else {
+      masks.set(element, before);
+      throw thrown;
+    }
+  }
+}
+
 /**
  * What the generator takes for a mask: of pixels, of a picture file, or of the address of one.
  *
  * @throws {RockFieldError} `MaskUnreadable`; about the size, before the picture is decoded where its header tells it.
  */
-export async function maskOf(source: Mask | Blob | URL | string, base: string): Promise<MaskRows> {
+async function maskOf(source: Mask | Blob | URL | string, base: string): Promise<MaskRows> {
   const isAddress = typeof source === 'string' || source instanceof URL;
   if (!isAddress && !(source instanceof Blob)) return maskRows(source, defaultMaxBytes());
   const blob = isAddress ? await fetched(source, base) : source;
