@@ -18,7 +18,7 @@ const SMALL = { silent: true, optimise: ['-Oz', '--strip-target-features', '--st
 /** A seventh of the other's size, and every embed fetches it: less is compiled into its callers, and it is optimised until nothing more comes of it. */
 const SMALLEST = {
   ...SMALL,
-  rustc: ['-C', 'llvm-args=-inline-threshold=15'],
+  rustc: ['-C', 'llvm-args=-inline-threshold=5'],
   optimise: ['-Oz', '--converge', ...SMALL.optimise],
 };
 

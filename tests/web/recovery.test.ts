@@ -6,7 +6,7 @@ import { ErrorPace } from '../../www/base/error-pace.ts';
 import { RockFieldError, scriptUnavailable } from '../../www/base/errors.ts';
 import type { ErrorInfo } from '../../www/base/errors.ts';
 import { CAUTIOUS_WAIT_MS, FIRST_WAIT_MS, Recovery } from '../../www/renderer/recovery.ts';
-import type { Refusal } from '../../www/renderer/renderer.ts';
+import type { Refusal } from '../../www/renderer/load.ts';
 
 const refusals = (...messages: string[]): Refusal[] =>
   messages.map((message, k) => ({ backend: k === 0 ? 'webgpu' : 'webgl', error: new Error(message) }));

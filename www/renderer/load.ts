@@ -3,12 +3,16 @@
 import { lazily } from '../base/lazy.ts';
 import { GpuRenderer } from './gpu.ts';
 import type { Backend } from '../base/view.ts';
-import type { Refusal, SceneRenderer } from './renderer.ts';
-
-type LoadPlan = () => Promise<Pick<typeof import('./canvas2d.ts'), 'Canvas2dRenderer'>>;
+import type { SceneRenderer } from './renderer.ts';
 
 /** `auto` tries WebGPU, WebGL2, then canvas 2D; a name asks for that backend alone. */
 export type WantedBackend = 'auto' | Backend;
+
+/** A backend that was tried, and why it cannot draw. */
+export interface Refusal {
+  backend: Backend;
+  error: unknown;
+}
 
 const IN_ORDER = ['webgpu', 'webgl', 'canvas2d'] as const satisfies readonly Backend[];
 
@@ -27,21 +31,18 @@ export function backendsOf(wanted: WantedBackend): readonly Backend[] {
  * so `makeCanvas` is called once for every backend that gets as far as that.
  *
  * @param refusals filled with the backends that were tried in vain.
- * @param loadPlan fetches what draws the plan.
  */
 export async function loadRenderer(
   makeCanvas: () => HTMLCanvasElement,
   backends: readonly Backend[],
   refusals: Refusal[],
-  loadPlan: LoadPlan,
 ): Promise<SceneRenderer | undefined> {
   // The plan stands in for a renderer that does not arrive, so it is asked for before the network may be gone.
-  const asked = backends.includes('canvas2d') ? loadPlan() : undefined;
-  asked?.catch(() => undefined);
-  const plan = asked && (() => asked);
+  const plan = backends.includes('canvas2d') ? loadPlan() : undefined;
+  plan?.catch(() => undefined);
   for (const backend of backends) {
     try {
-      return await open(backend, makeCanvas, plan ?? loadPlan);
+      return await open(backend, makeCanvas, plan);
     } catch (error) {
       refusals.push({ backend, error });
     }
@@ -49,12 +50,20 @@ export async function loadRenderer(
   return undefined;
 }
 
-async function open(backend: Backend, makeCanvas: () => HTMLCanvasElement, loadPlan: LoadPlan): Promise<SceneRenderer> {
+function loadPlan(): Promise<typeof import('./canvas2d.ts')> {
+  return lazily(() => import('./canvas2d.ts'), true);
+}
+
+async function open(
+  backend: Backend,
+  makeCanvas: () => HTMLCanvasElement,
+  plan: ReturnType<typeof loadPlan> | undefined,
+): Promise<SceneRenderer> {
   switch (backend) {
     case 'null':
       return new (await lazily(() => import('./null.ts'))).NullRenderer(makeCanvas());
     case 'canvas2d':
-      return new (await loadPlan()).Canvas2dRenderer(makeCanvas());
+      return new (await (plan ?? loadPlan())).Canvas2dRenderer(makeCanvas());
     case 'webgpu':
     case 'webgl':
       return GpuRenderer.create(backend, makeCanvas);

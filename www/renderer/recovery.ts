@@ -3,7 +3,7 @@
 import type { Language, Words } from '../base/language.ts';
 import { loadingText } from './loading.ts';
 import { rendererArrived } from './artefact.ts';
-import type { Refusal } from './renderer.ts';
+import type { Refusal } from './load.ts';
 
 /** Before the first new try, and where the device was lost again and again; doubled after each, up to the longest. */
 export const FIRST_WAIT_MS = 1000;

@@ -85,12 +85,6 @@ export interface Pieces {
   end(): void;
 }
 
-/** A backend that was tried, and why it cannot draw. */
-export interface Refusal {
-  backend: Backend;
-  error: unknown;
-}
-
 export interface SceneRenderer {
   readonly backend: Backend;
   readonly canvas: HTMLCanvasElement;

@@ -322,7 +322,7 @@ export abstract class DrawnElement extends StageElement {
   /** It is still on its way, and there is something to show: the plan until then. */
   #standIn(): void {
     const { cycle } = this;
-    lazily(() => import('./at-hand.ts'), true)
+    lazily(() => import('./stand-in.ts'), true)
       .then(({ standIn }) =>
         standIn({
           isOver: () => cycle?.aborted !== false || this.#painted || this.#kept.renderer !== undefined,

@@ -5,9 +5,9 @@ import { lazily } from '../base/lazy.ts';
 import type { Language } from '../base/language.ts';
 import type { Recovery } from '../renderer/recovery.ts';
 import { backendsOf, loadRenderer } from '../renderer/load.ts';
-import type { WantedBackend } from '../renderer/load.ts';
+import type { Refusal, WantedBackend } from '../renderer/load.ts';
 import type { Backend } from '../base/view.ts';
-import type { Refusal, SceneRenderer } from '../renderer/renderer.ts';
+import type { SceneRenderer } from '../renderer/renderer.ts';
 
 /** More losses than this within so short a time are no accident: the plan is drawn without the GPU for a while. */
 const MAX_LOSSES = 3;
@@ -66,7 +66,7 @@ export class RendererKeeper {
     const cycle = this.#cycle;
     void this.#open(cycle, this.#backends());
     const again = async () => cycle === this.#cycle && this.#open(cycle, this.#backends('canvas2d'), true);
-    this.#recovery = lazily(() => import('./at-hand.ts'), true).then(
+    this.#recovery = lazily(() => import('../renderer/recovery.ts'), true).then(
       ({ Recovery }) => new Recovery({ again, said: () => this.#scene.said() }),
     );
     this.#recovery.catch(() => undefined);
@@ -134,12 +134,7 @@ export class RendererKeeper {
   /** True when the picture is drawn as it was asked for. Another try changes nothing unless it succeeds. */
   async #open(cycle: number, backends: readonly Backend[], isRetry = false): Promise<boolean> {
     const refusals: Refusal[] = [];
-    const renderer = await loadRenderer(
-      () => this.#scene.makeCanvas(),
-      backends,
-      refusals,
-      () => lazily(() => import('./at-hand.ts'), true),
-    );
+    const renderer = await loadRenderer(() => this.#scene.makeCanvas(), backends, refusals);
     if (cycle !== this.#cycle) {
       renderer?.dispose();
       return false;

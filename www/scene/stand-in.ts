@@ -1,7 +1,7 @@
 /** Shows the plan, and how much of the renderer has arrived, for as long as a slow network brings it. */
 
 import type { Field } from '../data/field.ts';
-import { Canvas2dRenderer } from '../renderer/canvas2d.ts';
+import { lazily } from '../base/lazy.ts';
 import type { Language } from '../base/language.ts';
 import { loadingText } from '../renderer/loading.ts';
 import { rendererArrived } from '../renderer/artefact.ts';
@@ -56,6 +56,8 @@ async function standInUntilOver({ isOver, tree, language, scene }: Host): Promis
       tree.messages.setLoading(arrived === null ? '' : loadingText(language(), arrived));
       if (arrived === null || tree.hasPoster) continue;
       if (!plan) {
+        const { Canvas2dRenderer } = await lazily(() => import('../renderer/canvas2d.ts'), true);
+        if (isOver()) break;
         plan = new Canvas2dRenderer(tree.makeCanvas());
         tree.standIn(plan.canvas);
       }
