@@ -12,7 +12,7 @@ const LISTED = [...GENERATORS, ...TOOLS];
 /** In bytes; 1 kB = 1000 bytes. */
 export const BUDGETS = {
   ...Object.fromEntries(LISTED.map(({ wasm, budget }) => [camelCase(wasm), budget])),
-  rendererWebgpu: 113_500,
+  rendererWebgpu: 113_000,
   rendererWebgl: 660_000,
   page: 48_000,
 };

@@ -13,13 +13,19 @@ const WASM = 'wasm32-unknown-unknown';
 /** An instance can be replaced after a trap: a renderer's, and a generator's in Node and for `rock-field/core`, where there is no worker to be ended. */
 const RESET = ['--experimental-reset-state-function'];
 
-/** How the renderers are made: what they draw takes the GPU's time, and what panics say nobody reads. */
-const SMALL = { silent: true, optimise: ['-Oz', '--strip-target-features', '--strip-producers'], bindgen: RESET };
-/** A seventh of the other's size, and every embed fetches it: less is compiled into its callers, and it is optimised until nothing more comes of it. */
+/**
+ * How the renderers are made: what they draw takes the GPU's time, and what panics say nobody reads. Nothing is ever stored below address 1024, where the
+ * stack ends, which lets the optimiser join more addresses.
+ */
+const SMALL = { silent: true, optimise: ['-Oz', '--low-memory-unused', '--strip-target-features', '--strip-producers'], bindgen: RESET };
+/**
+ * A seventh of the other's size, and every embed fetches it: less is compiled into its callers, its expressions are taken apart before they are put
+ * together anew, and it is optimised until nothing more comes of it.
+ */
 const SMALLEST = {
   ...SMALL,
   rustc: ['-C', 'llvm-args=-inline-threshold=5'],
-  optimise: ['-Oz', '--converge', ...SMALL.optimise],
+  optimise: ['--flatten', '--rereloop', '-Oz', '--converge', ...SMALL.optimise],
 };
 
 /**

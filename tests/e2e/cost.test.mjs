@@ -7,10 +7,14 @@ import { test } from 'node:test';
 import { dist } from '../../scripts/lib/env.mjs';
 import { plainName } from '../../scripts/build/hashed-names.mjs';
 import { brotli } from '../../scripts/build/size.mjs';
+import { metafile, scriptsOf } from '../../scripts/build/web.mjs';
 import { launch, pageOf, staysQuietFor } from './browser.mjs';
 
 /** Bytes after brotli; as heavy as `<model-viewer>` is without its models, less 10 kB. */
 const COLD_EMBED_BUDGET = 225_000;
+
+/** Fetched beside the rest where the field is ready before the renderer has come, which depends on the machine: always counted. */
+const STAND_IN = 'later:www/scene/stand-in.ts';
 
 const pageWith = (element) =>
   `<!doctype html><html lang="en"><meta charset="utf-8"><title>cost</title><link rel="icon" href="data:,">${element}<script type="module" src="/rock-field.js"></script>`;
@@ -44,10 +48,11 @@ test('a cold embed on WebGPU fetches one renderer, one generator and nothing bes
         .sort(),
       ['generator_bg.wasm', 'renderer-webgpu_bg.wasm'],
     );
-    const sizes = names.map((name) => [name, brotli(readFileSync(path.join(dist, name)))]);
+    const standIn = scriptsOf(JSON.parse(readFileSync(metafile, 'utf8')), STAND_IN).filter((name) => !names.includes(name));
+    const sizes = [...names, ...standIn].map((name) => [name, brotli(readFileSync(path.join(dist, name)))]);
     const total = sizes.reduce((sum, [, bytes]) => sum + bytes, 0);
     console.log(
-      `cold embed: ${(total / 1000).toFixed(1)} kB brotli in ${names.length} files: ${sizes.map(([name, bytes]) => `${name} ${(bytes / 1000).toFixed(1)}`).join(', ')}`,
+      `cold embed: ${(total / 1000).toFixed(1)} kB brotli in ${sizes.length} files: ${sizes.map(([name, bytes]) => `${name} ${(bytes / 1000).toFixed(1)}`).join(', ')}`,
     );
     assert(total <= COLD_EMBED_BUDGET, `${total} bytes after brotli; at most ${COLD_EMBED_BUDGET}`);
   });
