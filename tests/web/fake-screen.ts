@@ -1,4 +1,5 @@
 // A clock, a screen and a graphics device of our own, for whoever draws frames. Every test of a file that imports this begins with new ones.
+import assert from 'node:assert/strict';
 import { afterEach, beforeEach } from 'node:test';
 import type { Quality } from '../../www/base/view.ts';
 import type { Pieces, Stills } from '../../www/renderer/renderer.ts';
@@ -156,6 +157,8 @@ export class Samplers implements Stills {
   /** Of what is on the screen, the share that the mean has. */
   share = 0;
   readonly shares: number[] = [];
+  /** The device was given something that nobody has waited for. */
+  #isBusy = true;
   readonly #ms: number;
 
   constructor(ms: number) {
@@ -167,17 +170,20 @@ export class Samplers implements Stills {
   }
 
   begin(): void {
+    assert(!this.#isBusy, 'the page waits for the device');
     this.begun += 1;
     this.samples = 0;
   }
 
   draw(): boolean {
+    this.#isBusy = true;
     this.samples += 1;
     return false;
   }
 
-  done(): Promise<void> {
-    return new Promise((resolve) => setTimeout(resolve, this.#ms));
+  async done(): Promise<void> {
+    await new Promise((resolve) => setTimeout(resolve, this.#ms));
+    this.#isBusy = false;
   }
 
   show(): void {}

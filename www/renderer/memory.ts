@@ -8,15 +8,21 @@ interface GpuContext {
 }
 
 /**
- * Watches the canvas's device. What is returned is to be called in the same task, when it has been given what may be too much: it tells whether there
- * was enough.
+ * Calls `make`, which gives the canvas's device what may be too much for it. What is returned is to be asked when the device is done with that: whether it
+ * had the memory. With WebGL2 the page waits for a device that is busy, here as with the question.
  */
-export function watchMemory(canvas: HTMLCanvasElement, backend: GpuBackend): () => Promise<boolean> {
+export function watchMemory(canvas: HTMLCanvasElement, backend: GpuBackend, make: () => void): () => Promise<boolean> {
   if (backend === 'webgpu') {
     const device = (canvas.getContext('webgpu') as GpuContext | null)?.getConfiguration?.()?.device;
     device?.pushErrorScope('out-of-memory');
-    // On a device that is lost the question fails; whoever draws with it finds that out by themselves.
-    return async () => !(await device?.popErrorScope().catch(() => null));
+    let refused: Promise<object | null> | undefined;
+    try {
+      make();
+    } finally {
+      // On a device that is lost the question fails; whoever draws with it finds that out by themselves.
+      refused = device?.popErrorScope().catch(() => null);
+    }
+    return async () => !(await refused);
   }
   const gl = canvas.getContext('webgl2');
   const errors = (): number[] => {
@@ -26,5 +32,7 @@ export function watchMemory(canvas: HTMLCanvasElement, backend: GpuBackend): () 
     return found;
   };
   errors();
-  return async () => !errors().includes(gl?.OUT_OF_MEMORY ?? 0);
+  make();
+  let answer: boolean | undefined;
+  return async () => (answer ??= !errors().includes(gl?.OUT_OF_MEMORY ?? 0));
 }

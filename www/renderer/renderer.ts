@@ -46,7 +46,10 @@ export interface Lens {
 }
 
 export interface Stills {
-  /** Begins one of what the camera shows now, at the present size; `tile` is of a part. Without a lens everything is sharp. What is drawn must not change until `end`. */
+  /**
+   * Begins one of what the camera shows now, at the present size; `tile` is of a part. Without a lens everything is sharp. What is drawn must not change
+   * until `end`. Wait for `done` before it: a page may have to wait here for a device that is busy.
+   */
   begin(tile?: Tile, lens?: Lens): void;
   /** As `Pieces.make`, for samples. */
   make(): boolean;

@@ -27,13 +27,11 @@ export function makeStills({ raw, device, canvas, guard, setTile, copy }: Drawin
   const target = device.canvas ?? canvas;
   /** Of the still that is begun: its size, and whether there was memory for it. */
   let begun = size();
-  let hadMemory: Promise<boolean> = Promise.resolve(true);
+  let hadMemory: (() => Promise<boolean>) | undefined;
   return {
     begin: (tile, lens = { radius: 0, focus: 1 }) => {
       if (tile) setTile(tile);
-      const watched = watchMemory(target, device.backend);
-      guard(() => raw.beginStill(lens.radius, lens.focus));
-      hadMemory = watched();
+      hadMemory = watchMemory(target, device.backend, () => guard(() => raw.beginStill(lens.radius, lens.focus)));
       begun = size();
     },
     make: () => {
@@ -44,7 +42,7 @@ export function makeStills({ raw, device, canvas, guard, setTile, copy }: Drawin
     draw: (pixels) => guard(() => raw.drawSample(pixels)) === true,
     done: async () => {
       await deviceDone(target, device.backend);
-      if (!(await hadMemory)) throw tooLarge(begun);
+      if ((await hadMemory?.()) === false) throw tooLarge(begun);
     },
     show: () =>
       guard(() => {
@@ -53,6 +51,7 @@ export function makeStills({ raw, device, canvas, guard, setTile, copy }: Drawin
       }),
     blend: (opacity) => guard(() => raw.refinePicture(opacity) && copy(size())),
     end: () => {
+      hadMemory = undefined;
       guard(() => raw.endStill());
       delete canvas.dataset['drawing'];
     },

@@ -69,8 +69,8 @@ async function attempt(refinement: Refinement, stills: Stills, isWanted: () => b
   const samples = new Samples({ ...refinement, stills, isOver });
   const least = Math.min(most, CLEAN_SAMPLES);
   try {
-    if (!(await samples.ready())) return ended();
     hold(refinement);
+    if (!(await samples.ready())) return ended();
     refinement.prepare();
     stills.begin();
     for (let drawn = 1; drawn <= most; drawn += 1) {

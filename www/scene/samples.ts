@@ -32,15 +32,17 @@ export class Samples {
     this.#still = still;
   }
 
-  /** Makes what samples need, in tasks of their own. False when it is over. */
+  /** Makes what samples need, in tasks of their own; when the device is done with that a still can begin. False when it is over. */
   async ready(): Promise<boolean> {
     const { stills, prepare, isOver } = this.#still;
     for (;;) {
       if (isOver()) return false;
       prepare();
-      if (!stills.make()) return true;
+      if (!stills.make()) break;
       await new Promise((resolve) => setTimeout(resolve));
     }
+    await stills.done();
+    return !isOver();
   }
 
   /** Draws one more sample of the still that is begun. False when it is over. */
