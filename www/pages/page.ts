@@ -157,6 +157,8 @@ function show<K extends Kind>({ element, panel, random, actions }: Page<K>, stor
   element.className = 'picture';
   // Nothing scrolls here.
   element.interaction = 'always';
+  // Its words need not be laid out.
+  found('.boot').remove();
   stage.append(element, overlay);
   stage.after(panel);
   // No key is pressed before there is something to see.
@@ -167,7 +169,6 @@ function show<K extends Kind>({ element, panel, random, actions }: Page<K>, stor
     event.preventDefault();
     panel.focus();
   });
-  found('.boot').remove();
 }
 
 function found(selector: string): HTMLElement {
