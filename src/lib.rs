@@ -52,7 +52,9 @@
 //! | feature | adds |
 //! |---|---|
 //! | *(none)* | the generators: no clock, no global, no DOM, no GPU |
+//! | `full` | what few fields ask for: masks and strokes; on by default |
 //! | `generator` | wasm-bindgen exports of the rocks' generator, for workers and Node |
+//! | `generator-full` | the same with `full`, in a separate artefact |
 //! | `wood-ear` | wasm-bindgen exports of the wood ears' generator, in a separate artefact |
 //! | `ground-mesh` | the ground around rocks as a mesh, and its wasm-bindgen exports, in a separate artefact |
 //! | `renderer-webgpu`, `renderer-webgl` | a renderer for one backend; an artefact never contains both |

@@ -1,4 +1,5 @@
 //! A mask and painted strokes (decision A24): what they let stand, and that they reach no farther than they say.
+#![cfg(feature = "full")]
 #![allow(clippy::unwrap_used, reason = "tests")]
 
 mod common;

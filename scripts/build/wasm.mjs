@@ -2,7 +2,7 @@
 import { existsSync, mkdirSync, readFileSync, readdirSync, renameSync, rmSync, writeFileSync } from 'node:fs';
 import path from 'node:path';
 import { cargoEnv, hashOf, lockedVersion, pkg, root, target } from '../lib/env.mjs';
-import { GENERATORS, TOOLS } from '../lib/generators.mjs';
+import { GENERATORS, LATER } from '../lib/generators.mjs';
 import { Failure, capture, inLanes, needed, run, say, step } from '../lib/run.mjs';
 import { bindgen, bindgenProgram } from '../setup.mjs';
 import { shortenImports } from './short-imports.mjs';
@@ -29,13 +29,13 @@ const SMALLEST = {
 };
 
 /**
- * `feature` is the cargo feature and the name of the files in pkg/; the generators and tools say themselves how they are made, the renderers are made for size.
+ * `feature` is the cargo feature and the name of the files in pkg/; the generators, and what comes later, say themselves how they are made, the renderers are made for size.
  * Those that take longest come first. Each has a profile of its own, since cargo builds one thing at a time in the folder of a profile.
  */
 export const artefacts = [
   { feature: 'renderer-webgl', profile: 'renderer-webgl', ...SMALL, expected: '2–6 min the first time' },
   { feature: 'renderer-webgpu', profile: 'renderer-webgpu', ...SMALLEST, expected: '1–4 min the first time' },
-  ...[...GENERATORS, ...TOOLS].map(({ wasm, compile }) => ({ feature: wasm, expected: '10–60 s', bindgen: RESET, ...compile })),
+  ...[...GENERATORS, ...LATER].map(({ wasm, compile }) => ({ feature: wasm, expected: '10–60 s', bindgen: RESET, ...compile })),
 ];
 
 // What rustc's default wasm target uses, and SIMD (.cargo/config.toml): what every browser of the last years has.

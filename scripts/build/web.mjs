@@ -5,7 +5,7 @@ import path from 'node:path';
 import * as esbuild from 'esbuild';
 import { writeDocs } from '../docs/docs.mjs';
 import { dist, hashOf, pkg, root } from '../lib/env.mjs';
-import { GENERATORS, HEADLESS, PEERS, TOOLS, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
+import { GENERATORS, HEADLESS, PEERS, LATER, entriesOf, entryFile, pageScript, withGround, workersOf } from '../lib/generators.mjs';
 import { copyHashed, filesIn, HASHED, HASHED_NAME, hashedAddresses, namesOf, publish, withPlainNames } from './hashed-names.mjs';
 import { LICENCES_FILE, banner, licences } from './licences.mjs';
 import { loadedBefore } from './loaded-before.mjs';
@@ -60,7 +60,7 @@ function eachAs(nameOf, fileOf) {
   return Object.fromEntries(GENERATORS.map((generator) => [nameOf(generator), fileOf(generator)]));
 }
 
-/** The artefact of a generator or tool, which is in dist/ by this name too. */
+/** The artefact of a generator, or one that comes later, which is in dist/ by this name too. */
 function wasmFile({ wasm }) {
   return `${wasm}_bg.wasm`;
 }
@@ -125,7 +125,7 @@ export async function buildWeb({ keep = false, to = dist, mark } = {}) {
     const cdn = { ...CDN, outdir: staging, banner: { js: banner() + marks } };
     const classic = await bundle({ ...cdn, plugins: [hashedAddresses(names), panelByAddress] });
     // By plain names for those who import them (`rock-field/generator_bg.wasm`), and for Node.
-    for (const name of [...GENERATORS, ...TOOLS].map(wasmFile)) copyFileSync(path.join(pkg, name), path.join(staging, name));
+    for (const name of [...GENERATORS, ...LATER].map(wasmFile)) copyFileSync(path.join(pkg, name), path.join(staging, name));
     for (const file of COPIED) copyFileSync(path.join(root, file), path.join(staging, path.basename(file)));
     const guide = await docs(path.join(staging, 'docs'), marking);
     const meta = relativeTo(staging, merged(browser, headless, workers, panel));
@@ -225,6 +225,12 @@ async function finish(staging, meta, hashedNames) {
     return [...new Set([...scripts.filter((name) => !isRendererGlue(meta, name)), ...others])];
   };
   const pages = Object.fromEntries(GENERATORS.map((generator) => [generator.page.file, needed(generator)]));
+  const glue = /^pkg\/([\w-]+)\.js$/;
+  const ofWorkers = Object.values(WORKERS).map((entry) => {
+    const [script] = scriptsOf(meta, entry);
+    const artefacts = Object.keys(meta.outputs[`dist/${script}`].inputs).flatMap((input) => glue.exec(input)?.[1] ?? []);
+    return [script, artefacts.map((wasm) => hashedNames.get(wasmFile({ wasm })))];
+  });
   return bundle({
     entryPoints: { sw: SERVICE_WORKER },
     outdir: staging,
@@ -234,6 +240,7 @@ async function finish(staging, meta, hashedNames) {
       __HASHED__: JSON.stringify(HASHED.source),
       __FILES__: JSON.stringify(files),
       __PAGES__: JSON.stringify(pages),
+      __WORKERS__: JSON.stringify(Object.fromEntries(ofWorkers)),
     },
   });
 }

@@ -4,13 +4,13 @@ import path from 'node:path';
 import { rustProblems } from './check-rust-deps.mjs';
 import { webProblems } from './check-web-deps.mjs';
 import { cargoEnv, pkg, root } from '../lib/env.mjs';
-import { GENERATORS, TOOLS } from '../lib/generators.mjs';
+import { GENERATORS, LATER } from '../lib/generators.mjs';
 import { Failure, capture, isMain, main } from '../lib/run.mjs';
 
 /** Crates an artefact must not have in its tree. */
 const FORBIDDEN_CRATES = [
   { features: [], crates: ['wgpu', 'web-sys', 'js-sys', 'wasm-bindgen'] },
-  ...[...GENERATORS, ...TOOLS].map(({ wasm }) => ({ features: [wasm], crates: ['wgpu', 'wgpu-core', 'naga', 'web-sys'] })),
+  ...[...GENERATORS, ...LATER].map(({ wasm }) => ({ features: [wasm], crates: ['wgpu', 'wgpu-core', 'naga', 'web-sys'] })),
 ];
 
 export async function check() {

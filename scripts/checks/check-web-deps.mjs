@@ -53,6 +53,7 @@ const PACKAGES = {
 /** The files that import the glue of wasm-bindgen or start wasm. */
 const WASM_USERS = [
   ...GENERATORS.map(({ worker }) => `entries/${worker}.ts`),
+  'entries/full-worker.ts',
   'entries/core.ts',
   'entries/core.node.ts',
   'entries/ground.node.ts',

@@ -11,7 +11,7 @@ import { run as runFiles } from 'node:test';
 import { spec } from 'node:test/reporters';
 import { parseArgs } from 'node:util';
 import { cargoEnv, root } from '../lib/env.mjs';
-import { GENERATORS, TOOLS } from '../lib/generators.mjs';
+import { GENERATORS, LATER } from '../lib/generators.mjs';
 import { Failure, beginningWith, main, messageOf, run, say, seconds } from '../lib/run.mjs';
 import { runRustTests, withWasmTests } from './rust-tests.mjs';
 import { bindgenTestRunner, setup } from '../setup.mjs';
@@ -65,10 +65,10 @@ const STEPS = [
   { name: 'lengths', expected: '1 s', work: async () => (await import('../checks/check-lengths.mjs')).check() },
   { name: 'generators', expected: '1 s', work: async () => (await import('../checks/check-generators.mjs')).check() },
   { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
-  ...[...GENERATORS, ...TOOLS].map(({ wasm }) => ({
+  ...[...GENERATORS, ...LATER].map(({ wasm }) => ({
     name: `clippy-${wasm}`,
     expected: '30 s / 5 s',
-    work: () => clippy(...WASM, '--features', wasm),
+    work: () => clippy(...WASM, '--no-default-features', '--features', wasm),
   })),
   { name: 'clippy-webgpu', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgpu') },
   { name: 'clippy-webgl', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgl') },
@@ -180,8 +180,8 @@ async function rustInNode() {
 
 async function rustDocs() {
   await docs();
-  for (const feature of [...[...GENERATORS, ...TOOLS].map(({ wasm }) => wasm), 'renderer-webgpu'])
-    await docs(...WASM, '--features', feature);
+  for (const feature of [...[...GENERATORS, ...LATER].map(({ wasm }) => wasm), 'renderer-webgpu'])
+    await docs(...WASM, '--no-default-features', '--features', feature);
 }
 
 async function webTests() {

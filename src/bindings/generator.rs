@@ -34,6 +34,7 @@ impl JsGenerator {
         Ok(self.0.set_footprint(triangles)?)
     }
 
+    #[cfg(feature = "full")]
     pub fn set_paint(&mut self, mask: Vec<u8>, width: usize, strokes: Vec<f64>) -> Result<(), JsValue> {
         Ok(self.0.set_paint(mask, width, strokes)?)
     }

@@ -84,6 +84,7 @@ impl Generator {
     ///
     /// # Errors
     /// Returns an error, and changes nothing, if the mask is no rectangle, or a stroke has no point or too few numbers.
+    #[cfg(feature = "full")]
     pub fn set_paint(&mut self, mask: Vec<u8>, width: usize, strokes: Vec<f64>) -> Result<(), Error> {
         self.paint.set(Paint::new(mask, width, strokes)?);
         Ok(())

@@ -18,6 +18,7 @@ pub(crate) mod memory;
 pub(crate) mod mesh;
 mod mesher;
 mod net;
+#[cfg_attr(not(feature = "full"), path = "unpainted.rs")]
 mod paint;
 mod relief;
 mod select;

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { createHash } from 'node:crypto';
 import { after, before, test } from 'node:test';
-import { createGenerator, presets } from 'rock-field/core';
+import { createGenerator, presets, strokesToText } from 'rock-field/core';
 import { plainName } from '../../scripts/build/hashed-names.mjs';
 import { holdTimers, launch } from './browser.mjs';
 
@@ -73,6 +73,23 @@ function listsOf(field) {
   ];
 }
 
+/** In the page: `hashOf(listsOf(field))` of the element's field. */
+async function digest() {
+  const field = await document.querySelector('rock-field').getField();
+  const lists = [
+    field.positions,
+    field.normals,
+    field.indices,
+    field.rockStarts,
+    field.vertexStarts,
+    field.rockLayer,
+    ...field.layers.flatMap((layer) => [layer.sites, layer.cellStarts, layer.cellVertices, layer.selected]),
+  ];
+  const all = await new Blob(/** @type {BlobPart[]} */ (lists)).arrayBuffer();
+  const bytes = new Uint8Array(await crypto.subtle.digest('SHA-256', all));
+  return [...bytes].map((byte) => byte.toString(16).padStart(2, '0')).join('');
+}
+
 async function until(/** @type {Page} */ page, /** @type {() => boolean} */ test) {
   await page.waitForFunction(test);
 }
@@ -84,34 +101,35 @@ test('the worker makes the same bytes as Node', async () => {
     const wanted = hashOf(listsOf(await g.generate(request)));
     const { preset, ...rest } = request;
     const params = { ...presets[preset], ...rest };
-    const parts = await page.evaluate(async (given) => {
-      const element = document.querySelector('rock-field');
-      element.params = given;
-      const field = await element.getField();
-      const lists = [
-        field.positions,
-        field.normals,
-        field.indices,
-        field.rockStarts,
-        field.vertexStarts,
-        field.rockLayer,
-        ...field.layers.flatMap((layer) => [layer.sites, layer.cellStarts, layer.cellVertices, layer.selected]),
-      ];
-      const size = lists.reduce((sum, list) => sum + list.byteLength, 0);
-      const all = new Uint8Array(size);
-      let at = 0;
-      for (const list of lists) {
-        all.set(new Uint8Array(list.buffer, list.byteOffset, list.byteLength), at);
-        at += list.byteLength;
-      }
-      const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', all));
-      return [...digest].map((byte) => byte.toString(16).padStart(2, '0')).join('');
-    }, params);
-    assert.equal(parts, wanted, JSON.stringify(request));
+    await page.evaluate((given) => Object.assign(document.querySelector('rock-field'), { params: given }), params);
+    assert.equal(await page.evaluate(digest), wanted, JSON.stringify(request));
   }
   g.dispose();
   assert.deepEqual(errors, []);
   await close();
+});
+
+test('an element fetches the generator that its field needs, and another one when an edit asks for it', async () => {
+  const strokes = strokesToText([{ mode: 'erase', width: 0.25, points: [0.5, 0.5] }]);
+  const g = await createGenerator();
+  const wanted = { plain: hashOf(listsOf(await g.generate({ seed: 1 }))), full: hashOf(listsOf(await g.generate({ seed: 1, strokes }))) };
+  g.dispose();
+  for (const first of ['plain', 'full']) {
+    /** @type {string[]} */
+    const asked = [];
+    const { page, errors, close } = await open({
+      files: first === 'full' ? { '/element.html': [200, 'text/html', HTML.replace('seed="1"', `seed="1" strokes="${strokes}"`)] } : {},
+      prepare: (page) => page.context().on('request', (request) => asked.push(plainName(new URL(request.url()).pathname))),
+    });
+    const fetched = () => asked.filter((name) => /generator(-full)?_bg\.wasm$/.test(name));
+    assert.equal(await page.evaluate(digest), wanted[first]);
+    assert.deepEqual(fetched(), [first === 'full' ? '/generator-full_bg.wasm' : '/generator_bg.wasm']);
+    await page.evaluate((text) => Object.assign(document.querySelector('rock-field'), { strokes: text }), first === 'full' ? '' : strokes);
+    assert.equal(await page.evaluate(digest), wanted[first === 'full' ? 'plain' : 'full']);
+    assert.deepEqual(fetched(), first === 'full' ? ['/generator-full_bg.wasm'] : ['/generator_bg.wasm', '/generator-full_bg.wasm']);
+    assert.deepEqual(errors, []);
+    await close();
+  }
 });
 
 test('`core.js` makes fields on the page itself, without a worker', async () => {

@@ -6,11 +6,13 @@ import path from 'node:path';
 import { after, before, test } from 'node:test';
 import { root } from '../../scripts/lib/env.mjs';
 import { buildWeb } from '../../scripts/build/web.mjs';
-import { launch, untilIn } from './browser.mjs';
+import { launch, until, untilIn } from './browser.mjs';
 
 const folder = path.join(root, '.cache', 'offline-test');
 /** The page with few rocks. */
 const SMALL = '#preset=journal-fig1&w=256&h=256';
+/** A stroke, as links have it. */
+const STROKES = 'BAggBggEggE';
 
 /** @type {import('./browser.mjs').Session} */
 let session;
@@ -39,11 +41,7 @@ test('the second scene works offline too, after one visit', async () => {
   const { page, close } = await session.open('wood-ear.html#preset=thesis-default&d=20&r=25', { serviceWorkers: 'allow' });
   await page.evaluate(() => navigator.serviceWorker.ready);
   await keptRenderer(page);
-  await untilIn(page, async () =>
-    (await Promise.all((await caches.keys()).map(async (name) => (await caches.open(name)).keys())))
-      .flat()
-      .some(({ url }) => /wood-ear_bg-/.test(url)),
-  );
+  await kept(page, /wood-ear_bg-/);
   down = true;
   await page.reload({ waitUntil: 'load' });
   await page.waitForFunction(() => document.querySelector('wood-ear-log')?.scene, undefined, { polling: 100 });
@@ -85,6 +83,41 @@ test('after one visit the page works without a network, and a new deploy is seen
   await close();
 });
 
+test('what is painted is shown offline where the full generator has been used, and refused in words where it has not', async () => {
+  const used = await session.open(`${SMALL}&strokes=${STROKES}`, { serviceWorkers: 'allow' });
+  await used.page.evaluate(() => navigator.serviceWorker.ready);
+  await kept(used.page, /generator-full_bg-/);
+  await keptRenderer(used.page);
+  down = true;
+  await used.page.reload({ waitUntil: 'load' });
+  await used.page.waitForFunction(() => document.querySelector('rock-field')?.field, undefined, { polling: 100 });
+  down = false;
+  await used.close();
+
+  const { page, close } = await session.open(SMALL, { serviceWorkers: 'allow' });
+  await page.evaluate(() => navigator.serviceWorker.ready);
+  await keptRenderer(page);
+  const paint = () =>
+    page.evaluate(async (strokes) => {
+      const element = /** @type {import('../../www/entries/element.ts').RockFieldElement} */ (document.querySelector('rock-field'));
+      const before = await element.getField();
+      element.strokes = strokes;
+      const thrown = await element.getField().then(
+        () => undefined,
+        (/** @type {Error} */ error) => error,
+      );
+      return [thrown?.name, thrown?.message, element.strokes, element.field === before];
+    }, STROKES);
+  down = true;
+  const [name, message, strokes, isSame] = await paint();
+  assert.equal(name, 'WasmUnavailable');
+  assert.match(String(message), /^generator-full_bg-\w+\.wasm could not be fetched; check the connection$/);
+  assert.deepEqual([strokes, isSame], ['', true]);
+  down = false;
+  assert.deepEqual(await paint(), [undefined, undefined, STROKES, false]);
+  await close();
+});
+
 test('old caches go when the new worker takes over', async () => {
   const { page, close } = await session.open(SMALL, { serviceWorkers: 'allow' });
   await page.evaluate(async () =>
@@ -97,11 +130,15 @@ test('old caches go when the new worker takes over', async () => {
 
 /** Waits until the page has had its renderer kept, which it does once its first picture stands. */
 function keptRenderer(/** @type {Page} */ page) {
-  return untilIn(page, async () => {
-    for (const name of await caches.keys()) {
-      const kept = await (await caches.open(name)).keys();
-      if (kept.some(({ url }) => /renderer-web\w+_bg-\w+\.wasm/.test(url))) return true;
-    }
-    return false;
-  });
+  return kept(page, /renderer-web\w+_bg-\w+\.wasm/);
+}
+
+/** Waits until a file is kept whose name is like this. */
+function kept(/** @type {Page} */ page, /** @type {RegExp} */ like) {
+  return until(async () => (await page.evaluate(keptFiles)).some((url) => like.test(url)), keptFiles);
+}
+
+async function keptFiles() {
+  const names = await caches.keys();
+  return (await Promise.all(names.map(async (name) => (await caches.open(name)).keys()))).flat().map(({ url }) => url);
 }

@@ -2,13 +2,20 @@
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
 import { japaneseFailure } from '../../www/base/failures.ja.ts';
+import type { FullModule } from '../../www/rocks/full-session.ts';
 import { openGenerator } from '../../www/rocks/headless.ts';
+import type { FieldRealms } from '../../www/rocks/headless.ts';
 import { Realm } from '../../www/generator/headless.ts';
 import { STALL_MS } from '../../www/base/wasm-file.ts';
 import { loadGenerator } from '../../www/generator/wasm.ts';
-import type { GeneratorGlue } from '../../www/rocks/session.ts';
+import type { GeneratorGlue, GeneratorModule } from '../../www/rocks/session.ts';
 
 const TRAP_SEED = 666;
+
+/** The full generator is not asked for here. */
+function both(plain: Realm<GeneratorModule>): FieldRealms {
+  return { plain, full: plain as unknown as Realm<FullModule> };
+}
 
 /** A glue whose instance can be replaced; its generators trap at one seed and are void afterwards. */
 function fakeGlue({ canReset = true } = {}) {
@@ -64,7 +71,7 @@ function fakeGlue({ canReset = true } = {}) {
 test('after a trap the next run has a new instance, and other generators of the realm move to it', async () => {
   const { glue, state } = fakeGlue();
   const realm = new Realm(glue, () => new ArrayBuffer(0));
-  const [a, b] = [await openGenerator(realm), await openGenerator(realm)];
+  const [a, b] = [await openGenerator(both(realm)), await openGenerator(both(realm))];
   assert.equal((await b.generate({ seed: 1 })).stats.rocks, 1);
   await assert.rejects(a.generate({ seed: TRAP_SEED }), { name: 'Internal' });
   assert.equal((await a.generate({ seed: 2 })).stats.rocks, 2);
@@ -77,7 +84,7 @@ test('after a trap the next run has a new instance, and other generators of the 
 test('a generator beside one that trapped does not run in the poisoned instance', async () => {
   const { glue, state } = fakeGlue();
   const realm = new Realm(glue, () => new ArrayBuffer(0));
-  const [a, b] = [await openGenerator(realm), await openGenerator(realm)];
+  const [a, b] = [await openGenerator(both(realm)), await openGenerator(both(realm))];
   await b.generate({ seed: 1 });
   await assert.rejects(a.generate({ seed: TRAP_SEED }), { name: 'Internal' });
   assert.equal((await b.generate({ seed: 3 })).stats.rocks, 3);
@@ -86,7 +93,7 @@ test('a generator beside one that trapped does not run in the poisoned instance'
 
 test('where the instance cannot be replaced a trap is told at every further run', async () => {
   const realm = new Realm(fakeGlue({ canReset: false }).glue, () => new ArrayBuffer(0));
-  const g = await openGenerator(realm);
+  const g = await openGenerator(both(realm));
   await assert.rejects(g.generate({ seed: TRAP_SEED }), { name: 'Internal' });
   await assert.rejects(g.generate({ seed: 1 }), /restart the process/);
 });
@@ -192,7 +199,7 @@ test('a load that failed is tried again', async () => {
     tries += 1;
     return tries === 1 ? Promise.reject(new Error('ENOENT')) : new ArrayBuffer(0);
   });
-  await assert.rejects(openGenerator(realm), { name: 'WasmUnavailable' });
-  const g = await openGenerator(realm);
+  await assert.rejects(openGenerator(both(realm)), { name: 'WasmUnavailable' });
+  const g = await openGenerator(both(realm));
   assert.equal((await g.generate({ seed: 5 })).stats.rocks, 5);
 });

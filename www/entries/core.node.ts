@@ -6,7 +6,9 @@ import type { WoodEarColony } from '../data/colony.ts';
 import type { Field } from '../data/field.ts';
 import { generateOnce, openGenerator } from '../rocks/headless.ts';
 import { Realm } from '../generator/headless.ts';
-import type { FieldGenerator, GenerateOptions } from '../rocks/headless.ts';
+import type { FieldGenerator, FieldGeneratorOptions, GenerateOptions } from '../rocks/headless.ts';
+import type { FullModule } from '../rocks/full-session.ts';
+import type { GeneratorModule } from '../rocks/session.ts';
 import type { GeneratorOptions } from '../generator/headless.ts';
 import { growOnce, openWoodEars } from '../wood-ear/headless.ts';
 import type { WoodEarGenerator, WoodEarOptions } from '../wood-ear/headless.ts';
@@ -20,7 +22,13 @@ export { presets, schema } from '../rocks/catalogue.ts';
 export { strokesOfText, strokesToText } from '../rocks/strokes.ts';
 export { woodEarPresets, woodEarSchema } from '../wood-ear/catalogue.ts';
 
-const realm = new Realm(glue, () => readFile(new URL('./generator_bg.wasm', import.meta.url)));
+const realms = {
+  plain: new Realm<GeneratorModule>(glue, () => readFile(new URL('./generator_bg.wasm', import.meta.url))),
+  full: /* @__PURE__ */ new Realm<FullModule>(
+    () => import('../../pkg/generator-full.js'),
+    () => readFile(new URL('./generator-full_bg.wasm', import.meta.url)),
+  ),
+};
 // Fetched when a colony is first asked for.
 const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(
   () => import('../../pkg/wood-ear.js'),
@@ -28,13 +36,13 @@ const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(
 );
 
 /** A generator that keeps its stages between runs; free it with `dispose()`. */
-export function createGenerator(options?: GeneratorOptions): Promise<FieldGenerator> {
-  return openGenerator(realm, options);
+export function createGenerator(options?: FieldGeneratorOptions): Promise<FieldGenerator> {
+  return openGenerator(realms, options);
 }
 
 /** One field, no cache kept. */
 export function generate(request?: PaintedRequest, options?: GenerateOptions): Promise<Field> {
-  return generateOnce(realm, request, options);
+  return generateOnce(realms, request, options);
 }
 
 /** A generator of wood ears that keeps its stages between runs; free it with `dispose()`. */

@@ -9,7 +9,8 @@ import type { WoodEarColony } from '../data/colony.ts';
 import type { Field } from '../data/field.ts';
 import { generateOnce, openGenerator } from '../rocks/headless.ts';
 import { Realm } from '../generator/headless.ts';
-import type { FieldGenerator, GenerateOptions } from '../rocks/headless.ts';
+import type { FieldGenerator, FieldGeneratorOptions, GenerateOptions } from '../rocks/headless.ts';
+import type { FullModule } from '../rocks/full-session.ts';
 import type { GeneratorOptions } from '../generator/headless.ts';
 import type { GeneratorGlue } from '../rocks/session.ts';
 import { growOnce, openWoodEars } from '../wood-ear/headless.ts';
@@ -24,7 +25,7 @@ export { presets, schema } from '../rocks/catalogue.ts';
 export { strokesOfText, strokesToText } from '../rocks/strokes.ts';
 export { woodEarPresets, woodEarSchema } from '../wood-ear/catalogue.ts';
 export type { Field, FieldLayer, FieldStats, StageTimes } from '../data/field.ts';
-export type { FieldGenerator, GenerateOptions } from '../rocks/headless.ts';
+export type { FieldGenerator, FieldGeneratorOptions, GenerateOptions } from '../rocks/headless.ts';
 export type { GeneratorOptions } from '../generator/headless.ts';
 export type { Progress, StageName } from '../generator/protocol.ts';
 export type { FieldRequest, LayerRequest } from '../rocks/request.ts';
@@ -46,7 +47,14 @@ export type {
 
 // By name: a bundler's object of a whole module would put a helper into every script of the page.
 const glue: GeneratorGlue = { default: start, Generator, fresh_seed, memory_estimate, __wbg_reset_state };
-const realm = new Realm(glue, () => new URL('./generator_bg.wasm', import.meta.url));
+const realms = {
+  plain: new Realm(glue, () => new URL('./generator_bg.wasm', import.meta.url)),
+  // Fetched when a field is first painted.
+  full: /* @__PURE__ */ new Realm<FullModule>(
+    () => import('../../pkg/generator-full.js'),
+    () => new URL('./generator-full_bg.wasm', import.meta.url),
+  ),
+};
 // Fetched when a colony is first asked for.
 const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(
   () => import('../../pkg/wood-ear.js'),
@@ -54,13 +62,13 @@ const woodEars = /* @__PURE__ */ new Realm<WoodEarModule>(
 );
 
 /** A generator that keeps its stages between runs; free it with `dispose()`. */
-export function createGenerator(options?: GeneratorOptions): Promise<FieldGenerator> {
-  return openGenerator(realm, options);
+export function createGenerator(options?: FieldGeneratorOptions): Promise<FieldGenerator> {
+  return openGenerator(realms, options);
 }
 
 /** One field, no cache kept. */
 export function generate(request?: PaintedRequest, options?: GenerateOptions): Promise<Field> {
-  return generateOnce(realm, request, options);
+  return generateOnce(realms, request, options);
 }
 
 /** A generator of wood ears that keeps its stages between runs; free it with `dispose()`. */

@@ -71,6 +71,12 @@ export class Realm<Module> {
   }
 }
 
+/** A realm, and where its wasm comes from if it is not there yet. */
+export interface Source<Module> {
+  realm: Realm<Module>;
+  wasm?: WasmSource | Promise<WasmSource> | undefined;
+}
+
 /** A session, as far as it is used here. */
 interface Runs<Flat, Result, Stage extends string> {
   readonly broken: boolean;
@@ -80,6 +86,7 @@ interface Runs<Flat, Result, Stage extends string> {
 
 /** What every generator without a worker does, whatever it generates. */
 export abstract class Headless<Module extends { fresh_seed(): number }, Request, Flat, Result, Stage extends string> {
+  /** Those of the wasm that is used. */
   #realm: Realm<Module>;
   #module: Module;
   #session: Runs<Flat, Result, Stage> | undefined;
@@ -97,12 +104,17 @@ export abstract class Headless<Module extends { fresh_seed(): number }, Request,
   protected abstract encode(request: Request | undefined, maxBytes: number): Flat;
   protected abstract open(module: Module): Runs<Flat, Result, Stage>;
 
+  /** The wasm that alone can do this request; undefined where any can. It then does all that follow. */
+  protected another(_request: Flat): Source<Module> | undefined {
+    return undefined;
+  }
+
   async generate(request?: Request, options: HeadlessOptions<Result, Stage> = {}): Promise<Result> {
     const { signal, onProgress, onPreview, maxBytes } = checkRun(options, 'options');
     // Read now: what the caller does to the object afterwards is no part of the request.
     const flat = this.encode(request, maxBytes);
     signal?.throwIfAborted();
-    const run = this.#last.then(() => this.#runIn(this.#open(), flat, { signal, onProgress, onPreview }));
+    const run = this.#last.then(async () => this.#runIn(await this.#openFor(flat, signal), flat, { signal, onProgress, onPreview }));
     this.#last = run.catch(() => undefined);
     return run;
   }
@@ -115,9 +127,7 @@ export abstract class Headless<Module extends { fresh_seed(): number }, Request,
     if (this.#disposed) return;
     this.#disposed = true;
     // A run under way keeps its memory until it is answered.
-    void this.#last.then(() => {
-      if (this.#realm.isSound(this.#instance)) this.#session?.free();
-    });
+    void this.#last.then(() => this.#free());
   }
 
   /** The module, with an instance that did not trap. */
@@ -135,6 +145,22 @@ export abstract class Headless<Module extends { fresh_seed(): number }, Request,
     }
   }
 
+  /** The session of the wasm that can do the request. Until another one is there, everything stays as it is. */
+  async #openFor(flat: Flat, signal: AbortSignal | undefined): Promise<Runs<Flat, Result, Stage>> {
+    const { realm, wasm } = this.another(flat) ?? { realm: this.#realm };
+    if (realm !== this.#realm) {
+      const module = await unlessAborted(realm.load(wasm), signal);
+      this.#free();
+      this.#session = undefined;
+      [this.#realm, this.#module] = [realm, module];
+    }
+    return this.#open();
+  }
+
+  #free(): void {
+    if (this.#realm.isSound(this.#instance)) this.#session?.free();
+  }
+
   /** The session, a new one after a trap: of this generator, or of another in the same instance. */
   #open(): Runs<Flat, Result, Stage> {
     if (this.#disposed) throw new RockFieldError({ name: 'Internal', message: 'the generator was disposed of' });
@@ -145,4 +171,12 @@ export abstract class Headless<Module extends { fresh_seed(): number }, Request,
     }
     return this.#session;
   }
+}
+
+/** Rejects with the signal's reason as soon as it is aborted. */
+function unlessAborted<T>(promise: Promise<T>, signal: AbortSignal | undefined): Promise<T> {
+  return new Promise((resolve, reject) => {
+    signal?.addEventListener('abort', () => reject(signal.reason), { once: true });
+    promise.then(resolve, reject);
+  });
 }

@@ -49,6 +49,9 @@ interface SeedCall {
 
 export abstract class WorkerClient<Request, Flat, Result, Stage extends string> {
   #options: ClientOptions<Request, Result>;
+  /** Makes the workers that do every request that asks for no others. */
+  #first: () => WorkerLike;
+  /** Makes those that there are now. */
   #spawn: () => WorkerLike;
   /** Taken with the first request. */
   #seat: Seat | undefined;
@@ -62,11 +65,16 @@ export abstract class WorkerClient<Request, Flat, Result, Stage extends string> 
 
   constructor(options: ClientOptions<Request, Result>, spawn: () => WorkerLike) {
     this.#options = options;
-    this.#spawn = options.spawn ?? spawn;
+    this.#first = this.#spawn = options.spawn ?? spawn;
   }
 
   /** Copies all of the request that may change. */
   protected abstract encode(request: Request, maxBytes: number): Flat;
+
+  /** Makes the workers that alone can do this request; undefined where any can. They then do all that follow. */
+  protected another(_request: Flat): (() => WorkerLike) | undefined {
+    return undefined;
+  }
 
   /** What a worker packed, in the order in which it did. */
   protected unpack(packed: unknown): Result {
@@ -111,7 +119,9 @@ export abstract class WorkerClient<Request, Flat, Result, Stage extends string> 
         },
       };
       superseded?.reject(abortError('superseded by a newer request'));
-      this.#start(this.#call);
+      const spawn = this.#options.spawn ?? this.another(this.#call.flat) ?? this.#spawn;
+      if (spawn === this.#spawn) this.#start(this.#call);
+      else this.#move(spawn);
     });
   }
 
@@ -136,6 +146,14 @@ export abstract class WorkerClient<Request, Flat, Result, Stage extends string> 
     this.#fail(abortError('the generator was disposed of'));
     this.#seat?.leave();
     this.#seat = undefined;
+  }
+
+  /** To workers of another kind, with all that waits. */
+  #move(spawn: () => WorkerLike): void {
+    this.#seat?.leave();
+    this.#seat = undefined;
+    this.#spawn = spawn;
+    this.#askAgain();
   }
 
   #start(call: Call<Request, Flat, Result, Stage>): void {
@@ -257,5 +275,7 @@ export abstract class WorkerClient<Request, Flat, Result, Stage extends string> 
     for (const seed of this.#seeds.values()) seed.reject(error);
     this.#seeds.clear();
     this.#open.clear();
+    // The others may not be there at all.
+    if (this.#spawn !== this.#first) this.#move(this.#first);
   }
 }

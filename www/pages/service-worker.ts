@@ -6,10 +6,11 @@
  * otherwise. Every file taken in is checked against its hash, so that a server's error page is never kept in a file's place.
  */
 
-/** Written in by scripts/build/web.mjs: the build's id, each file's `sha256-…`, by page the files that every visitor of it needs, and the pattern of hashed names. */
+/** Written in by scripts/build/web.mjs: the build's id, each file's `sha256-…`, by page the files that every visitor of it needs, by worker the artefacts that it runs, and the pattern of hashed names. */
 declare const __BUILD__: string;
 declare const __FILES__: Record<string, string>;
 declare const __PAGES__: Record<string, string[]>;
+declare const __WORKERS__: Record<string, string[]>;
 declare const __HASHED__: string;
 
 /** From a page: the build it is of, where it knows, and what it fetched before this worker was there to see it, such as its renderer. */
@@ -46,9 +47,11 @@ worker.addEventListener('message', (event) => {
   const names = message.urls.map((url) => nameOf(String(url))).filter((name) => name !== undefined);
   // Of another page than the first one, all that a visit needs.
   const visited = names.flatMap((name) => (name === PAGE ? [] : (__PAGES__[name] ?? [])));
+  // A page does not see what its workers fetched.
+  const byWorkers = names.flatMap((name) => __WORKERS__[name] ?? []);
   const { source } = event;
   const remembered = message.build && source instanceof Client ? remember(source.id, String(message.build)) : undefined;
-  event.waitUntil(Promise.allSettled([remembered, ...[...new Set([...names, ...visited])].map(keep)]).then(dropUnneeded));
+  event.waitUntil(Promise.allSettled([remembered, ...[...new Set([...names, ...visited, ...byWorkers])].map(keep)]).then(dropUnneeded));
 });
 
 worker.addEventListener('fetch', (event) => {

@@ -8,6 +8,7 @@ import { startWorker } from '../generator/start-worker.ts';
 import { WorkerClient } from '../generator/worker-client.ts';
 import type { ClientOptions } from '../generator/worker-client.ts';
 import type { WorkerLike } from '../generator/pool-worker.ts';
+import { needsFull } from './needs-full.ts';
 
 /** Parameters, perhaps with what stands among the rocks. */
 export type FieldJob = Params & {
@@ -27,9 +28,17 @@ export class GeneratorClient extends WorkerClient<FieldJob, FlatRequest, Field, 
   protected override encode({ footprint, ...params }: FieldJob, maxBytes: number): FlatRequest {
     return { ...flatRequest(params, maxBytes), footprint, mask: this.#mask() };
   }
+
+  protected override another(request: FlatRequest): (() => WorkerLike) | undefined {
+    return needsFull(request) ? spawnFullWorker : undefined;
+  }
 }
 
 function spawnWorker(): WorkerLike {
   // This literal form is the one that bundlers recognise.
   return startWorker(() => new Worker(new URL('./worker.js', import.meta.url), { type: 'module' }));
+}
+
+function spawnFullWorker(): WorkerLike {
+  return startWorker(() => new Worker(new URL('./full-worker.js', import.meta.url), { type: 'module' }));
 }

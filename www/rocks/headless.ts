@@ -3,14 +3,28 @@
 import { errorInfo, RockFieldError } from '../base/errors.ts';
 import type { Field } from '../data/field.ts';
 import { Headless } from '../generator/headless.ts';
-import type { GeneratorOptions, Realm } from '../generator/headless.ts';
+import type { GeneratorOptions, Realm, Source } from '../generator/headless.ts';
+import type { WasmSource } from '../generator/wasm.ts';
 import type { FlatRequest, Progress, StageName } from '../generator/protocol.ts';
 import { maskRows } from './mask.ts';
 import { resolvePainted } from './painted.ts';
 import type { PaintedRequest } from './painted.ts';
 import { encodeParams, flatRequest } from './request.ts';
-import { fieldSession } from './session.ts';
+import { sessionOfEither } from './full-session.ts';
+import type { FullModule } from './full-session.ts';
+import { needsFull } from './needs-full.ts';
 import type { GeneratorModule } from './session.ts';
+
+export interface FieldGeneratorOptions extends GeneratorOptions {
+  /** The wasm `generator-full_bg.wasm`, which is asked for with the first mask or stroke. Default: the file beside this script. */
+  fullWasm?: WasmSource | Promise<WasmSource> | undefined;
+}
+
+/** The two artefacts. */
+export interface FieldRealms {
+  plain: Realm<GeneratorModule>;
+  full: Realm<FullModule>;
+}
 
 export interface GenerateOptions {
   /** Aborting rejects with the signal's reason; finished stages are kept. */
@@ -44,17 +58,23 @@ export const FOOTPRINT = Symbol('footprint');
 export type HeadlessJob = PaintedRequest & { [FOOTPRINT]?: Float64Array | undefined };
 
 class HeadlessFields extends Headless<GeneratorModule, PaintedRequest, FlatRequest, Field, StageName> implements FieldGenerator {
+  #full: Source<GeneratorModule>;
+
+  constructor(realm: Realm<GeneratorModule>, module: GeneratorModule, full: Source<GeneratorModule>) {
+    super(realm, module);
+    this.#full = full;
+  }
+
   protected encode(request: PaintedRequest | undefined, maxBytes: number): FlatRequest {
-    const { params, mask } = resolvePainted(request);
-    return {
-      ...flatRequest(params, maxBytes),
-      footprint: (request as HeadlessJob | undefined)?.[FOOTPRINT],
-      mask: mask && maskRows(mask, maxBytes),
-    };
+    return flatOf(request, maxBytes);
   }
 
   protected open(module: GeneratorModule) {
-    return fieldSession(new module.Generator());
+    return sessionOfEither(new module.Generator());
+  }
+
+  protected override another(request: FlatRequest): Source<GeneratorModule> | undefined {
+    return needsFull(request) ? this.#full : undefined;
   }
 
   memoryEstimate(request: PaintedRequest = {}): number {
@@ -68,13 +88,23 @@ class HeadlessFields extends Headless<GeneratorModule, PaintedRequest, FlatReque
   }
 }
 
-export async function openGenerator(realm: Realm<GeneratorModule>, { wasm }: GeneratorOptions = {}): Promise<FieldGenerator> {
-  return new HeadlessFields(realm, await realm.load(wasm));
+function flatOf(request: PaintedRequest | undefined, maxBytes: number): FlatRequest {
+  const { params, mask } = resolvePainted(request);
+  return {
+    ...flatRequest(params, maxBytes),
+    footprint: (request as HeadlessJob | undefined)?.[FOOTPRINT],
+    mask: mask && maskRows(mask, maxBytes),
+  };
+}
+
+export async function openGenerator({ plain, full }: FieldRealms, options: FieldGeneratorOptions = {}): Promise<FieldGenerator> {
+  return new HeadlessFields(plain, await plain.load(options.wasm), { realm: full, wasm: options.fullWasm });
 }
 
 /** One field, no cache kept. */
-export async function generateOnce(realm: Realm<GeneratorModule>, request?: PaintedRequest, options?: GenerateOptions): Promise<Field> {
-  const generator = await openGenerator(realm);
+export async function generateOnce({ plain, full }: FieldRealms, request?: PaintedRequest, options?: GenerateOptions): Promise<Field> {
+  const realm: Realm<GeneratorModule> = needsFull(flatOf(request, Infinity)) ? full : plain;
+  const generator = new HeadlessFields(realm, await realm.load(), { realm: full });
   try {
     return await generator.generate(request, options);
   } finally {

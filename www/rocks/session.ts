@@ -1,5 +1,6 @@
 /** Sessions of rocks: the buffers of the wasm as a `Field`. */
 
+import { RockFieldError } from '../base/errors.ts';
 import type { Field, FieldLayer, StageTimes } from '../data/field.ts';
 import type { LoopCraft } from '../generator/loop.ts';
 import { STAGES } from '../generator/protocol.ts';
@@ -7,14 +8,12 @@ import type { FlatRequest, StageName } from '../generator/protocol.ts';
 import { Session } from '../generator/session.ts';
 import type { Craft, RawSteps } from '../generator/session.ts';
 import type { Glue } from '../generator/wasm.ts';
-import { strokeNumbers } from './stroke-numbers.ts';
+import { needsFull } from './needs-full.ts';
 
 /** The class of the same name in pkg/generator.d.ts, as far as it is used. */
 export interface RawGenerator extends RawSteps {
   /** Six numbers for each triangle, px; acts from the next start. */
   set_footprint(triangles: Float64Array): void;
-  /** The rows of a mask from the top, its width, and `strokeNumbers`; acts from the next start. */
-  set_paint(rows: Uint8Array, width: number, strokes: Float64Array): void;
   start(params: Float64Array, maxBytes: number): void;
   positions(): Float32Array;
   normals(): Float32Array;
@@ -42,7 +41,6 @@ export interface GeneratorModule {
 export type GeneratorGlue = Glue<GeneratorModule>;
 
 const NOTHING: Float64Array = new Float64Array();
-const NO_MASK: NonNullable<FlatRequest['mask']> = { width: 0, rows: new Uint8Array() };
 
 export type FieldSession = Session<RawGenerator, FlatRequest, Field, StageName>;
 
@@ -50,28 +48,27 @@ export function fieldSession(generator: RawGenerator): FieldSession {
   return new Session(generator, new Fields());
 }
 
-class Fields implements Craft<RawGenerator, FlatRequest, Field, StageName> {
+/** What is copied out of the wasm, and how a run of the plain generator begins. */
+export class Fields<Raw extends RawGenerator> implements Craft<Raw, FlatRequest, Field, StageName> {
   readonly stages = STAGES;
   readonly collect = collect;
   /** The footprint that the generator has. */
   #footprint: Float64Array = NOTHING;
 
-  /** The mask and the strokes that it has. */
-  #mask = NO_MASK;
-  #strokes = '';
+  start(generator: Raw, request: FlatRequest): void {
+    // Whoever asks has chosen the generator.
+    if (needsFull(request)) throw new RockFieldError({ name: 'Internal', message: 'this artefact cannot do it' });
+    this.begin(generator, request);
+  }
 
-  start(generator: RawGenerator, { params, maxBytes, footprint = NOTHING, mask = NO_MASK, strokes = '' }: FlatRequest): void {
+  protected begin(generator: Raw, { params, maxBytes, footprint = NOTHING }: FlatRequest): void {
     if (!isSame(footprint, this.#footprint)) generator.set_footprint(footprint);
     this.#footprint = footprint;
-    if (strokes !== this.#strokes || mask.width !== this.#mask.width || !isSame(mask.rows, this.#mask.rows)) {
-      generator.set_paint(mask.rows, mask.width, strokeNumbers(strokes));
-    }
-    [this.#mask, this.#strokes] = [mask, strokes];
     generator.start(params, maxBytes);
   }
 }
 
-function isSame(one: Float64Array | Uint8Array, other: Float64Array | Uint8Array): boolean {
+export function isSame(one: Float64Array | Uint8Array, other: Float64Array | Uint8Array): boolean {
   return one === other || (one.length === other.length && one.every((value, k) => value === other[k]));
 }
 

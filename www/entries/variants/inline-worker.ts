@@ -1,12 +1,14 @@
 /** The workers of the build with everything in it: their scripts are texts of this one. Put by scripts/build/inline.mjs in the place of the workers' addresses. */
 
 import exportScript from 'inlined:export-worker';
+import fullScript from 'inlined:full-worker';
 import fileScript from 'inlined:wood-ear-file-worker';
 import woodEarExportScript from 'inlined:wood-ear-export-worker';
 import woodEarScript from 'inlined:wood-ear-worker';
 import script from 'inlined:worker';
 
 let address: string | undefined;
+let fullAddress: string | undefined;
 let woodEarAddress: string | undefined;
 let fileAddress: string | undefined;
 let exportAddress: string | undefined;
@@ -16,6 +18,12 @@ let woodEarExportAddress: string | undefined;
 export function workerAddress(): string {
   address ??= addressOf(script);
   return address;
+}
+
+/** As `workerAddress`. */
+export function fullWorkerAddress(): string {
+  fullAddress ??= addressOf(fullScript);
+  return fullAddress;
 }
 
 /** As `workerAddress`. */

@@ -4,6 +4,11 @@ declare module 'inlined:worker' {
   export default script;
 }
 
+declare module 'inlined:full-worker' {
+  const script: string;
+  export default script;
+}
+
 declare module 'inlined:export-worker' {
   const script: string;
   export default script;
