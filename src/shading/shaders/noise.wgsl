@@ -55,8 +55,8 @@ fn numbers_of(cell: vec2i, which: i32) -> vec4f {
 var<private> grain_middle: vec3f;
 
 // The cell of a jittered grid that `at` lies in: x the distance to its middle, y, z, w three numbers of its own, which run
-// into the next cell's within `blur` of the edge. Eight candidates are enough for a jitter of a quarter.
-fn grains(at: vec3f, blur: f32) -> vec4f {
+// into the next cell's within about 1 / (2 · `sharp`) of the edge. Eight candidates are enough for a jitter of a quarter.
+fn grains(at: vec3f, sharp: f32) -> vec4f {
   let start = floor(at - 0.5);
   let base = vec3i(start);
   let least = start + 0.25 - at;
@@ -72,11 +72,10 @@ fn grains(at: vec3f, blur: f32) -> vec4f {
   let nearest = base + vec3i(vec3u(which.x, which.x >> 1u, which.x >> 2u) & vec3u(1u));
   let next = base + vec3i(vec3u(which.y, which.y >> 1u, which.y >> 2u) & vec3u(1u));
   grain_middle = vec3f(nearest) + 0.25 + 0.5 * point_of(nearest).xyz - at;
-  let reach = sqrt(first);
-  let inside = 0.5 + 0.5 * min((reach.y - reach.x) / blur, 1.0);
+  let inside = 0.5 + 0.5 * min(sharp * (first.y - first.x), 1.0);
   // Numbers that have nothing to do with where its middle lies: another cell's.
   const OTHER = vec3i(11, 5, 23);
-  return vec4f(reach.x, mix(point_of(next + OTHER).xyz, point_of(nearest + OTHER).xyz, inside));
+  return vec4f(sqrt(first.x), mix(point_of(next + OTHER).xyz, point_of(nearest + OTHER).xyz, inside));
 }
 
 // How much of a pattern of this period is shown: none of it where it would be finer than the pixels, and shimmer.

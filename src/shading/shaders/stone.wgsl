@@ -6,6 +6,8 @@ var<private> stone_albedo: vec3f;
 // Slope of the relief, the same in all directions of space; px per px
 var<private> stone_slope: vec3f;
 var<private> stone_rough: f32;
+// Red more and blue less by so much
+var<private> stone_warm: f32;
 // Noise whose patches are some px wide
 var<private> stone_patch: f32;
 
@@ -49,18 +51,9 @@ fn individual(albedo: vec3f, own: vec3f) -> vec3f {
   return albedo * value * vec3f(1.0 + warm, 1.0, 1.0 - warm);
 }
 
-// What the crystals of granite add to the value and to the warmth: dark mica, pale feldspar, grey quartz between them. `cell` from
-// `grains`.
-fn crystals(cell: vec4f) -> vec2f {
-  let mica = 1.0 - smoothstep(0.15, 0.19, cell.y);
-  let feldspar = smoothstep(0.52, 0.58, cell.y);
-  let value = 0.24 * feldspar - 0.55 * mica + 0.3 * (cell.z - 0.5) + 0.01;
-  return vec2f(value, (0.1 + 0.1 * (cell.w - 0.5)) * feldspar);
-}
-
 // A gas bubble of basalt, cut open, in its cell of a grid: x, y, z the slope of its wall, w what it is darker by.
 fn bubble(at: vec3f, share: f32) -> vec4f {
-  let cell = grains(at, 0.05);
+  let cell = grains(at, 20.0);
   let radius = select(0.001, 0.16 + 0.28 * cell.z, cell.y < share);
   let out = cell.x / radius;
   let wall = smoothstep(0.2, 0.8, out) * (1.0 - smoothstep(0.85, 1.05, out));
@@ -69,10 +62,11 @@ fn bubble(at: vec3f, share: f32) -> vec4f {
 
 // Where all kinds of stone lie together, some are cut by a white line or two: 1 on it. `broad` and `mid` are noise that bends it.
 fn veins(kind: f32, own: vec3f, at: vec3f, broad: f32, mid: f32) -> f32 {
+  if globals.scene.w > 0.5 || (kind != 2.0 && kind != 5.0) || fract(own.x * 7.0 + own.y * 3.0) > 0.16 {
+    return 0.0;
+  }
   let vein_at = dot(at, normalize(vec3f(own.zx - 0.5, 0.35))) / 23.0 + 0.12 * broad + 0.1 * mid;
-  let vein = 1.0 - smoothstep(0.012, 0.035, abs(fract(vein_at) - 0.5));
-  let veined = select(0.0, 1.0, fract(own.x * 7.0 + own.y * 3.0) < 0.16 && (kind == 2.0 || kind == 5.0) && globals.scene.w < 0.5);
-  return vein * veined;
+  return 1.0 - smoothstep(0.012, 0.035, abs(fract(vein_at) - 0.5));
 }
 
 // What a slope of noise is multiplied by where it is folded at 0: `strength`, downwards where its value is below.
@@ -100,19 +94,25 @@ fn grained(at: vec3f, footprint: f32) -> vec4f {
   return all;
 }
 
-// What the crystals of granite add to the value and to the warmth, as large as `size`; they grew into each other, and have no straight edges.
-// Medium quality makes do with specks.
-fn granite(at: vec3f, size: f32, mid: vec4f, footprint: f32) -> vec2f {
+// Crystals of granite about as large as `size`: pale feldspar with grey quartz between, and flakes of dark mica. x, y, z the slope, since each
+// crystal broke along planes of its own, w the value; `stone_rough` and `stone_warm` change, too. Noise, among it `fine` and `mid` of other
+// periods, decides how far a crystal has grown into the next, and so are their borders uneven. Medium quality makes do with specks.
+fn granite(at: vec3f, size: f32, fine: f32, mid: f32, footprint: f32) -> vec4f {
   let seen = shown(size, footprint);
+  let q = at / size;
+  let grown = noise3(2.0 * q);
   if quality < 1.5 {
-    let speck = noise3(at / (0.8 * size) + 9.0);
-    return seen * vec2f(0.8 * (speck.w - max(-0.3 - speck.w, 0.0)), 0.05 * speck.x);
+    stone_warm += 0.05 * seen * grown.x;
+    return vec4f(vec3f(0.0), 0.8 * seen * (grown.w - max(-0.3 - grown.w, 0.0)));
   }
-  if seen <= 0.0 {
-    return vec2f(0.0);
-  }
-  let grown = 0.35 * mid.xyz + 0.2 * noise3(at / (0.7 * size)).xyz;
-  return seen * crystals(grains(at / size + grown, max(1.5 * footprint / size, 0.08)));
+  let sharp = min(size / footprint, 8.0);
+  let cell = grains(q + 0.12 * grown.xyz, sharp);
+  let feldspar = seen * saturate(sharp * (cell.y + 0.2 * (fine + grown.w) - 0.38) + 0.5);
+  let mica = seen * saturate(sharp * (cell.z + grown.w + 0.2 * (fine + mid) - 0.8) + 0.5);
+  stone_warm += 0.16 * feldspar * cell.w;
+  stone_rough += 0.15 * feldspar - 0.2 * seen;
+  let value = 0.5 * feldspar + seen * (0.3 * cell.w - 0.32);
+  return vec4f(feldspar * (0.5 * cell.yzw - 0.25), mix(value, -0.9, mica));
 }
 
 // All sizes of the gas bubbles of basalt, as `bubble` has one.
@@ -148,24 +148,26 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
   let mid = noise3(turned_at / 5.0 + 17.0) * mid_seen;
   stone_patch = mid.w;
   var value = 0.3 * broad.w + 0.26 * mid.w;
-  var warm = 0.05 * broad.x;
+  stone_warm = 0.05 * broad.x;
   var slope = 0.12 * broad.xyz + folded(0.2, mid.w) * rugged * mid.xyz;
   var pale = 0.0;
+  var fine = 0.0;
   if quality > 0.0 {
-    let fine = grained(turned_at, footprint);
-    value += 0.34 * fine.w;
-    slope += 0.25 * rugged * fine.xyz;
+    let found = grained(turned_at, footprint);
+    fine = found.w;
+    value += 0.34 * fine;
+    slope += 0.25 * rugged * found.xyz;
   }
 
   var albedo = mean;
-  var rough = 0.82;
+  stone_rough = 0.82;
   if kind == 1.0 {
+    stone_rough = 0.7;
     if quality > 0.0 {
-      let found = granite(turned_at, 0.34 * coarse, mid, footprint);
-      value += found.x;
-      warm += found.y;
+      let found = granite(turned_at, 0.34 * coarse, fine, mid.w, footprint);
+      slope += found.xyz;
+      value += found.w;
     }
-    rough = 0.7;
   } else if kind == 2.0 {
     slope *= 1.2;
     if quality > 1.5 {
@@ -173,7 +175,7 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
       slope += found.xyz;
       value -= found.w;
     }
-    rough = 0.75;
+    stone_rough = 0.75;
   } else if kind == 3.0 || kind == 7.0 || kind == 5.0 {
     // The bed of layered stones, tilted differently in every rock: layers of sandstone, leaves of slate.
     let tilt = vec2f(own.x - 0.5, own.y - 0.5) * 1.4;
@@ -187,11 +189,11 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
     let leaf_at = (at - along * bed) / 9.0 + bed * along / thick;
     let layer = noise3(select(layer_at, leaf_at, is_slate)) * shown(thick, footprint);
     value += select(0.36, 0.3, is_slate) * layer.w;
-    warm += select(0.16 * layer.y, 0.0, is_slate);
+    stone_warm += select(0.16 * layer.y, 0.0, is_slate);
     let rise = dot(layer.xyz, select(ASLANT, bed, is_slate)) * select(0.22, 0.3, is_slate);
     // Back by `slope * TURN` with the others.
     slope += TURN * (rise * bed);
-    rough = select(rough, 0.6, is_slate);
+    stone_rough = select(stone_rough, 0.6, is_slate);
   } else if kind == 4.0 {
     value += 0.1 * mid.w;
     pale = smoothstep(0.1, 0.5, broad.w) * 0.3;
@@ -206,10 +208,9 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
     albedo *= mix(vec3f(1.0), vec3f(0.83, 0.595, 0.375), 0.5 * rust);
     value *= 0.6;
     slope *= 0.7;
-    rough = 0.55;
+    stone_rough = 0.55;
   }
   albedo = mix(albedo, vec3f(0.45, 0.44, 0.41), max(pale, 0.75 * veins(kind, own, at, broad.w, mid.w) * mid_seen));
-  stone_albedo = albedo * max(1.0 + value, 0.2) * vec3f(1.0 + warm, 1.0, 1.0 - warm);
+  stone_albedo = albedo * max(1.0 + value, 0.2) * vec3f(1.0 + stone_warm, 1.0, 1.0 - stone_warm);
   stone_slope = slope * TURN;
-  stone_rough = rough;
 }
