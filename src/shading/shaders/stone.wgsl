@@ -100,7 +100,7 @@ fn grained(at: vec3f, footprint: f32) -> vec4f {
 fn granite(at: vec3f, size: f32, fine: f32, mid: f32, footprint: f32) -> vec4f {
   let seen = shown(size, footprint);
   let q = at / size;
-  let grown = noise3(2.0 * q);
+  let grown = noise3(2.6 * q);
   if quality < 1.5 {
     stone_warm += 0.05 * seen * grown.x;
     return vec4f(vec3f(0.0), 0.8 * seen * (grown.w - max(-0.3 - grown.w, 0.0)));
@@ -108,10 +108,10 @@ fn granite(at: vec3f, size: f32, fine: f32, mid: f32, footprint: f32) -> vec4f {
   let sharp = min(size / footprint, 8.0);
   let cell = grains(q + 0.12 * grown.xyz, sharp);
   let feldspar = seen * saturate(sharp * (cell.y + 0.2 * (fine + grown.w) - 0.38) + 0.5);
-  let mica = seen * saturate(sharp * (cell.z + grown.w + 0.2 * (fine + mid) - 0.8) + 0.5);
+  let mica = seen * saturate(sharp * (cell.z + grown.w + 0.2 * (fine + mid) - 0.86) + 0.5);
   stone_warm += 0.16 * feldspar * cell.w;
   stone_rough += 0.15 * feldspar - 0.2 * seen;
-  let value = 0.5 * feldspar + seen * (0.3 * cell.w - 0.32);
+  let value = 0.5 * feldspar + seen * (0.3 * cell.w - 0.35);
   return vec4f(feldspar * (0.5 * cell.yzw - 0.25), mix(value, -0.9, mica));
 }
 
