@@ -29,7 +29,7 @@ pub(crate) struct Gpu {
     pub(crate) present: OnceCell<Present>,
     numbers: Cell<u64>,
     /// The sky that was asked for last, and the sine of its sun's elevation.
-    sky: RefCell<Option<(f32, Rc<Sky>)>>,
+    sky: RefCell<Option<([f32; 2], Rc<Sky>)>>,
 }
 
 /// Called once, with a reason, when the device is lost or out of memory.
@@ -84,14 +84,14 @@ impl Gpu {
         self.numbers.get()
     }
 
-    /// The sky around the sun in this direction.
-    pub(crate) fn sky(&self, sun: Vec3) -> Rc<Sky> {
+    /// The sky around the sun in this direction, over ground on which so much snow has fallen.
+    pub(crate) fn sky(&self, sun: Vec3, snow: f32) -> Rc<Sky> {
         let mut last = self.sky.borrow_mut();
         match &*last {
-            Some((height, sky)) if *height == sun.z => sky.clone(),
+            Some((key, sky)) if *key == [sun.z, snow] => sky.clone(),
             _ => {
-                let sky = Rc::new(Sky::new(sun.z.asin()));
-                *last = Some((sun.z, sky.clone()));
+                let sky = Rc::new(Sky::new(sun.z.asin(), snow));
+                *last = Some(([sun.z, snow], sky.clone()));
                 sky
             }
         }

@@ -396,7 +396,9 @@ fn patterns_layout(device: &wgpu::Device) -> wgpu::BindGroupLayout {
     use wgpu::TextureViewDimension::{D2, D3};
     let texture = |dimension| texture(wgpu::TextureSampleType::Float { filterable: true }, dimension);
     let sampler = wgpu::BindingType::Sampler(wgpu::SamplerBindingType::Filtering);
-    fragment_layout(device, "rock-field/layout/patterns", &[texture(D3), texture(D2), texture(D3), sampler])
+    // Rocks of copies ask where moss grows at their vertices.
+    let types = [texture(D3), texture(D2), texture(D3), sampler];
+    layout(device, "rock-field/layout/patterns", wgpu::ShaderStages::VERTEX_FRAGMENT, numbered(&types))
 }
 
 fn texture(sample_type: wgpu::TextureSampleType, view_dimension: wgpu::TextureViewDimension) -> wgpu::BindingType {

@@ -48,6 +48,9 @@ impl Rocks {
     }
 }
 
+/// How deep snow lies where as much has fallen as can, px.
+const SNOW_DEEP: f32 = 6.0;
+
 /// Buffers and bind groups of one field.
 pub(crate) struct Scene {
     /// Identifies the contents of the shadow and height maps by numbers that are unique on the device, each renewed whenever its maps have to be
@@ -67,6 +70,8 @@ pub(crate) struct Scene {
     stale: bool,
     /// The direction of the sun with which the uniforms were written.
     sun: Vec3,
+    /// How much snow had fallen then, 0…1.
+    snow: f32,
     props: Option<u64>,
     /// The copies of the field round it, and whether they are shown.
     around: Around,
@@ -148,6 +153,7 @@ impl Scene {
             painted: None,
             stale: false,
             sun: Vec3::ZERO,
+            snow: 0.0,
             props: None,
             around: Around::new(gpu, image)?,
             is_surrounded: false,
@@ -168,10 +174,15 @@ impl Scene {
         })
     }
 
-    /// Sets the sun's direction, the props, whether the ground goes on beyond the field, and the side of the maps, from now on. False where they were
-    /// so.
-    pub(crate) fn light(&mut self, gpu: &Gpu, sun: Vec3, props: &Props, is_surrounded: bool, side: u32) -> bool {
+    /// Sets the sun's direction and the snow of `look`, the props, whether the ground goes on beyond the field, and the side of the maps, from now on.
+    /// False where they were so.
+    pub(crate) fn light(&mut self, gpu: &Gpu, look: &Look, props: &Props, is_surrounded: bool, side: u32) -> bool {
         while self.fill(gpu) {}
+        let sun = look.sun;
+        if look.snow != self.snow {
+            // As with other props: no map is right any more.
+            (self.snow, self.props) = (look.snow, None);
+        }
         let is_same = (sun, Some(props.number), is_surrounded) == (self.sun, self.props, self.is_surrounded);
         if is_same && side == self.side {
             if self.is_sampled {
@@ -194,8 +205,10 @@ impl Scene {
         let mut uniforms = FieldUniforms::fitted(sun, self.image, low, high, side as f32);
         uniforms.ground[2] = if self.is_buried { 1.0 } else { 0.0 };
         uniforms.size[2] = self.high.z.max(1.0);
-        let sky = gpu.sky(sun);
+        let sky = gpu.sky(sun, look.snow);
         uniforms.sunshine = sky.sunshine.extend(0.0).to_array();
+        // What stands on the rocks would not sink with them.
+        uniforms.sunshine[3] = if props.is_empty() { SNOW_DEEP * look.snow } else { 0.0 };
         uniforms.sky = sky.uniforms(sun);
         [uniforms.sky[2][3], uniforms.sky[3][3]] = self.hills_turned();
         uniforms.bricks = self.around.bricks().uniform();

@@ -170,7 +170,7 @@ impl View {
     pub(super) fn dress_next(&self, gpu: &Gpu, scene: &mut Scene, props: &Props, side: u32) -> bool {
         scene.fill(gpu)
             || self.is_solid() && scene.paint(gpu, self.shown_color(), &self.look)
-            || scene.light(gpu, self.look.sun, props, self.is_surrounded(), side)
+            || scene.light(gpu, &self.look, props, self.is_surrounded(), side)
     }
 
     fn dress(&self, gpu: &Gpu, scene: &mut Scene, props: &Props, side: u32) {

@@ -53,8 +53,8 @@ impl Stands {
         let t = (depth / 0.8).clamp(0.0, 1.0);
         let sunk = 1.05 * (1.0 - t * t * (3.0 - 2.0 * t));
         // A rock that would be hidden goes as deep as possible, because from afar small differences of depth cannot be
-        // resolved.
-        let steps = if sunk > 0.9 { STEPS } else { (sunk * top / highest * STEPS).round() };
+        // resolved; and so does one of which only a flat rest would be left. The others keep most of their height.
+        let steps = if sunk > 0.7 { STEPS } else { (sunk.min(0.35) * top / highest * STEPS).round() };
         steps.clamp(0.0, STEPS) as u32
     }
 }

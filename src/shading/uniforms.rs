@@ -59,7 +59,7 @@ pub(crate) struct FieldUniforms {
     pub(crate) log: [f32; 4],
     /// y of the log's axis, px: the coefficients of a polynomial in t, −1…1 from end to end.
     pub(crate) bow: [f32; 4],
-    /// The sun's light; w is not used.
+    /// The sun's light; w how deep the rocks stand in snow, px.
     pub(crate) sunshine: [f32; 4],
     /// [`super::Sky::diffuse`]; w of the first two: the sun's azimuth as a direction.
     pub(crate) sky: [[f32; 4]; 6],

@@ -44,7 +44,7 @@ impl Scene {
         part: usize,
     ) -> bool {
         if part == 0 {
-            maps.write_sky(&gpu.queue, &gpu.sky(self.sun));
+            maps.write_sky(&gpu.queue, &gpu.sky(self.sun, self.snow));
         }
         // Of the heights only what stands on the field: they know no sun.
         let shadows = if stale.shadows { self.rocks(self.sun) } else { Vec::new() };

@@ -13,7 +13,7 @@ impl View {
     pub(crate) fn bake(&self, gpu: &Gpu, scene: &mut Scene, bake: &Bake, corner: [f32; 2]) {
         let props = Props::default();
         let side = Grade::Whole.side(gpu.max_side());
-        scene.light(gpu, self.look.sun, &props, false, side);
+        scene.light(gpu, &self.look, &props, false, side);
         let mut globals = self.globals(&self.shot, None);
         let half = 0.5 * BAKE_SIDE as f32;
         globals.plan = [corner[0] + half, corner[1] + half, 1.0 / half, -1.0 / half];

@@ -51,7 +51,7 @@ struct FieldUniforms {
   log: vec4f,
   // y of its axis, px: a polynomial in t, -1…1 from end to end
   bow: vec4f,
-  // The sun's light; w unused
+  // The sun's light; w how deep the rocks stand in snow, px
   sunshine: vec4f,
   // What the sky lights, by the direction of a surface (sky.rs); w of the first two: the direction of the sun's azimuth, of
   // the next two: cosine and sine of how far the hills are turned
@@ -130,10 +130,10 @@ fn ground_clip(at: vec2f) -> vec4f {
 }
 
 // Natural colours only: what is painted of a rock is three random bytes, then its kind in the lower three bits and in the
-// upper five how far it sinks into the ground (sink.rs). In every pass that draws rocks alike.
+// upper five how far it sinks into the ground (sink.rs); and all of them stand in the snow. In every pass that draws rocks alike.
 fn settled(position: vec3f, painted: vec4f) -> vec3f {
   let steps = floor((painted.w * 255.0 + 0.5) / 8.0);
-  return position + field.shift.xyz - vec3f(0.0, 0.0, steps / 31.0 * field.size.z * globals.scene.z);
+  return position + field.shift.xyz - vec3f(0.0, 0.0, (steps / 31.0 * field.size.z + field.sunshine.w) * globals.scene.z);
 }
 
 // A normal that is folded to an octahedron, as buffers.rs does it; not of length 1.

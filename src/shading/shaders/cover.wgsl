@@ -203,7 +203,7 @@ fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
   cover_open = 0.8;
   let warm = 0.05 * widest.y;
   let hue = vec3f(1.0 + warm, 1.0, 1.0 - warm);
-  cover_albedo = bare_soil * hue * (1.0 + 0.13 * patches);
+  cover_albedo = bare_soil * hue * (1.0 + 0.2 * patches);
   if ground_kind == 1.0 {
     // Wind ripples, and now and then a pebble.
     const ACROSS = vec2f(0.4, 0.29);
@@ -216,23 +216,23 @@ fn ground_cover(at: vec2f, lean: vec2f, footprint: f32) {
     scatter(at, lean, 3.7, vec2f(-0.8982, -0.4397), 0.03 + 0.05 * patches, 0.8, footprint);
   } else if ground_kind == 2.0 {
     // What is between stones is darker than they are; where they are too small to be told apart it is both.
-    cover_albedo *= mix(select(0.95, 0.82, globals.scene.w < 0.5), 0.85, shown(2.0, footprint));
+    cover_albedo *= mix(select(0.95, 0.82, globals.scene.w < 0.5), 0.6, shown(3.0, footprint));
     // The large ones at every level: they are what goes on beyond the field's border.
     if quality > 0.0 {
       scatter(at, lean, 1.6, vec2f(0.3594, -0.9332), 0.95, 1.0, footprint);
       scatter(at, lean, 2.4, vec2f(-0.5530, 0.8331), 0.85 + 0.2 * patches, 1.0, footprint);
     }
-    scatter(at, lean, 4.4, vec2f(0.6109, 0.7917), 0.75 + 0.3 * patches, 1.0, footprint);
-    scatter(at, lean, 8.0, vec2f(-0.4791, 0.8778), 0.32 + 0.25 * patches, 1.0, footprint);
+    scatter(at, lean, 4.4, vec2f(0.6109, 0.7917), 0.85 + 0.25 * patches, 1.0, footprint);
+    scatter(at, lean, 8.0, vec2f(-0.4791, 0.8778), 0.58 + 0.3 * patches, 1.0, footprint);
   } else {
     cover_albedo *= mix(1.0, 0.8, shown(1.2, footprint));
     if quality > 0.0 {
       scatter(at, lean, 1.2, vec2f(-0.7395, -0.6731), 0.8, 0.0, footprint);
     }
-    scatter(at, lean, 2.2, vec2f(0.9721, 0.2346), 0.6 + 0.2 * patches, 0.06, footprint);
-    scatter(at, lean, 3.6, vec2f(0.8646, -0.5024), 0.25 + 0.15 * patches, 0.4, footprint);
+    scatter(at, lean, 2.2, vec2f(0.9721, 0.2346), 0.6 + 0.3 * patches, 0.3, footprint);
+    scatter(at, lean, 3.6, vec2f(0.8646, -0.5024), 0.35 + 0.3 * patches, 0.6, footprint);
     if quality > 0.0 {
-      scatter(at, lean, 6.9, vec2f(0.8078, 0.5895), 0.08, 1.0, footprint);
+      scatter(at, lean, 6.9, vec2f(0.8078, 0.5895), 0.15, 1.0, footprint);
     }
   }
   stones_laid();
@@ -318,15 +318,17 @@ fn moss_cover(at: vec3f, places: f32, upward: f32, height: f32, sheltered: f32, 
     moss_patch = noise3(q / 9.0);
     patches += 0.6 * moss_patch.w + 0.55 * noise3(q / 2.6).w * shown(2.6, footprint);
   }
-  let want = patches + 0.4 * (upward - 0.7) + 0.6 * sheltered - 0.012 * height - 0.3 * (1.0 - smoothstep(0.0, 1.5, height));
+  // Over small stones it lies as over the ground.
+  let facing = mix(1.0, upward, smoothstep(0.0, 3.0, height));
+  let want = patches + 0.4 * (facing - 0.7) + 0.6 * sheltered - 0.012 * height - 0.3 * (1.0 - smoothstep(1.5, 5.0, height));
   // Half the moss covers about a third.
-  let soft = select(0.36, 0.16, quality < 0.5);
-  return smoothstep(0.0, soft, want - mix(1.2, -0.8, moss)) * smoothstep(0.1, 0.5, upward);
+  return smoothstep(0.0, 0.3, want - mix(1.2, -0.8, moss)) * smoothstep(0.1, 0.5, facing);
 }
 
-const SNOW = vec3f(0.75, 0.77, 0.79);
+const SNOW = vec3f(0.73, 0.75, 0.775);
 
-// What `snow_cover` found: the slope of the drifts, and how far snow is heaped against a surface rather than held by it, 0…1.
+// What `snow_cover` found: its colour, the slope of the drifts, and how far snow is heaped against a surface rather than held by it, 0…1.
+var<private> snow_albedo: vec3f;
 var<private> snow_slope: vec3f;
 var<private> snow_heap: f32;
 
@@ -335,26 +337,30 @@ fn snow_cover(at: vec3f, upward: f32, footprint: f32) -> f32 {
   if !has_snow {
     return 0.0;
   }
-  let snow = globals.waters.x;
   let q = TURN * at;
   let drift = noise3(q / 47.0);
-  let lump = noise3(q / 9.0 + 3.0);
+  // The wind draws it out.
+  const WIND = vec3f(0.5, 1.2, 1.0);
+  let lump = noise3(TURN * (at * WIND) / 9.0 + 3.0);
   var loose = 0.6 * lump.w + 0.4 * drift.w;
-  snow_slope = (0.16 * drift.xyz + 0.1 * lump.xyz) * TURN;
+  snow_slope = (0.3 * drift.xyz) * TURN + (0.2 * lump.xyz) * TURN * WIND;
   var period = 2.9;
-  for (var i = 0; i < 3; i++) {
+  for (var i = 0; i < 4; i++) {
     let seen = shown(period, footprint);
     if seen <= 0.0 || quality < 0.5 {
       break;
     }
     let fine = noise3(q / period) * seen;
     loose += 0.3 * fine.w;
-    snow_slope += (0.05 * fine.xyz) * TURN;
-    period /= 3.7;
+    snow_slope += (0.1 * fine.xyz) * TURN;
+    period /= 3.1;
   }
-  let held = smoothstep(-0.03, 0.05, upward + 0.22 * loose - mix(1.05, 0.5, sqrt(snow)));
-  let deep = 6.0 * snow * (1.0 + 0.9 * drift.w + 0.4 * lump.w);
-  snow_heap = smoothstep(-0.1, 0.25, deep + 0.5 * loose - at.z);
+  // Blue in its hollows; some crystals, as large as a pixel or two, flash.
+  let crystal = point_of(vec3i(floor(q / exp2(ceil(log2(footprint))))));
+  snow_albedo = SNOW + vec3f(0.3, 0.27, 0.22) * loose + 0.7 * smoothstep(0.985, 1.0, crystal.x) * shown(1.5, footprint);
+  let held = smoothstep(-0.1, 0.08, upward + 0.22 * loose - mix(1.05, 0.7, sqrt(globals.waters.x)));
+  // Rocks stand in it already.
+  snow_heap = smoothstep(-0.4, 0.5, 6.0 * globals.waters.x * (1.0 + 2.2 * drift.w + 0.6 * lump.w) - field.sunshine.w * globals.scene.z + 0.5 * loose - at.z);
   return max(held, snow_heap);
 }
 

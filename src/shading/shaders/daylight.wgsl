@@ -145,6 +145,12 @@ fn daylight(albedo: vec3f, rough: f32, world: vec3f, face: vec3f, normal: vec3f,
   if n_l > 0.0 && facing > 0.0 {
     direct = gathered * sun_seen(world, face) * facing * select(mix(0.8, 1.0, seen), 1.0, is_sampled);
   }
+  // Low in a shadow, the ground and the rocks nearby are in it, too.
+  if quality > 0.5 {
+    let near = 1.0 - 2.4 * (1.0 - direct) / (4.0 + world.z);
+    ground_light *= near;
+    rock_light *= near;
+  }
   // Towards where it is open; what is not sky is ground.
   if quality > 0.0 {
     all_around = light_all_around(normalize(normal + vec3f(0.7 * open_towards.xy, 0.0)));

@@ -150,25 +150,25 @@ fn ground_surface(world: vec3f, to_eye: vec3f, seen: f32, footprint: f32) {
   let damp = 1.0 - smoothstep(0.35, 0.95, seen);
   let wet = max(0.35 * damp, wet_cover(world));
   var rough = mix(0.92, 0.4, globals.weather.y * wet);
-  var moss = moss_cover(world, mossy(world), 1.0, 0.0, 1.0 - seen, footprint) * smoothstep(0.0, 0.5, 1.2 - cover_top * 0.3)
-    * (1.0 - cover_leaf);
+  var moss = moss_cover(world, mossy(world), 1.0, 0.0, 1.0 - seen, footprint) * (1.0 - cover_leaf);
   if moss > 0.0 {
     moss_coat(world, footprint);
-    moss = smoothstep(0.15, 0.5, moss + 0.3 * moss_high);
+    moss = smoothstep(0.25, 0.45, moss + 0.35 * moss_high);
     albedo = mix(albedo, moss_albedo, moss);
     slope = mix(slope, vec3f(moss_slope.xy, 0.0), moss);
     rough = mix(rough, 0.95, moss);
   }
   albedo *= mix(vec3f(1.0), vec3f(0.45) + 0.35 * albedo, wet);
   // Stones that rise higher than it is deep look out.
-  let snow = snow_cover(vec3f(world.xy, cover_top), 0.4, footprint);
+  let snow = snow_cover(vec3f(world.xy, cover_top - field.sunshine.w), 0.4, footprint);
   cover_open = mix(cover_open, 1.0, snow);
   if quality > 1.5 || has_log {
     let shaded = smoothstep(0.0, 0.25 * cover_shade + 0.05, cover_shade - cover_top) * (1.0 - 0.7 * moss);
     albedo *= 1.0 - 0.5 * shaded;
   }
-  albedo = mix(albedo, SNOW, snow);
-  slope = mix(slope, vec3f(snow_slope.xy, 0.0), snow);
+  albedo = mix(albedo, snow_albedo, snow);
+  // It drifts against what stands there.
+  slope = mix(slope, vec3f(snow_slope.xy - 0.35 * open_towards.xy, 0.0), snow);
   rough = mix(rough, 0.9, snow);
   albedo = mix(albedo, mix(afar_albedo, SNOW, 0.85 * snow), afar_rock);
   albedo *= rolling(world.xy);

@@ -34,9 +34,11 @@ fn vs_main(
   // The same rock of two copies has other colours.
   out.own = vec4f(fract(color.xyz + field.shift.w * vec3f(1.0, 1.7, 2.3)), kind_of(color) / 255.0);
   out.normal = normalize(unfolded(normal));
-  // What grows on a copy is not as thick everywhere.
-  let thicker = select(0.0, fract(7.3 * field.shift.w) - 0.5, field.shift.w > 0.0);
-  out.open = vec4f(open.x, open.yz * 4.0 - 2.0, (open.w * 2.0 - 1.0) * MOSSIEST + thicker);
+  out.open = vec4f(open.x, open.yz * 4.0 - 2.0, (open.w * 2.0 - 1.0) * MOSSIEST);
+  // On a copy moss grows where it does on the ground.
+  if has_moss && field.shift.w > 0.0 {
+    out.open.w = mossy(out.from_eye + globals.eye.xyz);
+  }
   // What changes slowly is found here, since there are several pixels for each vertex.
   let far = length(out.from_eye);
   out.air = air_before(out.from_eye / far, far);

@@ -59,7 +59,7 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
   if moss > 0.0 {
     moss_coat(world, footprint);
     // Each cushion ends where it ends.
-    moss = smoothstep(0.15, 0.5, moss + 0.3 * moss_high);
+    moss = smoothstep(0.25, 0.45, moss + 0.35 * moss_high);
     albedo = mix(albedo, moss_albedo, moss);
     rough = mix(rough, 0.95, moss);
     if quality > 0.0 {
@@ -69,9 +69,9 @@ fn rock_surface(world: vec3f, own: vec4f, base: vec3f, wear: f32, seen: f32, foo
 
   let snow = snow_cover(world, base.z, footprint);
   if snow > 0.0 {
-    albedo = mix(albedo, SNOW, snow);
+    albedo = mix(albedo, snow_albedo, snow);
     rough = mix(rough, 0.9, snow);
-    bent = normalize(mix(bent, bumped(normalize(base + vec3f(0.0, 0.0, 1.5 * snow_heap)), snow_slope), snow));
+    bent = normalize(mix(bent, bumped(normalize(base + vec3f(0.0, 0.0, 0.6 + 1.5 * snow_heap - 3.0 * snow * (1.0 - snow))), snow_slope), snow));
   }
 
   // Water fills the pores: darker, more saturated, and it shines.

@@ -51,8 +51,8 @@ pub(crate) struct Sky {
 }
 
 impl Sky {
-    /// The sky whose sun stands so high, radians.
-    pub(crate) fn new(elevation: f32) -> Self {
+    /// The sky whose sun stands so high, radians, as the camera takes it over ground on which so much `snow` has fallen, 0…1.
+    pub(crate) fn new(elevation: f32, snow: f32) -> Self {
         let air = Air::new(elevation);
         let mut map = Vec::with_capacity(COLUMNS * ROWS);
         for row in 0..ROWS {
@@ -62,7 +62,7 @@ impl Sky {
             }
         }
         let mut sky = Self { sunshine: air.towards_sun(GROUND, air.sun.z), diffuse: diffuse(&map), map };
-        sky.expose(elevation);
+        sky.expose(elevation, snow);
         sky
     }
 
@@ -101,7 +101,7 @@ impl Sky {
     }
 
     /// Sets the camera: white balance and exposure.
-    fn expose(&mut self, elevation: f32) {
+    fn expose(&mut self, elevation: f32, snow: f32) {
         let level = self.sunshine * elevation.sin() + self.on_level_ground();
         // What stands faces a low sun, and is what a photographer would meter then.
         let upright = self.sunshine * elevation.cos() + 0.5 * self.on_level_ground();
@@ -110,6 +110,8 @@ impl Sky {
         let warm = level / luminance(level);
         let gains = warm.map(|share| share.powf(-0.4));
         let gains = gains / luminance(gains * warm) * (EXPOSURE * key.powf(-0.85));
+        // Snow in the sun would be blank: a photographer closes the lens.
+        let gains = gains / (1.0 + 1.1 * snow * elevation.sin());
         self.sunshine *= gains;
         for light in self.diffuse.iter_mut().chain(&mut self.map) {
             *light *= gains;

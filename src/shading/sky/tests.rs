@@ -13,7 +13,7 @@ const ELEVATIONS: [f32; 6] = [5.0, 8.0, 20.0, 35.0, 70.0, 90.0];
 fn sky(elevation: f32) -> (Sky, Vec3) {
     let elevation = elevation.to_radians();
     let azimuth = Vec2::new(-0.6, 0.8);
-    (Sky::new(elevation), (azimuth * elevation.cos()).extend(elevation.sin()))
+    (Sky::new(elevation, 0.0), (azimuth * elevation.cos()).extend(elevation.sin()))
 }
 
 /// How much more red than blue.
@@ -113,4 +113,16 @@ fn half_floats_are_the_nearest() {
     assert_eq!([half(-1.0), half(f32::MAX)], [0, 0x7bff]);
     let (sky, _) = sky(35.0);
     assert_eq!(sky.texels().len(), COLUMNS * ROWS);
+}
+
+#[test]
+fn the_camera_takes_snow_darker_the_higher_the_sun_stands_and_in_the_same_colours() {
+    let darker = |degrees: f32| {
+        let [bare, snowy] = [0.0, 1.0].map(|snow| Sky::new(degrees.to_radians(), snow));
+        let share = snowy.sunshine / bare.sunshine;
+        assert!((share - snowy.on_level_ground() / bare.on_level_ground()).abs().max_element() < 1e-4);
+        assert!((share - share.x).abs().max_element() < 1e-4);
+        share.x
+    };
+    assert!(darker(60.0) < darker(16.0) && darker(16.0) < 1.0);
 }
