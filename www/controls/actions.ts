@@ -5,6 +5,8 @@ import type { Kind } from '../table/table.ts';
 
 /** What the panel's place does that the store cannot. */
 export interface Actions<K extends Kind> {
+  /** The element whose panel this is, or the page's. */
+  element: GeneratorElement<K>;
   freshSeed: () => void;
   randomise: () => void;
   /** An element like the one whose panel this is. */

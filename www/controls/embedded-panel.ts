@@ -118,6 +118,7 @@ export class EmbeddedPanel<K extends Kind> implements OpenPanel {
       element.freshSeed().then(use, (thrown: unknown) => void store.fail(errorInfo(thrown)));
     };
     return {
+      element,
       freshSeed: () => withFreshSeed((seed) => store.setSeed(seed)),
       randomise: () => withFreshSeed((seed) => void store.randomise(owner.random, seed)),
       newElement: () => {

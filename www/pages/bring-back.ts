@@ -35,6 +35,8 @@ export interface Files<K extends Kind> {
   otherPage: (file: File | string) => Promise<{ name: StringKey; address: string }>;
   /** Takes what is no scene; absent where nothing does. */
   takeOthers?: (files: readonly File[]) => void;
+  /** Takes a picture that is no scene; what frames it while it is dragged. Absent where pictures are scenes only. */
+  pictures?: { take: (file: File) => Promise<void>; invitation: (language: Language) => string };
 }
 
 /** Of files that came together, so many are looked into. */
@@ -51,7 +53,7 @@ export function bringBack<K extends Kind>(parts: FileParts<K>, files: Files<K>):
     showPicture({ store, element: parts.element, title: panel.presetName(), address });
   };
   panel.actions = { ...panel.actions, openFiles, showPicture: () => void showIt() };
-  listenToDrops(store, openFiles, files.takeOthers !== undefined);
+  listenToDrops(store, openFiles, files);
   document.addEventListener('paste', (event) => {
     const { clipboardData } = event;
     const pasted = [...(clipboardData?.files ?? [])];
@@ -62,8 +64,13 @@ export function bringBack<K extends Kind>(parts: FileParts<K>, files: Files<K>):
   });
 }
 
-/** `hasFrame`: the element says by itself what may be dropped on it. */
-function listenToDrops<K extends Kind>(store: Store<K>, openFiles: (files: readonly File[]) => void, hasFrame: boolean): void {
+function listenToDrops<K extends Kind>(
+  store: Store<K>,
+  openFiles: (files: readonly File[]) => void,
+  { takeOthers, pictures }: Files<K>,
+): void {
+  // Where others are taken, the element says by itself what may be dropped on it.
+  const hasFrame = takeOthers !== undefined;
   const frame = document.createElement('p');
   const words = frame.appendChild(document.createElement('span'));
   frame.className = 'drop-frame';
@@ -73,7 +80,7 @@ function listenToDrops<K extends Kind>(store: Store<K>, openFiles: (files: reado
     if (!hasFiles(event)) return;
     event.preventDefault();
     if (event.dataTransfer) event.dataTransfer.dropEffect = 'copy';
-    words.textContent = later(store.language, 'dropFile');
+    words.textContent = pictures?.invitation(store.language) ?? later(store.language, 'dropFile');
     frame.hidden = false;
   });
   window.addEventListener('dragleave', ({ relatedTarget }) => {
@@ -109,7 +116,9 @@ async function openOne<K extends Kind>({ store, open }: FileParts<K>, files: Fil
   try {
     scene = await importedScene(files.reading, file);
   } catch (thrown) {
-    await refuse(store, files, file, errorInfo(thrown));
+    const error = errorInfo(thrown);
+    if (files.pictures && error.name === 'ImportForeign' && isPicture(file)) await files.pictures.take(file);
+    else await refuse(store, files, file, error);
     return;
   }
   open(scene);
@@ -123,6 +132,10 @@ async function openOne<K extends Kind>({ store, open }: FileParts<K>, files: Fil
   }
   if (scene.hash !== '' && made !== scene.hash) store.say((language) => later(language, 'sceneDiffers', { file: name }));
   else toast(document.body, later(store.language, name === '' ? 'scenePasted' : 'sceneBack', { file: name }), TOAST_MS);
+}
+
+function isPicture(file: File | string): file is File {
+  return file instanceof File && file.type.startsWith('image/');
 }
 
 function otherWords(language: Language, file: File | string, page: string): string {

@@ -132,6 +132,7 @@ function show<K extends Kind>({ element, panel, random, actions }: Page<K>, stor
   const frameAll = (): void => element.frameAll();
   const help = act('help');
   const own: Actions<K> = {
+    element,
     freshSeed: act('freshSeed'),
     randomise: act('randomise'),
     link,

@@ -114,6 +114,11 @@ export class RockFieldElement extends GeneratorElement<Rocks> {
     await (await lazily(() => import('./mask-image.ts'))).setMask(this, masks, mask);
   }
 
+  /** Whether a mask is set. */
+  get hasMask(): boolean {
+    return masks.get(this) !== undefined;
+  }
+
   /** The field of the present parameters, as soon as it is finished; of newer ones where they change meanwhile. Not to be changed. */
   getField(): Promise<Field> {
     return this.newest();

@@ -8,6 +8,7 @@ import { hasProblem, layerCard } from './layer-card.ts';
 import { description } from '../../controls/parts.ts';
 import { register, Panel } from '../../controls/panel.ts';
 import type { TemplateResult } from 'lit';
+import type { Paintable } from './painting/paintable.ts';
 import type { Rocks } from '../table.ts';
 import { ROCK_LATER } from './deferred.ts';
 import type { RockLater } from './deferred.ts';
@@ -50,7 +51,7 @@ export class RockPanel extends Panel<Rocks> {
 
   protected override sections(): TemplateResult {
     const ground = this.store.table.rows.filter(({ stage, key }) => stage !== 'look' && key !== 'seed');
-    return html`${this.look()} ${this.#layers()} ${this.section(this.store.text('ground'), ground)}`;
+    return html`${this.look()} ${this.#layers()} ${this.#paint()} ${this.section(this.store.text('ground'), ground)}`;
   }
 
   protected override figures(): TemplateResult | undefined {
@@ -85,6 +86,10 @@ export class RockPanel extends Panel<Rocks> {
         </ol>
       </section>
     `;
+  }
+
+  #paint(): TemplateResult | undefined {
+    return this.later?.paintSection(this.store, this.actions.element as unknown as Paintable, () => (this.isOpen = false));
   }
 
   #addLayer = async (): Promise<void> => {

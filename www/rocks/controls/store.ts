@@ -5,6 +5,7 @@ import { Store } from '../../controls/store.ts';
 import { summary } from './summary.ts';
 import type { Layer } from '../params.ts';
 import type { Deferred } from '../../base/deferred.ts';
+import type { Words } from '../../base/language.ts';
 import type * as strings from '../../controls/strings-later.ts';
 import type * as layers from './next-layer.ts';
 import type * as notation from './notation.ts';
@@ -27,6 +28,8 @@ export class RockStore extends Store<Rocks> {
   /** Whether height and taper stay when the radius changes; else they keep their proportions. */
   keepsShape = false;
   declare protected readonly later: Deferred<RockStoreLater>;
+  /** What the element shows beside what links hold, in words. */
+  unlinked: () => Words | null = () => null;
   /** The layer whose radius was changed last, as it was before, and as it is. All that follows is measured from there: a drag rounds nothing away. */
   #resized: { from: Layer; to: Layer } | undefined;
 
@@ -40,6 +43,10 @@ export class RockStore extends Store<Rocks> {
 
   override summary(): string {
     return summary(this);
+  }
+
+  override get leftOut(): string {
+    return this.unlinked()?.[this.language] ?? '';
   }
 
   override stageName(stage: StageName): string {
