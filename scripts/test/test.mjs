@@ -12,7 +12,7 @@ import { spec } from 'node:test/reporters';
 import { parseArgs } from 'node:util';
 import { cargoEnv, root } from '../lib/env.mjs';
 import { GENERATORS, LATER } from '../lib/generators.mjs';
-import { Failure, beginningWith, main, messageOf, run, say, seconds } from '../lib/run.mjs';
+import { Failure, beginningWith, inLanes, main, messageOf, run, say, seconds } from '../lib/run.mjs';
 import { runRustTests, withWasmTests } from './rust-tests.mjs';
 import { bindgenTestRunner, setup } from '../setup.mjs';
 
@@ -47,60 +47,83 @@ const LONG_FILES = [
 ];
 
 /**
- * In order; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards.
+ * In order within a lane; `needs` names steps without which one is not worth running. The times are for two cores, from nothing / afterwards.
  *
- * The lanes begin when all steps without a lane are done, and run side by side, since each of their steps waits for a part of its time.
- * `prepare` comes before any lane begins: what it changes is used by several of them.
+ * Two lanes run side by side, since most steps wait for a part of their time, or keep one core busy: first those of the crate and of what is built from it,
+ * then those of browsers and of everything beside them. `prepare` comes between: what it changes is used by both lanes that follow.
  *
- * @typedef {{ name: string, expected: string, needs?: string[], lane?: number, prepare?: () => Promise<unknown>, work: () => Promise<string | void> }} Step
- * @type {Step[]}
+ * @typedef {{ name: string, expected: string, needs?: string[], lane: string, prepare?: () => Promise<unknown>, work: () => Promise<string | void> }} Step
  */
+const LANES = [
+  ['crate', 'build'],
+  ['browsers', 'beside'],
+];
+
+/** @type {Step[]} */
 const STEPS = [
-  { name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
-  {
-    name: 'biome',
-    expected: '3 s',
-    work: () => node([path.join('node_modules', '@biomejs', 'biome', 'bin', 'biome'), 'ci', '--error-on-warnings', '.']),
-  },
-  { name: 'lengths', expected: '1 s', work: async () => (await import('../checks/check-lengths.mjs')).check() },
-  { name: 'generators', expected: '1 s', work: async () => (await import('../checks/check-generators.mjs')).check() },
-  { name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
+  { lane: 'crate', name: 'fmt', expected: '1 s', work: () => cargo(['fmt', '--check']) },
+  { lane: 'crate', name: 'clippy', expected: '30 s / 5 s', work: () => clippy() },
   ...[...GENERATORS, ...LATER].map(({ wasm }) => ({
+    lane: 'crate',
     name: `clippy-${wasm}`,
     expected: '30 s / 5 s',
     work: () => clippy(...WASM, '--no-default-features', '--features', wasm),
   })),
-  { name: 'clippy-webgpu', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgpu') },
-  { name: 'clippy-webgl', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgl') },
-  { name: 'rust', expected: '5 min / 3 min', work: rustTests },
-  { name: 'rust-wasm', expected: '8 min / 80 s', work: rustInNode },
-  { name: 'docs', expected: '60 s / 10 s', work: rustDocs },
-  { name: 'build', expected: '5 min / 5 s', work: async () => (await import('../build/build.mjs')).build() },
-  { name: 'size', expected: '5 s', needs: ['build'], work: async () => (await import('../build/size.mjs')).check() },
+  { lane: 'crate', name: 'clippy-webgpu', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgpu') },
+  { lane: 'crate', name: 'clippy-webgl', expected: '90 s / 5 s', work: () => clippy(...WASM, '--features', 'renderer-webgl') },
+  { lane: 'crate', name: 'rust', expected: '5 min / 3 min', work: rustTests },
+  { lane: 'crate', name: 'rust-wasm', expected: '8 min / 80 s', work: rustInNode },
+  { lane: 'crate', name: 'docs', expected: '60 s / 10 s', work: rustDocs },
   {
-    name: 'types',
-    expected: '10 s',
-    needs: ['build'],
-    work: types,
+    lane: 'build',
+    name: 'biome',
+    expected: '3 s',
+    work: () => node([path.join('node_modules', '@biomejs', 'biome', 'bin', 'biome'), 'ci', '--error-on-warnings', '.']),
   },
-  { name: 'dependencies', expected: '2 s', needs: ['build'], work: async () => (await import('../checks/check-deps.mjs')).check() },
-  { name: 'web', expected: '20 s', needs: ['build'], work: webTests },
+  { lane: 'build', name: 'lengths', expected: '1 s', work: async () => (await import('../checks/check-lengths.mjs')).check() },
+  { lane: 'build', name: 'generators', expected: '1 s', work: async () => (await import('../checks/check-generators.mjs')).check() },
+  { lane: 'build', name: 'build', expected: '5 min / 5 s', work: async () => (await import('../build/build.mjs')).build() },
+  { lane: 'build', name: 'size', expected: '5 s', needs: ['build'], work: async () => (await import('../build/size.mjs')).check() },
+  { lane: 'build', name: 'types', expected: '10 s', needs: ['build'], work: types },
   {
+    lane: 'build',
+    name: 'dependencies',
+    expected: '2 s',
+    needs: ['build'],
+    work: async () => (await import('../checks/check-deps.mjs')).check(),
+  },
+  {
+    lane: 'build',
     name: 'package',
     expected: '10 s',
     needs: ['build'],
     work: async () => (await import('../package/package.mjs')).examine(await packed()),
   },
-  { name: 'browsers', expected: '10 min', needs: ['build'], lane: 1, prepare: chromium, work: browserTests },
-  { name: 'hosts', expected: '3 min / 2 min', needs: ['build'], lane: 2, prepare: packed, work: hosts },
-  { name: 'engines', expected: '3 min / 2 min', needs: ['build'], lane: 2, work: async () => (await import('./engines.mjs')).check() },
-  { name: 'cluster', expected: '70 s / 40 s', needs: ['build'], lane: 2, work: async () => (await import('./cluster.mjs')).check() },
+  { lane: 'browsers', name: 'browsers', expected: '10 min', needs: ['build'], prepare: chromium, work: () => browserTests(2) },
+  { lane: 'beside', name: 'hosts', expected: '3 min / 2 min', needs: ['build'], prepare: packed, work: hosts },
+  {
+    lane: 'beside',
+    name: 'engines',
+    expected: '3 min / 2 min',
+    needs: ['build'],
+    work: async () => (await import('./engines.mjs')).check(),
+  },
+  {
+    lane: 'beside',
+    name: 'cluster',
+    expected: '70 s / 40 s',
+    needs: ['build'],
+    work: async () => (await import('./cluster.mjs')).check(),
+  },
+  { lane: 'beside', name: 'web', expected: '2 min', needs: ['build'], work: webTests },
+  { lane: 'beside', name: 'browsers-beside', expected: '5 min', needs: ['build'], work: () => browserTests(1) },
 ];
-
-const LANES = [1, 2];
 
 /** What `packed` resolves with. */
 let inPackage = /** @type {ReturnType<typeof import('../package/package.mjs').pack> | null} */ (null);
+
+/** Files of browser tests that nobody has begun. */
+let waiting = /** @type {ArrayIterator<string> | undefined} */ (undefined);
 
 await main(async () => {
   const start = performance.now();
@@ -110,10 +133,11 @@ await main(async () => {
     for (const step of steps.filter((one) => one.lane === lane)) results.push(await attempt(step, results));
   };
   try {
-    await inOrder(undefined);
-    // What fails here fails again in its step, which says so.
-    for (const { prepare } of steps) await prepare?.().catch(() => {});
-    await Promise.all(LANES.map(inOrder));
+    for (const lanes of LANES) {
+      // What fails here fails again in its step, which says so.
+      for (const { prepare } of steps.filter(({ lane }) => lanes.includes(lane))) await prepare?.().catch(() => {});
+      await Promise.all(lanes.map(inOrder));
+    }
   } finally {
     if (inPackage) rmSync((await inPackage).outside, { recursive: true, force: true });
   }
@@ -212,20 +236,41 @@ async function packed() {
   return inPackage;
 }
 
-async function browserTests() {
+/**
+ * Runs browser tests, so many files at a time, until no file is left: while one waits the others compute. Whoever comes later helps with those that are
+ * left.
+ *
+ * @param {number} lanes
+ */
+async function browserTests(lanes) {
   const browser = await chromium();
   if (!browser) return 'left out, as SKIP_BROWSERS asks';
+  waiting ??= browserFiles().values();
+  process.env.CHROME_PATH = browser;
+  const failures = [];
+  await inLanes(waiting, async (file) => void failures.push(...(await failuresOf(file))), lanes);
+  // Once more, where a long log ends.
+  if (failures.length > 0) throw new Failure(`tests failed\n${failures.join('\n')}`);
+}
+
+function browserFiles() {
   const folder = path.join(root, 'tests', 'e2e');
   const names = existsSync(folder) ? readdirSync(folder).filter((name) => name.endsWith('.test.mjs')) : [];
   if (names.length === 0) throw new Failure('there are no tests in tests/e2e');
-  const files = names.sort(beginningWith(LONG_FILES, (name) => name.replace('.test.mjs', ''))).map((name) => path.join(folder, name));
-  process.env.CHROME_PATH = browser;
-  // Two files at a time: while one waits the other computes. More would only be slower, since the software GPU takes every core.
-  const running = runFiles({ files, concurrency: 2, timeout: HANGS_MS });
-  const failed = new Set();
-  running.on('test:fail', ({ file }) => failed.add(path.basename(file ?? 'a file')));
-  for await (const text of running.compose(new spec())) process.stdout.write(text);
-  if (failed.size > 0) throw new Failure(`tests failed in ${[...failed].join(', ')}`);
+  return names.sort(beginningWith(LONG_FILES, (name) => name.replace('.test.mjs', ''))).map((name) => path.join(folder, name));
+}
+
+/** Runs a file and says what comes of each test. Resolves with the tests that failed, and why. */
+async function failuresOf(file) {
+  const running = runFiles({ files: [file], timeout: HANGS_MS });
+  const failures = [];
+  running.on('test:fail', ({ name, details: { error } }) => {
+    const { failureType } = /** @type {Error & { failureType?: string }} */ (error);
+    if (failureType !== 'subtestsFailed') failures.push(`${path.basename(file)}: ${name}\n${messageOf(error.cause ?? error)}`);
+  });
+  // But for the counts.
+  for await (const text of running.compose(new spec())) process.stdout.write(String(text).replace(/^ℹ .*\n/gm, ''));
+  return failures;
 }
 
 /** The package in the pages of others. */

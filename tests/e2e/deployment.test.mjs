@@ -89,10 +89,16 @@ async function kept(/** @type {Page} */ page) {
   });
 }
 
+/** Until it has stopped: what is asked of one that is about to stop may be lost with it. */
 async function stopServiceWorker(/** @type {BrowserContext} */ context, /** @type {Page} */ page) {
   const devtools = await context.newCDPSession(page);
+  const states = new Map();
+  devtools.on('ServiceWorker.workerVersionUpdated', ({ versions }) => {
+    for (const { versionId, runningStatus } of versions) states.set(versionId, runningStatus);
+  });
   await devtools.send('ServiceWorker.enable');
   await devtools.send('ServiceWorker.stopAllWorkers');
+  await until(() => states.size > 0 && [...states.values()].every((state) => state === 'stopped'), 'the service worker has stopped');
   await devtools.detach();
 }
 
@@ -127,7 +133,13 @@ async function killAndEdit(/** @type {Page} */ page) {
 
 /** The seed that has grown after the last `killAndEdit`, once it has. */
 async function grown(/** @type {Page} */ page) {
-  return (await page.waitForFunction(() => globalThis.grown, undefined, { polling: 100 })).jsonValue();
+  try {
+    return await (await page.waitForFunction(() => globalThis.grown, undefined, { polling: 100 })).jsonValue();
+  } catch (error) {
+    const said = await page.locator('.message, [part=message]').allTextContents();
+    const workers = page.workers().map((worker) => worker.url());
+    throw new Error(JSON.stringify({ said, workers, asked: log.slice(-20) }), { cause: error });
+  }
 }
 
 const offer = (/** @type {Page} */ page) => page.locator('stage-overlay .message', { hasText: 'There is a newer version of this page' });

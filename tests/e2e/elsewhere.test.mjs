@@ -11,7 +11,8 @@ import { PATIENCE, launch } from './browser.mjs';
 
 const SMALL = 'image-width="200" image-height="150" style="display: block; width: 200px; height: 150px"';
 const ROCKS = `<rock-field ${SMALL} radius="30 10"></rock-field>`;
-const EARS = '<wood-ear-log ground="none" style="display: block; width: 200px; height: 150px"></wood-ear-log>';
+const EARS =
+  '<wood-ear-log ground="none" density="4" range="20" log-spacing="6" style="display: block; width: 200px; height: 150px"></wood-ear-log>';
 
 /** What an element comes to: its picture and what is in it, or its first error. */
 const SEEN = `

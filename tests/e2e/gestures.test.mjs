@@ -2,7 +2,7 @@
 import assert from 'node:assert/strict';
 import { after, before, test } from 'node:test';
 import { launch, pageOf, staysQuietFor } from './browser.mjs';
-import { boxOf } from './shown.mjs';
+import { boxOf, closeClean } from './shown.mjs';
 
 const HTML = `<!doctype html><html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>gestures</title><link rel="icon" href="data:,">
 <style>body { margin: 0; height: 3000px } rock-field { width: 320px; height: 240px; margin: 300px 20px }</style>
@@ -60,11 +60,6 @@ async function phone() {
   /** Not waited for in between: a report is answered when the page has heard it, and a busy page would make the tap a long one. */
   const tap = (x, y) => Promise.all([touch('Start', [x, y]), touch('End')]);
   return { ...opened, touch, slide, tap };
-}
-
-async function closeClean({ errors, close }) {
-  assert.deepEqual(errors, []);
-  await close();
 }
 
 test('the wheel scrolls the page; after a click on the picture, or with ctrl, it zooms', async () => {
