@@ -396,12 +396,12 @@ fn moss_coat(at: vec3f, footprint: f32) {
     }
     let tips = noise3(p) * seen;
     high += 0.5 * tips.w;
-    slope += 0.4 * tips.xyz;
+    slope += 0.7 * tips.xyz;
     period /= 2.7;
     p = p * 2.7 + 4.3;
   }
   let hue = 0.5 + 0.8 * broad.w + 0.15 * broad.x;
-  moss_albedo = mix(vec3f(0.05, 0.058, 0.019), vec3f(0.135, 0.126, 0.042), clamp(hue, 0.0, 1.0)) * max(1.0 + 1.1 * high + 0.5 * broad.w, 0.25);
+  moss_albedo = mix(vec3f(0.05, 0.058, 0.019), vec3f(0.105, 0.102, 0.034), clamp(hue, 0.0, 1.0)) * max(1.0 + 1.1 * high + 0.5 * broad.w, 0.25);
   moss_slope = slope * TURN;
   moss_high = high;
 }

@@ -108,11 +108,11 @@ fn granite(at: vec3f, size: f32, fine: f32, mid: f32, footprint: f32) -> vec4f {
   let sharp = min(size / footprint, 8.0);
   let cell = grains(q + 0.12 * grown.xyz, sharp);
   let feldspar = seen * saturate(sharp * (cell.y + 0.2 * (fine + grown.w) - 0.38) + 0.5);
-  let mica = seen * saturate(sharp * (cell.z + grown.w + 0.2 * (fine + mid) - 0.86) + 0.5);
+  let mica = seen * saturate(sharp * (cell.z + grown.w + 0.2 * (fine + mid) - 0.98) + 0.5);
   stone_warm += 0.16 * feldspar * cell.w;
   stone_rough += 0.15 * feldspar - 0.2 * seen;
   let value = 0.5 * feldspar + seen * (0.3 * cell.w - 0.35);
-  return vec4f(feldspar * (0.5 * cell.yzw - 0.25), mix(value, -0.9, mica));
+  return vec4f(feldspar * (0.5 * cell.yzw - 0.25), mix(value, -0.75, mica));
 }
 
 // All sizes of the gas bubbles of basalt, as `bubble` has one.
@@ -133,7 +133,7 @@ fn etched(at: vec3f, patchy: f32, footprint: f32) -> vec4f {
   const SIZE = 0.9;
   let hollow = noise3(at / SIZE + 3.0);
   let depth = smoothstep(0.24, 0.36, hollow.w + 0.25 * patchy) * shown(SIZE, footprint);
-  return vec4f(-2.2 * depth * (1.0 - depth) * hollow.xyz, 0.4 * depth);
+  return vec4f(-5.0 * depth * (1.0 - depth) * hollow.xyz, 0.13 * depth);
 }
 
 // `own` three random numbers of the rock, `mean` its own mean albedo, `at` in its own space, footprint px of the world under a pixel.
@@ -164,7 +164,7 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
   if kind == 1.0 {
     stone_rough = 0.7;
     if quality > 0.0 {
-      let found = granite(turned_at, 0.34 * coarse, fine, mid.w, footprint);
+      let found = granite(turned_at, 0.23 * coarse, fine, mid.w, footprint);
       slope += found.xyz;
       value += found.w;
     }
@@ -197,7 +197,7 @@ fn stone(kind: f32, own: vec3f, mean: vec3f, at: vec3f, footprint: f32) {
   } else if kind == 4.0 {
     value += 0.1 * mid.w;
     pale = smoothstep(0.1, 0.5, broad.w) * 0.3;
-    slope *= 0.9;
+    slope *= 1.5;
     if quality > 1.5 {
       let found = etched(turned_at, mid.w, footprint);
       slope += found.xyz;
