@@ -21,7 +21,7 @@ const MOST_SIDE: u32 = 1024;
 /// A picture of what a view shows, through the camera that it had when the picture was begun.
 pub(crate) struct Picture {
     shot: Shot,
-    is_rough: bool,
+    may_be_rough: bool,
     pieces: Pieces,
     image: wgpu::TextureView,
     group: wgpu::BindGroup,
@@ -40,7 +40,7 @@ impl Drop for Picture {
 impl Picture {
     /// Begins a picture of so many pixels, whatever the size of the view is. One that is rough has one sample a pixel, where that makes a
     /// difference.
-    pub(crate) fn new(gpu: &Gpu, view: &View, width: u32, height: u32, is_rough: bool) -> Self {
+    pub(crate) fn new(gpu: &Gpu, view: &View, width: u32, height: u32, may_be_rough: bool) -> Self {
         let most = gpu.max_side();
         let (width, height) = (width.clamp(1, most), height.clamp(1, most));
         let usage = wgpu::TextureUsages::COPY_DST
@@ -51,8 +51,7 @@ impl Picture {
         let group = present.group(&gpu.device, &image);
         let whole = Tile { whole: [width as f32, height as f32], corner: [0.0; 2] };
         let shot = Shot { width, height, tile: Some(whole), ..view.shot };
-        let is_rough = is_rough && view.is_natural();
-        Self { shot, is_rough, pieces: Pieces::new(width, height), image, group, given: 0, done: Arc::default() }
+        Self { shot, may_be_rough, pieces: Pieces::new(width, height), image, group, given: 0, done: Arc::default() }
     }
 
     /// Draws the next part of the maps that all pieces need. False where nothing is lacking.
@@ -65,11 +64,16 @@ impl Picture {
         is_lacking
     }
 
+    /// Whether it has one sample a pixel. In motion the style may change before the first piece is drawn, and only natural colours can be rough.
+    fn is_rough(&self, view: &View) -> bool {
+        self.may_be_rough && view.is_natural()
+    }
+
     /// Of the maps that are fine enough for it.
     fn grade(&self, view: &View) -> Grade {
         if self.shot.width < view.shot.width && self.shot.height < view.shot.height {
             Grade::Draft
-        } else if self.is_rough {
+        } else if self.is_rough(view) {
             Grade::Rough
         } else {
             Grade::Whole
@@ -103,7 +107,8 @@ impl Picture {
             let maps = view.prepare_for(gpu, scene, props, side);
             (&*scene, maps)
         });
-        let samples = if self.is_rough { 1 } else { gpu.kind.samples };
+        let is_rough = self.is_rough(view);
+        let samples = if is_rough { 1 } else { gpu.kind.samples };
         let Piece { x, y, width, height } = piece;
         let mut easel = gpu.easel.borrow_mut();
         let easel = match &mut *easel {
@@ -122,7 +127,7 @@ impl Picture {
             scene,
             props,
             plan,
-            if self.is_rough { Sort::Rough } else { Sort::Frame },
+            if is_rough { Sort::Rough } else { Sort::Frame },
         );
         let mut place = self.image.texture().as_image_copy();
         place.origin = wgpu::Origin3d { x, y, z: 0 };
