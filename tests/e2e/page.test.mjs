@@ -225,6 +225,8 @@ test('views and colours change the picture, not the rocks; the link tells them',
 test('the page works by keyboard alone', async () => {
   const opened = await open('#w=256&h=256');
   const { page } = opened;
+  // What comes later has come: nothing is passed by before it is there.
+  await page.locator('#seed-number').waitFor();
   await page.keyboard.press('Tab');
   assert.equal(await page.evaluate(() => document.activeElement?.className), 'skip-link');
   await page.keyboard.press('Enter');
