@@ -125,8 +125,10 @@ test('one finger paints; two move the picture, and paint nothing', async () => {
   const opened = await openPainting({ hasTouch: true });
   const { page } = opened;
   const client = await page.context().newCDPSession(page);
-  const touch = (/** @type {'touchStart' | 'touchMove' | 'touchEnd'} */ type, /** @type {[number, number][]} */ ...points) =>
-    client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
+  const touch = (
+    /** @type {'touchStart' | 'touchMove' | 'touchEnd' | 'touchCancel'} */ type,
+    /** @type {[number, number][]} */ ...points
+  ) => client.send('Input.dispatchTouchEvent', { type, touchPoints: points.map(([x, y], id) => ({ x, y, id })) });
   const { x, y, width, height } = await boxOf(page.locator('rock-field'));
   const at = (/** @type {number} */ u, /** @type {number} */ v) => /** @type {[number, number]} */ ([x + u * width, y + v * height]);
   await touch('touchStart', at(0.4, 0.4));
@@ -142,6 +144,10 @@ test('one finger paints; two move the picture, and paint nothing', async () => {
   await touch('touchEnd');
   await until(async () => (await camera(page)).distance < 0.8 * before.distance, 'two fingers come closer');
   assert.equal((await strokes(page)).length, 1);
+  // The browser may take the fingers away, too.
+  await touch('touchStart', at(0.45, 0.4));
+  await touch('touchStart', at(0.45, 0.4), at(0.55, 0.4));
+  await touch('touchCancel');
   await touch('touchStart', at(0.4, 0.4));
   await touch('touchMove', at(0.5, 0.45));
   await touch('touchEnd');

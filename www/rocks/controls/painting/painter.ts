@@ -151,7 +151,7 @@ class Painter {
     stage.addEventListener('pointerdown', (event) => this.#onDown(event), options);
     stage.addEventListener('pointermove', (event) => this.#onMove(event), options);
     stage.addEventListener('pointerup', (event) => this.#onUp(event), options);
-    stage.addEventListener('pointercancel', () => this.#lift(false), options);
+    stage.addEventListener('pointercancel', (event) => this.#onCancel(event), options);
     stage.addEventListener('pointerleave', () => this.#leave(), options);
     stage.addEventListener('dblclick', (event) => event.stopImmediatePropagation(), options);
     stage.addEventListener('keydown', (event) => this.#onKey(event, ARROWS), options);
@@ -198,6 +198,12 @@ class Painter {
     if (event.pointerId !== this.#pointer?.pointerId) return;
     this.#take(event);
     this.#lift(true);
+  }
+
+  /** The browser took a pointer: nothing of it is kept, and without the first finger the picture is not moved any more. */
+  #onCancel(event: PointerEvent): void {
+    if (event.isPrimary) this.#isMoved = false;
+    if (event.pointerId === this.#pointer?.pointerId) this.#lift(false);
   }
 
   /** A brush that is down stays where it left the picture. */
